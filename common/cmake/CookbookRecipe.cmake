@@ -1,0 +1,105 @@
+# The house's own commands: a chapter, a recipe, a chart, a test.
+
+# cookbook_warnings(TARGET): what this project asks of its own code, not of a game's.
+function(cookbook_warnings target)
+  target_compile_options(${target} PRIVATE
+    -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
+    $<$<CONFIG:Release>:-O3> -fno-math-errno -ffp-contract=off)
+  # g++ 12 warns of overlapping copies inside std::string that cannot happen.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    target_compile_options(${target} PRIVATE -Wno-restrict)
+  endif()
+  if(COOKBOOK_SANITIZE)
+    target_compile_options(${target} PRIVATE
+      -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_compile_definitions(${target} PRIVATE COOKBOOK_FEWER_PAIRS)
+    target_link_options(${target} PRIVATE -fsanitize=address,undefined)
+  endif()
+endfunction()
+
+# cookbook_chapter(NAME [NEEDS CHAPTER]): the headers in this folder as the target cookbook::NAME.
+#
+# The folder's number and name are the chapter's label in ctest.
+function(cookbook_chapter name)
+  cmake_parse_arguments(PARSE_ARGV 1 chapter "" "NEEDS" "")
+  add_library(cookbook_${name} INTERFACE)
+  add_library(cookbook::${name} ALIAS cookbook_${name})
+  set_target_properties(cookbook_${name} PROPERTIES EXPORT_NAME ${name})
+  target_include_directories(cookbook_${name} INTERFACE
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/recipes>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/cookbook>)
+  if(chapter_NEEDS)
+    target_link_libraries(cookbook_${name} INTERFACE cookbook_${chapter_NEEDS})
+  else()
+    target_link_libraries(cookbook_${name} INTERFACE cookbook_common)
+  endif()
+  cookbook_install(cookbook_${name} ${CMAKE_CURRENT_SOURCE_DIR})
+  get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  set(COOKBOOK_CHAPTER ${folder} PARENT_SCOPE)
+  set(COOKBOOK_CHAPTER_TARGET cookbook_${name} PARENT_SCOPE)
+endfunction()
+
+# cookbook_program(NAME): the target NAME from NAME.cpp; part of a recipe and of a chart.
+function(cookbook_program name)
+  add_executable(${name} ${name}.cpp)
+  target_link_libraries(${name} PRIVATE ${COOKBOOK_CHAPTER_TARGET} cookbook_tools ${ARGN})
+  cookbook_warnings(${name})
+endfunction()
+
+# cookbook_recipe(NAME [LIBRARY…]): NAME.hpp, NAME.cpp and NAME.expected make the program NAME, the
+# checks of its output and its figures, and the tests in tests/CHAPTER/NAME_test.cpp.
+function(cookbook_recipe name)
+  set_property(GLOBAL APPEND PROPERTY COOKBOOK_RECIPE_NAMES ${name})
+  if(COOKBOOK_RECIPES)
+    cookbook_program(${name} ${ARGN})
+  endif()
+  if(COOKBOOK_TESTS AND COOKBOOK_RECIPES)
+    add_test(NAME ${name}.output COMMAND ${CMAKE_COMMAND}
+      -D program=$<TARGET_FILE:${name}> -D name=${name}
+      -D expected=${CMAKE_CURRENT_SOURCE_DIR}/${name}.expected
+      -D figures=${PROJECT_SOURCE_DIR}/chapters/figures/${COOKBOOK_CHAPTER}
+      -D drawn=${CMAKE_CURRENT_BINARY_DIR}/${name}.drawn
+      -P ${PROJECT_SOURCE_DIR}/common/cmake/check_output.cmake)
+    set_tests_properties(${name}.output PROPERTIES
+      LABELS "${COOKBOOK_CHAPTER};${name}" TIMEOUT 300)
+  endif()
+  cookbook_test(${name} ${ARGN})
+endfunction()
+
+# cookbook_chart(NAME [LIBRARY…]): a program that measures time; its chart belongs to the book, and
+# only its unit tests run in ctest.
+function(cookbook_chart name)
+  if(COOKBOOK_RECIPES)
+    cookbook_program(${name} ${ARGN})
+    set(charts ${CMAKE_BINARY_DIR}/charts/${COOKBOOK_CHAPTER})
+    add_custom_target(${name}.chart
+      COMMAND ${CMAKE_COMMAND} -E make_directory ${charts}
+      COMMAND ${name} --out ${charts}
+      COMMENT "Measuring and drawing the chart ${name}" USES_TERMINAL VERBATIM)
+    set_property(GLOBAL APPEND PROPERTY COOKBOOK_CHART_TARGETS ${name}.chart)
+  endif()
+  cookbook_test(${name} ${ARGN})
+endfunction()
+
+# cookbook_test(NAME [LIBRARY…]): every tests/CHAPTER/NAME_test.cpp and NAME_*_test.cpp.
+function(cookbook_test name)
+  if(NOT COOKBOOK_TESTS)
+    return()
+  endif()
+  set(folder ${PROJECT_SOURCE_DIR}/tests/${COOKBOOK_CHAPTER})
+  set(sources ${folder}/${name}_test.cpp)
+  if(EXISTS ${folder}/${name}_accuracy_test.cpp)
+    list(APPEND sources ${folder}/${name}_accuracy_test.cpp)
+  endif()
+  foreach(source ${sources})
+    get_filename_component(stem ${source} NAME_WE)
+    add_executable(${stem} ${source})
+    target_link_libraries(${stem} PRIVATE
+      ${COOKBOOK_CHAPTER_TARGET} cookbook_exact cookbook_tools cookbook_test_main ${ARGN})
+    cookbook_warnings(${stem})
+    string(REGEX REPLACE "_test$" "" short ${stem})
+    add_test(NAME ${short}.unit COMMAND ${stem})
+    set_tests_properties(${short}.unit PROPERTIES
+      LABELS "${COOKBOOK_CHAPTER};${name}" TIMEOUT 900)
+  endforeach()
+endfunction()

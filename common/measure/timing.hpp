@@ -1,0 +1,51 @@
+#pragma once
+
+/// \file
+/// \brief Times methods against each other: all of them in one run, in random turns.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cookbook::measure
+{
+
+/// Something to be timed.
+struct Timed
+{
+  std::string name;
+  std::function<void()> run; ///< does all calls once
+  double calls;              ///< how many calls `run` stands for
+};
+
+/// How long to measure.
+struct Effort
+{
+  int repetitions = 31;  ///< of each method, in random turns
+  double seconds = 0.02; ///< at least, for each repetition
+};
+
+/// What a call costs.
+struct Timing
+{
+  std::string name;
+  double ns; ///< [ns] a call, the median of all repetitions
+};
+
+// [time_interleaved]
+/// Times all methods in one run, their repetitions in random turns: whatever else the machine does
+/// meanwhile slows all of them alike, so that their ratios hold.
+std::vector<Timing> time_interleaved(const std::vector<Timed>& methods, const Effort& effort = {});
+// [time_interleaved]
+
+/// Makes the compiler believe that a value is read, so that it must be computed.
+template <class Value>
+void keep(const Value& value)
+{
+  asm volatile("" : : "m"(value) : "memory");
+}
+
+/// Machine, compiler and flags in one line, for the caption of a chart.
+std::string machine_line();
+
+} // namespace cookbook::measure

@@ -1,0 +1,155 @@
+#include "common/program/program.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include <unistd.h>
+
+namespace cookbook
+{
+
+const std::string& Arguments::value(const std::string& option) const
+{
+  for (const Option& candidate : options)
+  {
+    if (candidate.name == option)
+    {
+      return candidate.value;
+    }
+  }
+  throw std::logic_error(name + " has no option --" + option);
+}
+
+namespace
+{
+
+/// Holds back standard output until the program has succeeded.
+class HeldOutput
+{
+public:
+  HeldOutput() : real_(std::cout.rdbuf(held_.rdbuf())) {}
+  ~HeldOutput() { std::cout.rdbuf(real_); }
+  HeldOutput(const HeldOutput&) = delete;
+  HeldOutput& operator=(const HeldOutput&) = delete;
+
+  void release()
+  {
+    std::cout.rdbuf(real_);
+    std::cout << held_.str() << std::flush;
+    if (!std::cout)
+    {
+      throw std::runtime_error("cannot write to standard output");
+    }
+  }
+
+private:
+  std::ostringstream held_;
+  std::streambuf* real_;
+};
+
+void describe(CLI::App& app, Arguments& arguments)
+{
+  app.add_option("--out", arguments.out, "folder for the figures, made if missing")
+      ->capture_default_str()
+      ->type_name("FOLDER");
+  if (!arguments.pairs_header.empty())
+  {
+    app.add_option(
+           "--pairs", arguments.pairs,
+           "your own pairs: a CSV file that begins with the line\n" + arguments.pairs_header)
+        ->type_name("FILE");
+  }
+  for (Option& option : arguments.options)
+  {
+    CLI::Option* added = app.add_option("--" + option.name, option.value, option.help);
+    added->capture_default_str();
+    if (!option.choices.empty())
+    {
+      added->check(CLI::IsMember(option.choices));
+    }
+  }
+}
+
+int run_body(const Arguments& arguments, const std::function<void(const Arguments&)>& body)
+{
+  try
+  {
+    HeldOutput output;
+    body(arguments);
+    output.release();
+    return 0;
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << arguments.name << ": error: " << error.what() << '\n';
+    return 1;
+  }
+}
+
+} // namespace
+
+int run_program(
+    int argc, char** argv, Arguments arguments, const std::function<void(const Arguments&)>& body)
+{
+  CLI::App app{arguments.summary, arguments.name};
+  arguments.out = ".";
+  describe(app, arguments);
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::Success& request)
+  {
+    return app.exit(request);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    std::cerr << arguments.name << ": error: " << error.what() << " (try --help)\n";
+    return 2;
+  }
+  return run_body(arguments, body);
+}
+
+void save_figure(const Arguments& arguments, const std::string& figure, const std::string& content)
+{
+  const std::filesystem::path path = arguments.out / figure;
+  std::error_code failure;
+  std::filesystem::create_directories(arguments.out, failure);
+  std::ofstream file(path, std::ios::binary);
+  file << content << std::flush;
+  if (!file)
+  {
+    throw std::runtime_error("cannot write the figure " + path.string());
+  }
+  std::cerr << "figure: " << path.string() << '\n';
+}
+
+Progress::Progress(std::string what, std::size_t total)
+    : what_(std::move(what)), total_(total), watched_(isatty(STDERR_FILENO) != 0)
+{
+}
+
+Progress::~Progress()
+{
+  if (watched_ && shown_ != 0)
+  {
+    std::fputs("\r\033[K", stderr);
+  }
+}
+
+void Progress::at(std::size_t done)
+{
+  const std::size_t percent = total_ == 0 ? 100 : done * 100 / total_;
+  if (watched_ && percent != shown_)
+  {
+    shown_ = percent;
+    std::fprintf(stderr, "\r%s: %zu %%", what_.c_str(), percent);
+    std::fflush(stderr);
+  }
+}
+
+} // namespace cookbook

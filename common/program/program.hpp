@@ -1,0 +1,69 @@
+#pragma once
+
+/// \file
+/// \brief What every recipe's program has in common: arguments, errors, figures, progress.
+
+#include <filesystem>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace cookbook
+{
+
+/// One further option of a program, `--name VALUE`.
+struct Option
+{
+  std::string name;                 ///< without the dashes
+  std::string help;                 ///< one sentence
+  std::string value;                ///< the default; afterwards what the reader chose
+  std::vector<std::string> choices; ///< the values allowed; empty: any
+};
+
+/// What a program is called with, and what it can be called with.
+struct Arguments
+{
+  std::string name;            ///< of the program
+  std::string summary;         ///< one sentence: what it prints and draws
+  std::string pairs_header{};  ///< columns of the file that --pairs reads; empty: no such option
+  std::vector<Option> options{};///< further options
+  std::filesystem::path out{}; ///< folder for figures
+  std::filesystem::path pairs{}; ///< the reader's own data; empty: the chapter's scene
+
+  /// The value of the option called `option`; std::logic_error if the program has none such.
+  const std::string& value(const std::string& option) const;
+};
+
+/// Runs a program: reads its arguments, then calls `body` with them.
+///
+/// Returns the exit status: 0, 1 where `body` throws (its sentence goes to standard error), 2 for
+/// wrong arguments. Standard output is written only when `body` has come to its end.
+int run_program(
+    int argc, char** argv, Arguments arguments, const std::function<void(const Arguments&)>& body);
+
+/// Writes `<out>/<figure>` and says so on standard error; throws std::runtime_error if it cannot.
+void save_figure(const Arguments& arguments, const std::string& figure, const std::string& content);
+
+/// A line on standard error that counts up while long work goes on; silent unless a person watches.
+class Progress
+{
+public:
+  /// Begins to count to `total`.
+  Progress(std::string what, std::size_t total);
+  /// Removes the line.
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// Says that `done` of the total is done.
+  void at(std::size_t done);
+
+private:
+  std::string what_;
+  std::size_t total_;
+  std::size_t shown_ = 0;
+  bool watched_;
+};
+
+} // namespace cookbook

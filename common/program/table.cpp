@@ -1,0 +1,74 @@
+#include "common/program/table.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+namespace cookbook
+{
+
+std::string number(double value)
+{
+  char text[32];
+  const std::to_chars_result result = std::to_chars(
+      text, text + sizeof text, value == 0 ? 0.0 : value, std::chars_format::general, 4);
+  return std::string(text, result.ptr);
+}
+
+Table::Table(std::vector<std::string> header)
+{
+  rows_.push_back(std::move(header));
+}
+
+void Table::row(std::vector<std::string> cells)
+{
+  if (cells.size() != rows_.front().size())
+  {
+    throw std::logic_error("a row has " + std::to_string(cells.size()) + " cells");
+  }
+  rows_.push_back(std::move(cells));
+}
+
+namespace
+{
+
+/// Characters in UTF-8: every byte but those that continue one.
+std::size_t width(const std::string& text)
+{
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+bool is_number(const std::string& text)
+{
+  return !text.empty() && text.find_first_not_of("0123456789.+-e,") == text.npos;
+}
+
+} // namespace
+
+std::string Table::text() const
+{
+  std::vector<std::size_t> widths(rows_.front().size(), 0);
+  for (const std::vector<std::string>& row : rows_)
+  {
+    for (std::size_t i = 0; i < row.size(); ++i)
+    {
+      widths[i] = std::max(widths[i], width(row[i]));
+    }
+  }
+  std::string all;
+  for (const std::vector<std::string>& row : rows_)
+  {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i)
+    {
+      const std::string fill(widths[i] - width(row[i]), ' ');
+      line += (i == 0 ? "" : "  ") + (is_number(row[i]) ? fill + row[i] : row[i] + fill);
+    }
+    all += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return all;
+}
+
+} // namespace cookbook

@@ -1,0 +1,34 @@
+#pragma once
+
+/// \file
+/// \brief Tables of failing cases: which method holds in which case, as a page shows them.
+
+#include <string>
+#include <vector>
+
+namespace cookbook
+{
+
+/// What became of a method in a case.
+struct Verdict
+{
+  bool holds;       ///< whether the answer is right
+  std::string what; ///< in a few words: how it holds or fails
+};
+
+/// One case: its id in the book, what is set up, and a verdict for each method.
+struct VerdictRow
+{
+  std::string id;                ///< such as C4; empty for a neighbour of the case above it
+  std::string what;              ///< the set-up, in a few words
+  std::vector<Verdict> verdicts; ///< as many as there are methods
+};
+
+/// The table as HTML, for a page to include; each row with an id can be linked to.
+///
+/// Throws std::logic_error where a row has not one verdict for each method.
+std::string verdict_table(
+    const std::string& caption, const std::vector<std::string>& methods,
+    const std::vector<VerdictRow>& rows);
+
+} // namespace cookbook

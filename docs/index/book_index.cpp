@@ -1,0 +1,279 @@
+/// \file
+/// Writes what Doxygen reads beside the tree, indexes and sources: `book_index ROOT FOLDER`; or
+/// prints one page prepared for it, with an anchor before each formula: `book_index PAGE`.
+
+#include "docs/index/pages.hpp"
+
+#include <iostream>
+
+namespace
+{
+
+using namespace cookbook::book;
+namespace fs = std::filesystem;
+using Summaries = std::map<std::string, std::string>;
+using Rows = std::map<std::string, std::string, ById>;
+
+void write(const fs::path& path, const std::string& text)
+{
+  std::ofstream out(path, std::ios::binary);
+  if (!(out << text).flush())
+  {
+    throw std::runtime_error("cannot write " + path.string());
+  }
+}
+
+std::string table(const std::string& head, const Rows& rows)
+{
+  std::string text = "<table class=\"index\">\n<tr>" + head + "</tr>\n";
+  for (const auto& [id, row] : rows)
+  {
+    text += "<tr>" + row + "</tr>\n";
+  }
+  return text + "</table>\n";
+}
+
+std::string list(const std::map<std::string, std::string>& tests, const std::string& tag)
+{
+  const auto found = tests.find(tag);
+  return found == tests.end() ? "" : "<ul>" + found->second + "</ul>";
+}
+
+std::string formulas(const House& house)
+{
+  const auto tests = tests_by_tag(house.tests);
+  std::string text = "# Index of formulas {#formulas}\n\nEvery numbered formula of the book, and "
+                     "the tests that assert it.\n\n";
+  for (const TextFile& page : house.pages)
+  {
+    Rows rows;
+    const Section title = title_of(page);
+    for (const Section& section : sections(page.text))
+    {
+      for (const std::string& id : formula_ids(section.text))
+      {
+        rows[id] = "<td>\\ref " + id + " \"" + id + "\"</td><td>" + list(tests, id) + "</td>";
+      }
+    }
+    text += rows.empty() ? ""
+                         : "## " + title.title + "\n\n" +
+                               table("<th>Formula</th><th>Asserted by</th>", rows) + "\n";
+  }
+  return text;
+}
+
+/// The ids of the pages that include a table of failing cases.
+std::vector<Section> pages_with(const House& house, const TextFile& fragment)
+{
+  std::vector<Section> found;
+  const std::string name = fragment.path.substr(fragment.path.rfind('/') + 1);
+  for (const TextFile& page : house.pages)
+  {
+    if (page.text.find(name) != std::string::npos)
+    {
+      found.push_back(title_of(page));
+    }
+  }
+  return found;
+}
+
+std::string failing_cases(const House& house)
+{
+  const auto tests = tests_by_tag(house.tests);
+  Rows places;
+  for (const auto& [tag, cell] : tests)
+  {
+    if (tag.rfind("case:", 0) == 0)
+    {
+      places[tag.substr(5)];
+    }
+  }
+  for (const TextFile& fragment : house.tables)
+  {
+    for (const std::string& id : case_ids(fragment.text))
+    {
+      for (const Section& page : pages_with(house, fragment))
+      {
+        places[id] +=
+            "<a href=\"" + page.id + ".html#case-" + id + "\">" + escaped(page.title) + "</a><br>";
+      }
+    }
+  }
+  Rows rows;
+  for (const auto& [id, place] : places)
+  {
+    rows[id] =
+        "<td>" + id + "</td><td>" + place + "</td><td>" + list(tests, "case:" + id) + "</td>";
+  }
+  return "# Where methods fail {#failing_cases}\n\nEvery case that breaks a method, where the book "
+         "shows it, and the tests that\nassert who fails and who survives.\n\n" +
+         table("<th>Case</th><th>Shown in</th><th>Asserted by</th>", rows);
+}
+
+/// The first sentence of a header's `\file` comment.
+std::string summary(const std::string& header)
+{
+  static const std::regex comment(R"([\\@]file[^\n]*\n((?:[ ]*///[^\n]*\n)+))");
+  std::smatch match;
+  if (!std::regex_search(header, match, comment))
+  {
+    return "";
+  }
+  std::string text;
+  for (const std::string& word : matches(match.str(1), R"((\S+))"))
+  {
+    text += word == "///" || word == "\\brief" ? "" : (text.empty() ? "" : " ") + word;
+    if (word.back() == '.')
+    {
+      break;
+    }
+  }
+  return escaped(text);
+}
+
+/// The section `##` of the chapter's pages that shows a recipe's header; its id may be empty.
+std::string section_of(const House& house, const std::string& chapter, const std::string& stem)
+{
+  const std::regex snippet(R"([\\@]snippet +(?:[\w/]*/)?)" + stem + R"(\.hpp)");
+  for (const TextFile& page : house.pages)
+  {
+    std::string id;
+    for (const Section& section : sections(page.text))
+    {
+      id = section.level == 2 ? section.id : id;
+      if (chapter_of(page.path) == chapter && !id.empty() &&
+          std::regex_search(section.text, snippet))
+      {
+        return id;
+      }
+    }
+  }
+  return "";
+}
+
+/// The name of the copy of a source that has no marks.
+std::string whole(const std::string& file)
+{
+  const std::size_t dot = file.find('.');
+  return file.substr(0, dot) + "_whole" + file.substr(dot);
+}
+
+/// Copies the sources that pages show: once with marks for pieces, once without for the whole.
+void write_sources(const fs::path& root, const fs::path& folder)
+{
+  for (const char* part : {"common", "recipes", "tests"})
+  {
+    for (const TextFile& file : read_tree(root, part, {".hpp", ".cpp", ".expected"}))
+    {
+      const fs::path path = folder / file.path;
+      fs::create_directories(path.parent_path());
+      write(path, with_marks(file.text));
+      write(path.parent_path() / whole(path.filename().string()), without_marks(file.text));
+    }
+  }
+}
+
+std::string listing(const House& house, const std::string& folder, const std::string& stem)
+{
+  std::string text = "# Files of " + stem + " {#" + listing_id(stem) + "}\n\n";
+  const auto show =
+      [&](const std::string& heading, const std::vector<TextFile>& files, const std::string& file)
+  {
+    for (const TextFile& one : files)
+    {
+      const std::string path = folder + "/" + file;
+      if (one.path.size() > path.size() &&
+          one.path.compare(one.path.size() - path.size(), path.size(), path) == 0)
+      {
+        text += "## " + heading + "\n\n<span class=\"path\">" + escaped(one.path) +
+                "</span>\n\n\\include " + whole(file) + "\n\n";
+      }
+    }
+  };
+  show("The header", house.recipes, stem + ".hpp");
+  show("The program", house.recipes, stem + ".cpp");
+  show("What it prints", house.recipes, stem + ".expected");
+  show("The tests", house.tests, stem + "_test.cpp");
+  return text;
+}
+
+/// What each recipe is for, by chapter and name: a header says it, else a program, else a test.
+std::map<std::string, Summaries> summaries(const House& house)
+{
+  std::map<std::string, Summaries> found;
+  for (const std::string ending : {".hpp", ".cpp", "_test.cpp"})
+  {
+    for (const auto* files : {&house.recipes, &house.tests})
+    {
+      for (const TextFile& file : *files)
+      {
+        const fs::path path = file.path;
+        const std::string name = path.filename().string();
+        const std::size_t start = name.size() - std::min(ending.size(), name.size());
+        if (name.substr(start) == ending && (files == &house.tests) == (ending == "_test.cpp"))
+        {
+          found[path.parent_path().filename().string()].emplace(
+              name.substr(0, start), summary(file.text));
+        }
+      }
+    }
+  }
+  return found;
+}
+
+/// Writes the index of recipes and, for each, a page with its files in full.
+void write_recipes(const House& house, const fs::path& folder)
+{
+  const auto chapters = summaries(house);
+  std::string text = "# Index of recipes {#recipes}\n\nEvery recipe of the book, what it is for, "
+                     "and its files in full.\n\n";
+  for (const TextFile& page : house.pages)
+  {
+    const std::string chapter = stem(page.path);
+    Rows rows;
+    const auto found = chapters.find(chapter);
+    for (const auto& [name, sentence] : found == chapters.end() ? Summaries{} : found->second)
+    {
+      const std::string id = section_of(house, chapter_of(page.path), name);
+      rows[name] = "<td>" + (id.empty() ? escaped(name) : "\\ref " + id + " \"" + name + "\"") +
+                   "</td><td>" + sentence + "</td><td>\\subpage " + listing_id(name) +
+                   " \"files\"</td>";
+      write(folder / (listing_id(name) + ".md"), listing(house, chapter, name));
+    }
+    text += rows.empty() ? ""
+                         : "## " + title_of(page).title + "\n\n" +
+                               table("<th>Recipe</th><th>What it is for</th><th></th>", rows);
+  }
+  write(folder / "recipes.md", text);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+try
+{
+  if (argc == 2)
+  {
+    std::cout << prepared(read_text(argv[1]));
+    return 0;
+  }
+  if (argc != 3)
+  {
+    throw std::runtime_error("usage: book_index ROOT FOLDER | book_index PAGE");
+  }
+  const House house = read_house(argv[1]);
+  const fs::path folder = fs::path(argv[2]) / "pages";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  fs::remove_all(folder.parent_path() / "sources");
+  write_sources(argv[1], folder.parent_path() / "sources");
+  write(folder / "formulas.md", formulas(house));
+  write(folder / "failing_cases.md", failing_cases(house));
+  write_recipes(house, folder);
+  return 0;
+}
+catch (const std::exception& error)
+{
+  std::cerr << "book_index: " << error.what() << '\n';
+  return 1;
+}

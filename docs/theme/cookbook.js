@@ -1,0 +1,23 @@
+// Small helps that a style sheet cannot give.
+
+// Boxes that scroll can be reached and scrolled by keyboard.
+window.addEventListener("load", () => {
+  for (const box of document.querySelectorAll(
+    "div.fragment, p.formulaDsp, table.verdicts, table.index")) {
+    if (box.scrollWidth > box.clientWidth) {
+      box.tabIndex = 0;
+    }
+  }
+});
+
+// A tagged formula is as wide as its column was: set it anew where the column's width changes.
+let columnWidth = window.innerWidth;
+let pending = 0;
+window.addEventListener("resize", () => {
+  if (window.innerWidth === columnWidth || !window.MathJax || !window.MathJax.Hub) {
+    return;
+  }
+  columnWidth = window.innerWidth;
+  clearTimeout(pending);
+  pending = setTimeout(() => window.MathJax.Hub.Queue(["Rerender", window.MathJax.Hub]), 200);
+});

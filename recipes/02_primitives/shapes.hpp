@@ -1,0 +1,186 @@
+#pragma once
+
+/// \file
+/// \brief The shapes of the book as plain data, and the check that their numbers make sense.
+
+#include "common/math/rotation.hpp"
+#include "common/math/vector.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace cookbook
+{
+
+// [shapes]
+/// All points within `radius` of `center`.
+template <class Real>
+struct Sphere
+{
+  Vector3<Real> center; ///< [m], world
+  Real radius;          ///< [m], zero or more
+};
+
+/// An oriented bounding box: all points whose coordinates along the axes are within half_extents.
+template <class Real>
+struct Obb
+{
+  Vector3<Real> center;       ///< [m], world
+  Matrix3<Real> axes;         ///< [1], columns are the box's unit axes in the world
+  Vector3<Real> half_extents; ///< [m], along each axis, greater than zero
+};
+
+/// All points with normal·x = distance; the solid half-space is where normal·x is less.
+template <class Real>
+struct Plane
+{
+  Vector3<Real> normal; ///< [1], unit, world, out of the solid
+  Real distance;        ///< [m], of the plane from the origin, along the normal
+};
+
+/// All points between `start` and `end`.
+template <class Real>
+struct Segment
+{
+  Vector3<Real> start; ///< [m], world
+  Vector3<Real> end;   ///< [m], world
+};
+
+/// All points within `radius` of a segment.
+template <class Real>
+struct Capsule
+{
+  Segment<Real> segment; ///< [m], world
+  Real radius;           ///< [m], zero or more
+};
+
+/// A flat triangle.
+template <class Real>
+struct Triangle
+{
+  Vector3<Real> a; ///< [m], world
+  Vector3<Real> b; ///< [m], world
+  Vector3<Real> c; ///< [m], world
+};
+
+/// All points origin + t direction with t ≥ 0.
+template <class Real>
+struct Ray
+{
+  Vector3<Real> origin;    ///< [m], world
+  Vector3<Real> direction; ///< [1], unit, world
+};
+// [shapes]
+
+/// What a shape with impossible numbers is answered with; `member()` is the number's name.
+class InvalidShape : public std::invalid_argument
+{
+public:
+  /// Names the member, what it must be, and what it is.
+  InvalidShape(std::string member, const std::string& must, const std::string& is)
+      : std::invalid_argument(member + " must be " + must + ", got " + is),
+        member_(std::move(member))
+  {
+  }
+
+  /// The member at fault, for example `radius` or `half_extents.y`.
+  const std::string& member() const { return member_; }
+
+private:
+  std::string member_;
+};
+
+/// Throws InvalidShape unless the number is finite.
+template <class Real>
+void check_finite(const std::string& member, Real value)
+{
+  if (!std::isfinite(value))
+  {
+    throw InvalidShape(member, "finite", std::to_string(value));
+  }
+}
+
+/// Throws InvalidShape unless all three components are finite.
+template <class Real>
+void check_finite(const std::string& member, const Vector3<Real>& value)
+{
+  check_finite(member + ".x", value.x());
+  check_finite(member + ".y", value.y());
+  check_finite(member + ".z", value.z());
+}
+
+/// Throws InvalidShape unless the radius is finite and not negative.
+template <class Real>
+void check_radius(Real radius)
+{
+  check_finite("radius", radius);
+  if (radius < Real(0))
+  {
+    throw InvalidShape("radius", "zero or more", std::to_string(radius));
+  }
+}
+
+// [checked]
+/// The sphere itself, or InvalidShape if its center or radius cannot be a sphere's.
+template <class Real>
+const Sphere<Real>& checked(const Sphere<Real>& sphere)
+{
+  check_finite("center", sphere.center);
+  check_radius(sphere.radius);
+  return sphere;
+}
+// [checked]
+
+/// The box itself, or InvalidShape: half extents must be positive, axes orthonormal to 1e-4.
+///
+/// The bound 1e-4 is far above what rounding to float leaves (about 1e-7) and far below what a
+/// scaled or sheared matrix shows.
+template <class Real>
+const Obb<Real>& checked(const Obb<Real>& box)
+{
+  check_finite("center", box.center);
+  check_finite("half_extents", box.half_extents);
+  const char* const names[] = {"half_extents.x", "half_extents.y", "half_extents.z"};
+  for (int i = 0; i < 3; ++i)
+  {
+    if (!(box.half_extents[i] > Real(0)))
+    {
+      throw InvalidShape(names[i], "greater than zero", std::to_string(box.half_extents[i]));
+    }
+  }
+  const Real error = rotation_error(box.axes);
+  if (!(error <= Real(1e-4)))
+  {
+    throw InvalidShape("axes", "a rotation", "an error of " + std::to_string(error));
+  }
+  return box;
+}
+
+/// The plane itself, or InvalidShape: the normal must have length one to 1e-4.
+template <class Real>
+const Plane<Real>& checked(const Plane<Real>& plane)
+{
+  check_finite("normal", plane.normal);
+  check_finite("distance", plane.distance);
+  const Real length = plane.normal.norm();
+  if (std::abs(length - Real(1)) > Real(1e-4))
+  {
+    throw InvalidShape("normal", "of length one", "length " + std::to_string(length));
+  }
+  return plane;
+}
+
+/// The capsule itself, or InvalidShape; a segment of length zero is allowed, it makes a sphere.
+template <class Real>
+const Capsule<Real>& checked(const Capsule<Real>& capsule)
+{
+  check_finite("start", capsule.segment.start);
+  check_finite("end", capsule.segment.end);
+  check_radius(capsule.radius);
+  return capsule;
+}
+
+} // namespace cookbook

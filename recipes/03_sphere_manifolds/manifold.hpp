@@ -1,0 +1,144 @@
+#pragma once
+
+/// \file
+/// \brief The collision manifold: normal, depth and contact points of two shapes that overlap.
+
+#include "common/math/vector.hpp"
+
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+
+namespace cookbook
+{
+
+// [manifold]
+/// One point where two shapes press on each other.
+template <class Real>
+struct ContactPoint
+{
+  Vector3<Real> position; ///< [m], world, midway between the two surfaces
+  Real depth;             ///< [m], overlap along the normal at this point, zero or more
+  std::uint32_t feature;  ///< which features of the shapes meet here; 0 where there is one choice
+};
+
+/// Up to `Capacity` contact points in place, without the heap.
+template <class Real, std::size_t Capacity>
+class ContactPoints;
+
+/// How two overlapping shapes touch.
+template <class Real, std::size_t Capacity = 8>
+struct Manifold
+{
+  Vector3<Real> normal;                 ///< [1], unit, world, from shape A to shape B
+  Real depth;                           ///< [m], the whole overlap along the normal, zero or more
+  ContactPoints<Real, Capacity> points; ///< at least one
+};
+
+/// Half the depth [m]: how far each of the two bodies moves to part them.
+template <class Real, std::size_t Capacity>
+Real penetration_distance(const Manifold<Real, Capacity>& manifold)
+{
+  return manifold.depth / Real(2);
+}
+// [manifold]
+
+template <class Real, std::size_t Capacity>
+class ContactPoints
+{
+public:
+  /// No points.
+  ContactPoints() {}
+
+  /// One point.
+  explicit ContactPoints(const ContactPoint<Real>& point) { push_back(point); }
+
+  /// Copies the points that are there, not the room left for others.
+  ContactPoints(const ContactPoints& other) { *this = other; }
+
+  /// Copies the points that are there, not the room left for others.
+  ContactPoints& operator=(const ContactPoints& other)
+  {
+    size_ = other.size_;
+    for (std::size_t i = 0; i < size_; ++i)
+    {
+      points_[i] = other.points_[i];
+    }
+    return *this;
+  }
+
+  /// Adds a point whose numbers are still to be written; there must be room for it.
+  ContactPoint<Real>& emplace_back()
+  {
+    assert(size_ < Capacity);
+    return points_[size_++];
+  }
+
+  /// Adds a point; there must be room for it.
+  void push_back(const ContactPoint<Real>& point)
+  {
+    assert(size_ < Capacity);
+    points_[size_++] = point;
+  }
+
+  std::size_t size() const { return size_; } ///< how many points there are
+  bool empty() const { return size_ == 0; }  ///< whether there are none
+
+  /// The i-th point, i < size().
+  const ContactPoint<Real>& operator[](std::size_t i) const { return points_[i]; }
+  /// The i-th point, i < size().
+  ContactPoint<Real>& operator[](std::size_t i) { return points_[i]; }
+
+  const ContactPoint<Real>* begin() const { return points_.data(); }       ///< first point
+  const ContactPoint<Real>* end() const { return points_.data() + size_; } ///< past the last
+  ContactPoint<Real>* begin() { return points_.data(); }                   ///< first point
+  ContactPoint<Real>* end() { return points_.data() + size_; }             ///< past the last
+
+private:
+  std::array<ContactPoint<Real>, Capacity> points_;
+  std::size_t size_ = 0;
+};
+
+/// Turns into what its function returns, where that is to stand: a manifold in an optional is
+/// built in place instead of being copied there.
+template <class Function>
+struct Build
+{
+  Function function; ///< returns the value
+
+  explicit Build(Function f) : function(f) {}                            ///< to be called later
+  operator std::invoke_result_t<Function>() const { return function(); } ///< calls it
+};
+
+// [swapped]
+/// The manifold of the same shapes named the other way round: B and A.
+template <class Real, std::size_t Capacity>
+std::optional<Manifold<Real, Capacity>> swapped(std::optional<Manifold<Real, Capacity>> manifold)
+{
+  if (manifold)
+  {
+    manifold->normal = -manifold->normal;
+  }
+  return manifold;
+}
+// [swapped]
+
+/// The manifold with its points moved by an offset [m].
+template <class Real, std::size_t Capacity>
+std::optional<Manifold<Real, Capacity>>
+translated(std::optional<Manifold<Real, Capacity>> manifold, const Vector3<Real>& offset)
+{
+  if (manifold)
+  {
+    for (ContactPoint<Real>& point : manifold->points)
+    {
+      point.position += offset;
+    }
+  }
+  return manifold;
+}
+
+} // namespace cookbook

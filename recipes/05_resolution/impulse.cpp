@@ -1,0 +1,76 @@
+/// \file
+/// \brief Lets two balls bounce off each other, and a cube off a floor, and draws both.
+
+#include "05_resolution/impulse.hpp"
+#include "05_resolution/bounce_cases.hpp"
+#include "05_resolution/impulse_figures.hpp"
+#include "05_resolution/impulse_scenes.hpp"
+#include "05_resolution/impulse_tables.hpp"
+#include "05_resolution/response_cases.hpp"
+#include "common/program/csv.hpp"
+#include "common/program/program.hpp"
+
+#include <charconv>
+#include <iostream>
+#include <stdexcept>
+
+namespace
+{
+
+using namespace cookbook;
+
+/// The number that an option was given, if it is one from `least` to `most`.
+double number_option(const Arguments& given, const std::string& name, double least, double most)
+{
+  const std::string& text = given.value(name);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !(value >= least) ||
+      !(value <= most))
+  {
+    throw std::invalid_argument(
+        "--" + name + " must be a number from " + round_trip(least) + " to " + round_trip(most) +
+        ", got '" + text + "'");
+  }
+  return value;
+}
+
+void run(const Arguments& given)
+{
+  const double restitution = number_option(given, "restitution", 0, 1);
+  const TwoBalls balls = two_balls(number_option(given, "mass", 0.001, 1000));
+  const ContactPoint<double>& contact = balls.manifold.points[0];
+  const BodyPair<double> after =
+      collide(balls.bodies, balls.manifold.normal, contact.position, restitution);
+  std::cout << balls_table(balls, after) << "\n"
+            << landings_table(restitution) << "\n"
+            << passes_table();
+  save_figure(given, "impulse.svg", balls_figure(balls, after).svg());
+  save_figure(given, "impulse_corner.svg", corner_figure(on_pebble(), restitution).svg());
+  save_figure(given, "impulse_passes.svg", passes_figure().svg());
+  save_figure(
+      given, "impulse_bounces.html",
+      verdict_table(
+          "Bounces that lose nothing: each body comes down at 1 m/s and is to come up at 1 m/s, "
+          "to 1 %, with a spin of at most 0.01 rad/s.",
+          names(bounce_methods<double>()), bounce_verdicts()));
+  save_figure(
+      given, "impulse_responses.html",
+      verdict_table(
+          "What a push of 1 N m s or 6 N s does to a body at rest.",
+          {"as published", "impulse.hpp"}, response_verdicts()));
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const Arguments arguments{
+      .name = "impulse",
+      .summary = "Lets two balls bounce off each other, and a cube off a floor: velocities, "
+                 "momentum and energy before and after.",
+      .options = {
+          {"restitution", "how much of the speed a bounce gives back, 0 to 1", "0.5", {}},
+          {"mass", "mass of ball B [kg], 0.001 to 1000; ball A has 1 kg", "2", {}}}};
+  return run_program(argc, argv, arguments, run);
+}

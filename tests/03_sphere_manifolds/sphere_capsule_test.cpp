@@ -1,0 +1,87 @@
+/// \file
+/// What holds for the manifold of a sphere and a capsule.
+
+#include "03_sphere_manifolds/sphere_capsule.hpp"
+
+#include "tests/catch.hpp"
+
+using namespace cookbook;
+
+namespace
+{
+
+constexpr double rounding = 1e-14;
+
+/// A capsule along (3,4,0), 10 long, so that its unit direction is (0.6, 0.8, 0).
+const Capsule<double> slanted{{{0, 0, 0}, {6, 8, 0}}, 1};
+
+} // namespace
+
+// [P2]
+TEST_CASE("the point of (0,0)-(6,8) closest to (7,1) is (3,4), to far points an end", "[P2]")
+{
+  // (7,1) = 5 along (0.6, 0.8) and 5 across it.
+  const Segment<double>& segment = slanted.segment;
+  CHECK((closest_point<double>(segment, {7, 1, 2}) - Vector3<double>(3, 4, 0)).norm() <= rounding);
+  CHECK(closest_point<double>(segment, {-1, -1, 0}) == Vector3<double>(0, 0, 0));
+  CHECK(closest_point<double>(segment, {7, 9, 0}) == Vector3<double>(6, 8, 0));
+}
+
+TEST_CASE("a segment that starts elsewhere has the same closest point, moved", "[P2]")
+{
+  const Segment<double> moved{{1, 2, 3}, {7, 10, 3}};
+  const Vector3<double> closest = closest_point<double>(moved, {8, 3, 5});
+  CHECK((closest - Vector3<double>(4, 6, 3)).norm() <= rounding);
+}
+
+TEST_CASE("a segment of length 0 is its own closest point", "[P2]")
+{
+  const Segment<double> dot{{1, 2, 3}, {1, 2, 3}};
+  CHECK(closest_point<double>(dot, {9, 9, 9}) == Vector3<double>(1, 2, 3));
+}
+// [P2]
+
+// [sphere_capsule]
+TEST_CASE("a ball 5 off a capsule's axis, radii 4.5 and 1, is 0.5 deep", "[P2][S1]")
+{
+  const Manifold<double> manifold = sphere_capsule<double>({{7, 1, 0}, 4.5}, slanted).value();
+  CHECK(manifold.depth == Catch::Approx(0.5).epsilon(rounding));
+  CHECK((manifold.normal - Vector3<double>(-0.8, 0.6, 0)).norm() <= rounding);
+  // 4.5 - 0.25 from the ball's centre.
+  const Vector3<double> contact = Vector3<double>(7, 1, 0) + 4.25 * Vector3<double>(-0.8, 0.6, 0);
+  CHECK((manifold.points[0].position - contact).norm() <= rounding);
+}
+
+TEST_CASE("beyond a capsule's end a ball meets the ball at that end", "[S1]")
+{
+  const Sphere<double> ball{{9, 12, 0}, 4.5}; // 5 beyond the end, along the axis
+  const Manifold<double> capsule = sphere_capsule(ball, slanted).value();
+  const Manifold<double> sphere = sphere_sphere<double>(ball, {{6, 8, 0}, 1}).value();
+  CHECK(capsule.depth == Catch::Approx(0.5).epsilon(rounding));
+  CHECK((capsule.normal - sphere.normal).norm() <= rounding);
+}
+// [sphere_capsule]
+
+TEST_CASE("a capsule of length 0 is a sphere, and a ball out of reach has no manifold", "[S1]")
+{
+  const Capsule<double> dot{{{1, 0, 0}, {1, 0, 0}}, 1};
+  CHECK(sphere_capsule<double>({{0, 0, 0}, 0.5}, dot)->depth == 0.5);
+  CHECK_FALSE(sphere_capsule<double>({{7, 1, 0}, 3.9}, slanted));
+}
+
+TEST_CASE("a ball centred on a capsule's axis parts from it along +y", "[case:C3]")
+{
+  const Manifold<double> manifold = sphere_capsule<double>({{0, 0, 0}, 0.5}, slanted).value();
+  CHECK(manifold.normal == Vector3<double>(0, 1, 0));
+  CHECK(manifold.depth == 1.5);
+}
+
+TEST_CASE("a float ball 1e-6 from touching a 1 km capsule gets that gap right", "[P2]")
+{
+  // In float the closest point would be rounded to 6e-5 m; the wider type keeps the distance.
+  const Capsule<float> beam{{{0, 0, 0}, {1000, 0, 0}}, 0.5f};
+  const Sphere<float> ball{{777.7f, 1.0f - 0x1p-20f, 0}, 0.5f};
+  const Manifold<float> manifold = sphere_capsule(ball, beam).value();
+  CHECK(manifold.depth == 0x1p-20f);
+  CHECK(manifold.normal == Vector3<float>(0, -1, 0));
+}

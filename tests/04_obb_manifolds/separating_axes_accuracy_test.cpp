@@ -1,0 +1,289 @@
+/// \file
+/// The fifteen axes against exact truth: O1, O5 and O18, in fractions, without a tolerance.
+
+#include "04_obb_manifolds/separating_axes.hpp"
+#include "common/math/rational.hpp"
+#include "common/math/rotation.hpp"
+
+#include "tests/catch.hpp"
+
+#include <random>
+#include <vector>
+
+using namespace cookbook;
+
+namespace
+{
+
+/// A box in whole numbers: its rotation is that of a whole-number quaternion.
+struct WholeBox
+{
+  Eigen::Vector3i center;
+  Eigen::Vector4i quaternion;
+  Eigen::Vector3i half_extents;
+};
+
+/// Whole-number boxes that every compiler draws alike.
+class Draw
+{
+public:
+  explicit Draw(unsigned seed) : engine_(seed) {}
+  int between(int low, int high)
+  {
+    return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1));
+  }
+  double part() { return static_cast<double>(engine_()) * 0x1p-31 - 1; }
+  WholeBox box(int reach)
+  {
+    const auto vector = [&](int low, int high) -> Eigen::Vector3i
+    {
+      const int x = between(low, high), y = between(low, high);
+      return {x, y, between(low, high)};
+    };
+    const Eigen::Vector3i axis = vector(-2, 2);
+    const Eigen::Vector4i quaternion(between(1, 2), axis.x(), axis.y(), axis.z());
+    const Eigen::Vector3i center = vector(-reach, reach);
+    return {center, quaternion, vector(1, 6)};
+  }
+
+private:
+  std::mt19937 engine_;
+};
+
+template <class Real>
+Obb<Real> as(const WholeBox& box)
+{
+  const Eigen::Vector4i& q = box.quaternion;
+  return {
+      box.center.cast<Real>(), rational_rotation<Real>(q[0], q[1], q[2], q[3]),
+      box.half_extents.cast<Real>()};
+}
+
+/// The truth about a pair.
+struct Exact
+{
+  bool apart;
+  Rational squared_depth; ///< of the least overlap; meaningless where apart
+};
+
+/// All pairs of the six edge directions in the world, each shadow from the edges of both boxes.
+Exact exact_least_overlap(const Obb<Rational>& a, const Obb<Rational>& b)
+{
+  std::vector<Vector3<Rational>> edges;
+  for (int i = 0; i < 3; ++i)
+  {
+    edges.push_back(a.axes.col(i) * a.half_extents[i]);
+    edges.push_back(b.axes.col(i) * b.half_extents[i]);
+  }
+  Exact exact{false, -1};
+  for (std::size_t i = 0; i < 6; ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      const Vector3<Rational> axis = edges[i].cross(edges[j]);
+      if (axis.isZero(0))
+      {
+        continue;
+      }
+      Rational overlap = -abs(axis.dot(b.center - a.center));
+      for (const Vector3<Rational>& edge : edges)
+      {
+        overlap += abs(axis.dot(edge));
+      }
+      const Rational squared = overlap * overlap / axis.squaredNorm();
+      exact.apart = exact.apart || overlap < 0;
+      exact.squared_depth =
+          exact.squared_depth < 0 || squared < exact.squared_depth ? squared : exact.squared_depth;
+    }
+  }
+  return exact;
+}
+
+using Whole = Eigen::Matrix<long long, 3, 1>;
+
+/// The corners of B less those of A, both times the product of the quaternions' squared lengths.
+std::vector<Whole> corner_differences(const WholeBox& a, const WholeBox& b)
+{
+  const long long scale_a = a.quaternion.squaredNorm(), scale_b = b.quaternion.squaredNorm();
+  const auto edges = [](const WholeBox& box, long long other) -> Eigen::Matrix<long long, 3, 3>
+  {
+    const Obb<double> rotated = as<double>(box);
+    const double scale = box.quaternion.squaredNorm();
+    const Matrix3<double> whole = (rotated.axes * scale).array().round();
+    return whole.cast<long long>() * box.half_extents.cast<long long>().asDiagonal() * other;
+  };
+  const Eigen::Matrix<long long, 3, 3> edges_a = edges(a, scale_b), edges_b = edges(b, scale_a);
+  const Whole between = (b.center - a.center).cast<long long>() * (scale_a * scale_b);
+  std::vector<Whole> corners;
+  for (int corner = 0; corner < 64; ++corner)
+  {
+    const auto sign = [&](int bit) { return (corner >> bit) % 2 == 0 ? -1LL : 1LL; };
+    const Whole in_a = edges_a * Whole(sign(0), sign(1), sign(2));
+    const Whole in_b = edges_b * Whole(sign(3), sign(4), sign(5));
+    corners.push_back(between + in_b - in_a);
+  }
+  return corners;
+}
+
+/// The distance of the origin from the hull of points, by every plane through three of them that
+/// has none of them outside: all its faces, and nothing known of boxes.
+Exact exact_hull_depth(const std::vector<Whole>& points, long long scale)
+{
+  Exact exact{false, -1};
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    for (std::size_t j = 0; j < points.size(); ++j)
+    {
+      for (std::size_t k = j + 1; i != j && i < k && k < points.size(); ++k)
+      {
+        Whole normal = (points[j] - points[i]).cross(points[k] - points[i]);
+        const auto outside = [&](const Whole& n)
+        {
+          return std::any_of(
+              points.begin(), points.end(),
+              [&](const Whole& p) { return n.dot(p - points[i]) > 0; });
+        };
+        if (normal.isZero(0) || (outside(normal) && outside(-normal)))
+        {
+          continue;
+        }
+        normal = outside(normal) ? Whole(-normal) : normal;
+        const Rational distance(normal.dot(points[i]));
+        const Rational squared =
+            distance * distance / (Rational(normal.squaredNorm()) * scale * scale);
+        exact.apart = exact.apart || distance < 0;
+        exact.squared_depth = exact.squared_depth < 0 || squared < exact.squared_depth
+                                  ? squared
+                                  : exact.squared_depth;
+      }
+    }
+  }
+  return exact;
+}
+
+} // namespace
+
+// [O1]
+TEST_CASE(
+    "fifteen axes decide 100 pairs of boxes as all faces of their difference do, exactly",
+    "[O1][O18]")
+{
+  Draw draw(1);
+  int apart = 0;
+  for (int i = 0; i < 100; ++i)
+  {
+    const WholeBox a = draw.box(5), b = draw.box(5);
+    const long long scale = a.quaternion.squaredNorm() * b.quaternion.squaredNorm();
+    const Exact hull = exact_hull_depth(corner_differences(a, b), scale);
+    const Exact axes = exact_least_overlap(as<Rational>(a), as<Rational>(b));
+    REQUIRE(hull.apart == axes.apart);
+    apart += hull.apart ? 1 : 0;
+    if (!hull.apart)
+    {
+      CHECK(hull.squared_depth == axes.squared_depth);
+    }
+  }
+  CHECK(apart >= 20);
+  CHECK(apart <= 80);
+}
+// [O1]
+
+// [exact_code]
+TEST_CASE("the code itself, run in fractions, gives the exact squared depths", "[O1][O2][O3]")
+{
+  Draw draw(2);
+  for (int i = 0; i < 300; ++i)
+  {
+    const Obb<Rational> a = as<Rational>(draw.box(6)), b = as<Rational>(draw.box(6));
+    const RelativeBoxes<Rational> boxes = relative_boxes(a, b);
+    Exact ours{false, -1};
+    for (int axis = 0; axis < box_axes; ++axis)
+    {
+      const AxisOverlap<Rational> along = axis_overlap(boxes, axis);
+      if (from_parallel_edges(along))
+      {
+        continue;
+      }
+      const Rational squared = along.overlap * along.overlap / along.squared_length;
+      ours.apart = ours.apart || along.overlap < 0;
+      ours.squared_depth =
+          ours.squared_depth < 0 || squared < ours.squared_depth ? squared : ours.squared_depth;
+    }
+    const Exact truth = exact_least_overlap(a, b);
+    REQUIRE(ours.apart == truth.apart);
+    CHECK(ours.squared_depth == truth.squared_depth);
+  }
+}
+// [exact_code]
+
+// [O18]
+TEMPLATE_TEST_CASE(
+    "of 3,000 pairs every decision is the exact one, and every depth to within rounding",
+    "[O1][O8][O18]", float, double)
+{
+  using Real = TestType;
+  Draw draw(3);
+  int touching = 0, apart = 0;
+  for (int i = 0; i < 3000; ++i)
+  {
+    WholeBox a = draw.box(6), b = draw.box(6);
+    b.quaternion = i % 4 == 0 ? a.quaternion : b.quaternion;
+    const Exact truth = exact_least_overlap(as<Rational>(a), as<Rational>(b));
+    const Obb<Real> rounded_a = as<Real>(a), rounded_b = as<Real>(b);
+    const auto ours = separating_axes(rounded_a, rounded_b);
+    const double slack = double(rounding_slack(relative_boxes(rounded_a, rounded_b)));
+    if (truth.squared_depth == 0 && !truth.apart)
+    {
+      // Rotations with thirds or fifths round: then touching may fall to either side.
+      ++touching;
+      CHECK((!ours || double(ours->depth) <= slack));
+      continue;
+    }
+    REQUIRE(ours.has_value() == !truth.apart);
+    apart += truth.apart ? 1 : 0;
+    if (ours)
+    {
+      const double depth = std::sqrt(static_cast<double>(truth.squared_depth));
+      CHECK(std::abs(double(ours->depth) - depth) <= slack);
+    }
+  }
+  CHECK(touching <= 150);
+  CHECK(apart >= 900);
+  CHECK(apart <= 2100);
+}
+// [O18]
+
+// [O5]
+TEST_CASE("no direction has less overlap than the depth, or more gap than the distance", "[O5]")
+{
+  Draw draw(4);
+  const auto any_direction = [&]
+  { return Vector3<double>(draw.part(), draw.part(), draw.part()).normalized().eval(); };
+  const auto any_point = [&](const Obb<double>& box) -> Vector3<double>
+  {
+    const Vector3<double> parts(draw.part(), draw.part(), draw.part());
+    return box.center + box.axes * box.half_extents.cwiseProduct(parts);
+  };
+  const auto reach = [](const Obb<double>& box, const Vector3<double>& axis)
+  { return (box.axes.transpose() * axis).cwiseAbs().dot(box.half_extents); };
+  for (int i = 0; i < 300; ++i)
+  {
+    const Obb<double> a = as<double>(draw.box(6)), b = as<double>(draw.box(6));
+    const auto least = separating_axes(a, b);
+    const double slack = rounding_slack(relative_boxes(a, b));
+    for (int k = 0; k < 100; ++k)
+    {
+      const Vector3<double> axis = any_direction();
+      const double gap = std::abs(axis.dot(b.center - a.center)) - reach(a, axis) - reach(b, axis);
+      CHECK(gap <= (any_point(b) - any_point(a)).norm() + slack);
+      CHECK((!least || -gap >= least->depth - slack));
+    }
+    if (least)
+    {
+      const Vector3<double>& n = least->normal;
+      const double overlap = reach(a, n) + reach(b, n) - n.dot(b.center - a.center);
+      CHECK(std::abs(overlap - least->depth) <= slack);
+    }
+  }
+}
+// [O5]

@@ -1,0 +1,100 @@
+/// \file
+/// The rules of the house about any file: short, documented, tied to no machine.
+#pragma once
+
+#include "rules.hpp"
+
+namespace cookbook::house
+{
+
+/// No header has more than 200 lines.
+inline Complaints headers_are_short(const std::vector<TextFile>& headers)
+{
+  Complaints complaints;
+  for (const TextFile& header : headers)
+  {
+    const std::size_t count = book::lines(header.text).size();
+    if (count > 200)
+    {
+      complaints.push_back(header.path + " has " + std::to_string(count) + " lines");
+    }
+  }
+  return complaints;
+}
+
+/// Every type and function of a header opens with a `///` sentence, and every recipe's header
+/// with `/// \file`.
+///
+/// What is looked at is the first line of each paragraph that starts at the left edge, as our
+/// layout has it. A type that was declared before it is defined is documented there.
+inline Complaints headers_are_documented(const std::vector<TextFile>& headers)
+{
+  static const std::regex start(
+      "^(template|struct|class|enum|inline(?! namespace)|constexpr)\\b(?!.*(;|///<))");
+  static const std::regex type("^(?:template <[^\n]*>\n)?(?:struct|class) (\\w+)(;|\n)");
+  Complaints complaints;
+  for (const TextFile& header : headers)
+  {
+    const bool recipe = header.path.rfind("recipes/", 0) == 0;
+    if (recipe && header.text.find("/// \\file") == std::string::npos)
+    {
+      complaints.push_back(header.path + " has no /// \\file");
+    }
+    std::size_t offset = 0;
+    bool opens = true;
+    for (const std::string& line : book::lines(header.text))
+    {
+      std::smatch name;
+      const std::string rest = header.text.substr(offset, 300);
+      const bool declared =
+          std::regex_search(rest, name, type) &&
+          (name.str(2) == ";" || header.text.find("class " + name.str(1) + ";") < offset ||
+           header.text.find("struct " + name.str(1) + ";") < offset);
+      if (opens && !declared && std::regex_search(line, start))
+      {
+        complaints.push_back(header.path + ": no /// before " + line);
+      }
+      opens = line.empty() || line == "{" || line.rfind("// [", 0) == 0;
+      offset += line.size() + 1;
+    }
+  }
+  return complaints;
+}
+
+/// Nothing names a folder of somebody's machine, or the address of a package registry.
+inline Complaints no_machine_is_named(const std::vector<TextFile>& files)
+{
+  // The words are put together here so that this file does not contain them.
+  static const std::regex machine(
+      std::string("(^|[\\s\"'`(=])/(wo") +
+      "rk|tm"
+      "p|ho"
+      "me|ro"
+      "ot|far"
+      "m|Use"
+      "rs)/|[A-Z]:\\\\Use"
+      "rs|" +
+      "(regis"
+      "try|pro"
+      "xy|artifac"
+      "tory)\\.[a-z0-9.-]+\\.[a-z]+|" +
+      "(pyp"
+      "i\\.org|crat"
+      "es\\.io)");
+  Complaints complaints;
+  for (const TextFile& file : files)
+  {
+    std::size_t number = 0;
+    for (const std::string& line : book::lines(file.text))
+    {
+      ++number;
+      if (line.size() < 2000 && std::regex_search(line, machine))
+      {
+        complaints.push_back(file.path + ":" + std::to_string(number) + ": " + line);
+      }
+    }
+  }
+  return complaints;
+}
+
+} // namespace cookbook::house

@@ -1,0 +1,265 @@
+/// \file
+/// The house keeps its own rules. Each rule is tried twice: on the tree, where it must find
+/// nothing, and on a small text that breaks it, where it must complain.
+
+#include "file_rules.hpp"
+#include "page_rules.hpp"
+#include "recipe_rules.hpp"
+
+#include "tests/catch.hpp"
+
+using namespace cookbook::house;
+using cookbook::book::read_tree;
+
+namespace
+{
+
+const std::filesystem::path root{COOKBOOK_SOURCE_DIR};
+
+std::vector<TextFile> pages()
+{
+  auto files = read_tree(root, "chapters", {".md"});
+  std::erase_if(
+      files, [](const TextFile& page) { return cookbook::book::chapter_of(page.path).empty(); });
+  return files;
+}
+
+std::vector<TextFile> test_sources()
+{
+  auto files = read_tree(root, "tests", {".cpp"});
+  std::erase_if(
+      files, [](const TextFile& file) { return file.path.rfind("tests/house/", 0) == 0; });
+  return files;
+}
+
+std::vector<TextFile> together(std::vector<TextFile> a, const std::vector<TextFile>& b)
+{
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+/// Pages that are whole chapters: 05_resolution.md, not its sub-page 05_resolution_bodies.md.
+std::vector<TextFile> chapters()
+{
+  std::vector<TextFile> found;
+  for (const TextFile& page : pages())
+  {
+    if (std::filesystem::is_directory(root / "recipes" / cookbook::book::stem(page.path)))
+    {
+      found.push_back(page);
+    }
+  }
+  return found;
+}
+
+std::vector<TextFile> all_headers()
+{
+  std::vector<TextFile> headers;
+  for (const char* folder : {"common", "recipes", "docs", "tests"})
+  {
+    headers = together(headers, read_tree(root, folder, {".hpp"}));
+  }
+  return headers;
+}
+
+void expect_none(const Complaints& complaints)
+{
+  for (const std::string& complaint : complaints)
+  {
+    UNSCOPED_INFO(complaint);
+  }
+  CHECK(complaints.empty());
+}
+
+} // namespace
+
+TEST_CASE("every formula on a page has a test, and every test's formula a page", "[house]")
+{
+  expect_none(formulas_are_tested(pages(), test_sources()));
+}
+
+TEST_CASE(
+    "a formula without test, a test without formula and a doubled formula are found", "[house]")
+{
+  const std::vector<TextFile> page{{"chapters/03_x.md", "\\f[ p = r \\tag{S1} \\f]"}};
+  const std::vector<TextFile> test{
+      {"tests/t.cpp", "TEST_CASE(\"adds \"\n  \"up\", \"[S1][slow]\")"}};
+  const std::vector<TextFile> other{{"tests/t.cpp", "TEST_CASE(\"adds up\", \"[S2][case:S1]\")"}};
+  CHECK(formulas_are_tested(page, test).empty());
+  CHECK(formulas_are_tested(page, other).size() == 2);
+  CHECK(formulas_are_tested(together(page, page), test).size() == 1);
+  CHECK(formulas_are_tested({{"chapters/03_x.md", "\\tag{one}"}}, {}).size() == 1);
+}
+
+TEST_CASE("every row of a table of failing cases has a test", "[house]")
+{
+  expect_none(cases_are_tested(read_tree(root, "chapters/figures", {".html"}), test_sources()));
+}
+
+TEST_CASE("a failing case without test is found, and a formula's tag does not serve", "[house]")
+{
+  const std::vector<TextFile> table{{"t.html", "<tr id=\"case-S1\"><td>"}};
+  CHECK(cases_are_tested(table, {{"t.cpp", "TEST_CASE(\"falls\", \"[S1]\")"}}).size() == 1);
+  CHECK(cases_are_tested(table, {{"t.cpp", "TEST_CASE(\"falls\", \"[case:S1]\")"}}).empty());
+}
+
+TEST_CASE("includes go downhill: recipes know common and earlier chapters", "[house]")
+{
+  const std::vector<std::string> code{".hpp", ".cpp"};
+  const auto common = read_tree(root, "common", code);
+  const auto recipes = read_tree(root, "recipes", code);
+  CHECK(common.size() + recipes.size() > 0);
+  expect_none(includes_go_downhill(together(common, recipes)));
+}
+
+TEST_CASE("an include of a later chapter, of a recipe by common and of a test are found", "[house]")
+{
+  const auto include = [](const std::string& path, const std::string& target) {
+    return includes_go_downhill({{path, "#include \"" + target + "\"\n"}}).size();
+  };
+  CHECK(include("recipes/03_x/a.hpp", "04_y/b.hpp") == 1);
+  CHECK(include("recipes/03_x/a.hpp", "03_x/b.hpp") == 0);
+  CHECK(include("recipes/03_x/a.hpp", "common/math/norm.hpp") == 0);
+  CHECK(include("common/math/a.hpp", "02_primitives/shapes.hpp") == 1);
+  CHECK(include("common/math/a.hpp", "tests/catch.hpp") == 1);
+}
+
+TEST_CASE("every chapter's page has its sections in the same order", "[house]")
+{
+  for (const TextFile& page : chapters())
+  {
+    expect_none(page_is_in_order(page));
+  }
+}
+
+TEST_CASE("a page with swapped sections, or a recipe without proof, is found", "[house]")
+{
+  const std::string start = "# Chapter 3: X {#ch3}\n## What you need\n## What this scene needs\n";
+  const std::string recipe = "## A {#a}\n### Formula\n### Code\n### Run it\n";
+  const std::string end =
+      "## Where it breaks\n## Speed against accuracy\n## Exercises\n## Sources\n";
+  CHECK(page_is_in_order({"p", start + recipe + "### Proof\n" + end}).empty());
+  CHECK(page_is_in_order({"p", start + recipe + end}).size() == 1);
+  CHECK(page_is_in_order({"p", end + start}).size() == 1);
+  CHECK(page_is_in_order({"p", start + "## Sources\n" + end}).empty());
+  CHECK(page_is_in_order({"p", start}).size() == 1);
+}
+
+TEST_CASE("every program has its header, output, test and section", "[house]")
+{
+  const auto recipes = read_tree(root, "recipes", {".hpp", ".cpp", ".expected", ".txt"});
+  expect_none(recipes_are_whole(together(recipes, test_sources()), pages()));
+}
+
+TEST_CASE("a recipe that lacks a part is found, and a chart needs no checked output", "[house]")
+{
+  const std::vector<TextFile> tree{
+      {"recipes/03_x/a.cpp", "int main()"},
+      {"recipes/03_x/a.hpp", ""},
+      {"tests/03_x/a_test.cpp", ""}};
+  const std::vector<TextFile> page{{"chapters/03_x.md", "# X\n## A\n\\snippet a.hpp a\n"}};
+  const std::vector<TextFile> chart{
+      {"recipes/03_x/CMakeLists.txt", "cookbook_recipe(b)\ncookbook_chart(a)\n"}};
+  CHECK(recipes_are_whole(together(tree, chart), page).empty());
+  CHECK(recipes_are_whole(tree, page).size() == 1);
+  CHECK(recipes_are_whole(together(tree, chart), {}).size() == 1);
+  CHECK(recipes_are_whole({tree[0]}, {}).size() == 4);
+}
+
+TEST_CASE("no code or output is typed on a page: only commands for a shell", "[house]")
+{
+  for (const TextFile& page : together(pages(), read_tree(root, "docs", {".md"})))
+  {
+    expect_none(nothing_is_typed(page));
+  }
+}
+
+TEST_CASE(
+    "typed code is found, fenced, indented and by command; lists and formulas are not", "[house]")
+{
+  CHECK(nothing_is_typed({"p", "```sh\nrun\n```\n"}).empty());
+  CHECK(nothing_is_typed({"p", "```cpp\nint x;\n```\n"}).size() == 1);
+  CHECK(nothing_is_typed({"p", "```\n0.5\n```\n"}).size() == 1);
+  CHECK(nothing_is_typed({"p", "Text\n\n    int x;\n"}).size() == 1);
+  CHECK(nothing_is_typed({"p", "- item\n\n    more of it\n"}).empty());
+  CHECK(nothing_is_typed({"p", "\\f[\n\n    x\n\\f]\n"}).empty());
+  CHECK(nothing_is_typed({"p", "@code\nint x;\n@endcode\n"}).size() == 1);
+}
+
+TEST_CASE("every snippet on a page is marked twice in one file", "[house]")
+{
+  const std::vector<std::string> code{".hpp", ".cpp"};
+  const auto sources = together(
+      together(read_tree(root, "common", code), read_tree(root, "recipes", code)),
+      read_tree(root, "tests", code));
+  expect_none(snippets_are_marked(pages(), sources));
+}
+
+TEST_CASE("a snippet of a missing, ambiguous or unmarked piece is found", "[house]")
+{
+  const std::vector<TextFile> page{{"p", "\\snippet a.hpp a\n"}};
+  const std::vector<TextFile> marked{{"recipes/03_x/a.hpp", "// [a]\nint x;\n// [a]\n"}};
+  CHECK(snippets_are_marked(page, marked).empty());
+  CHECK(snippets_are_marked(page, together(marked, marked)).size() == 1);
+  CHECK(snippets_are_marked(page, {{"recipes/03_x/a.hpp", "// [a]\nint x;\n"}}).size() == 1);
+  CHECK(snippets_are_marked(page, {{"recipes/03_x/aa.hpp", marked[0].text}}).size() == 1);
+}
+
+TEST_CASE("no header is longer than 200 lines, and all of it is documented", "[house]")
+{
+  const auto headers = all_headers();
+  CHECK_FALSE(headers.empty());
+  expect_none(headers_are_short(headers));
+  expect_none(headers_are_documented(
+      together(read_tree(root, "common", {".hpp"}), read_tree(root, "recipes", {".hpp"}))));
+}
+
+TEST_CASE("a header of 201 lines is found, one of 200 is not", "[house]")
+{
+  CHECK(headers_are_short({{"a.hpp", std::string(200, '\n')}}).empty());
+  CHECK(headers_are_short({{"a.hpp", std::string(201, '\n')}}).size() == 1);
+}
+
+TEST_CASE("a header, a type or a function without its sentence is found", "[house]")
+{
+  const auto count = [](const std::string& text) {
+    return headers_are_documented({{"a.hpp", "/// \\file\n/// A.\n\n" + text}}).size();
+  };
+  CHECK(count("/// A body.\nstruct Body\n{\n};\n") == 0);
+  CHECK(count("struct Body\n{\n};\n") == 1);
+  CHECK(count("struct Body;\n\ntemplate <class Real>\nstruct Other;\n") == 0);
+  CHECK(count("/// A body.\nstruct Body;\n\nstruct Body\n{\n};\n") == 0);
+  CHECK(count("// [turn]\ntemplate <class Real>\nReal turn(Real x)\n{\n}\n") == 1);
+  CHECK(
+      headers_are_documented({{"recipes/a.hpp", "/// A body.\nstruct Body\n{\n};\n"}}).size() == 1);
+}
+
+TEST_CASE("no file names a folder of somebody's machine or a package registry", "[house]")
+{
+  const std::vector<std::string> text{".md",  ".hpp",  ".cpp", ".txt",     ".cmake",
+                                      ".in",  ".css",  ".js",  ".xml",     ".json",
+                                      ".yml", ".html", ".svg", ".expected"};
+  std::vector<TextFile> files;
+  for (const char* folder : {"chapters", "common", "docs", "recipes", "tests", ".github"})
+  {
+    files = together(files, read_tree(root, folder, text));
+  }
+  for (const char* name : {"README.md", "CMakeLists.txt", "CMakePresets.json", "cookbook"})
+  {
+    if (std::filesystem::is_regular_file(root / name))
+    {
+      files.push_back({name, cookbook::book::read_text(root / name)});
+    }
+  }
+  expect_none(no_machine_is_named(files));
+}
+
+TEST_CASE("a machine's folder and a registry's address are found", "[house]")
+{
+  const auto count = [](const std::string& line) {
+    return no_machine_is_named({{"f", line}}).size();
+  };
+  CHECK(count(std::string("see /ho") + "me/somebody/book") == 1);
+  CHECK(count(std::string("https://regis") + "try.example.org/x") == 1);
+  CHECK(count("recipes/work/a and /usr/share/javascript") == 0);
+}

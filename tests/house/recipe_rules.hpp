@@ -1,0 +1,118 @@
+/// \file
+/// The rules of the house about whole recipes: their files, their snippets, their size.
+#pragma once
+
+#include "rules.hpp"
+
+namespace cookbook::house
+{
+
+/// The paths of `files` that end in `/ending` or are `ending`.
+inline std::vector<const TextFile*>
+ending_in(const std::vector<TextFile>& files, const std::string& ending)
+{
+  std::vector<const TextFile*> found;
+  for (const TextFile& file : files)
+  {
+    const std::string path = "/" + file.path;
+    const std::string tail = "/" + ending;
+    if (path.size() >= tail.size() &&
+        path.compare(path.size() - tail.size(), tail.size(), tail) == 0)
+    {
+      found.push_back(&file);
+    }
+  }
+  return found;
+}
+
+/// True if a section `##` of one of the chapter's pages shows code of the recipe's header.
+inline bool
+has_section(const std::vector<TextFile>& pages, const std::string& chapter, const std::string& stem)
+{
+  const std::regex snippet("[\\\\@]snippet(?:lineno)? +(?:[\\w/]*/)?" + stem + "\\.hpp");
+  return std::any_of(
+      pages.begin(), pages.end(),
+      [&](const TextFile& page)
+      {
+        const std::size_t start = page.text.find("\n## ");
+        return book::chapter_of(page.path) == chapter && start != std::string::npos &&
+               std::regex_search(page.text.substr(start), snippet);
+      });
+}
+
+/// Every program is a whole recipe: header, checked output (unless a chart), test, section.
+///
+/// `tree` holds recipes/ and tests/, with the CMakeLists.txt that tell the charts.
+inline Complaints
+recipes_are_whole(const std::vector<TextFile>& tree, const std::vector<TextFile>& pages)
+{
+  Complaints complaints;
+  std::set<std::string> charts;
+  for (const TextFile& file : tree)
+  {
+    for (const std::string& name : book::matches(file.text, R"(\ncookbook_chart\(\s*(\w+))"))
+    {
+      charts.insert(name);
+    }
+  }
+  for (const TextFile& file : tree)
+  {
+    const bool program = file.text.find("main(") != std::string::npos;
+    if (!program || file.path.rfind("recipes/", 0) != 0)
+    {
+      continue;
+    }
+    const std::string name = book::stem(file.path);
+    const auto require = [&](bool there, const std::string& what)
+    {
+      if (!there)
+      {
+        complaints.push_back(file.path + " has no " + what);
+      }
+    };
+    const auto exists = [&](const std::string& path)
+    {
+      return std::any_of(
+          tree.begin(), tree.end(), [&](const TextFile& other) { return other.path == path; });
+    };
+    const std::string base = file.path.substr(0, file.path.size() - 4);
+    require(exists(base + ".hpp"), "header");
+    require(exists(base + ".expected") || charts.count(name) == 1, "checked output");
+    require(exists("tests" + base.substr(7) + "_test.cpp"), "test");
+    require(has_section(pages, book::chapter_of(file.path), name), "section on its page");
+  }
+  return complaints;
+}
+
+/// Every `\snippet file tag` means one file, which holds the mark exactly twice.
+inline Complaints
+snippets_are_marked(const std::vector<TextFile>& pages, const std::vector<TextFile>& sources)
+{
+  static const std::regex command(
+      R"([\\@]snippet(?:lineno)?(?:\{[^}]*\})?[ \t]+(\S+)[ \t]+([^\r\n]+))");
+  Complaints complaints;
+  for (const TextFile& page : pages)
+  {
+    const std::string& text = page.text;
+    for (std::sregex_iterator match(text.begin(), text.end(), command), end; match != end; ++match)
+    {
+      std::string tag = match->str(2);
+      tag.erase(tag.find_last_not_of(" \t") + 1);
+      const auto files = ending_in(sources, match->str(1));
+      std::size_t marks = 0;
+      for (const std::string& line : files.empty() ? Complaints{} : book::lines(files[0]->text))
+      {
+        marks += line == "// [" + tag + "]" ? 1 : 0;
+      }
+      if (files.size() != 1 || marks != 2)
+      {
+        complaints.push_back(
+            page.path + ": \\snippet " + match->str(1) + " " + tag + " finds " +
+            std::to_string(files.size()) + " files and " + std::to_string(marks) + " marks");
+      }
+    }
+  }
+  return complaints;
+}
+
+} // namespace cookbook::house
