@@ -3,6 +3,8 @@
 #
 # cmake -D program=FILE -D name=NAME -D expected=FILE -D figures=FOLDER -D drawn=FOLDER -P …
 
+cmake_minimum_required(VERSION 3.22)
+
 file(REMOVE_RECURSE ${drawn})
 file(MAKE_DIRECTORY ${drawn})
 execute_process(COMMAND ${program} --out ${drawn}

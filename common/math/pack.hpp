@@ -65,6 +65,14 @@ struct Pack
   friend Pack operator*(const Pack& a, const Pack& b) { return of(a.lanes * b.lanes); }
   friend Pack operator/(const Pack& a, const Pack& b) { return of(a.lanes / b.lanes); }
   friend Pack operator-(const Pack& a) { return of(-a.lanes); }
+  friend Pack max(const Pack& a, const Pack& b)
+  {
+    return of(a.lanes > b.lanes ? a.lanes : b.lanes);
+  }
+  friend Pack min(const Pack& a, const Pack& b)
+  {
+    return of(a.lanes < b.lanes ? a.lanes : b.lanes);
+  }
   friend Mask operator<(const Pack& a, const Pack& b) { return {a.lanes < b.lanes}; }
   friend Mask operator<=(const Pack& a, const Pack& b) { return {a.lanes <= b.lanes}; }
   friend Mask operator>(const Pack& a, const Pack& b) { return {a.lanes > b.lanes}; }

@@ -50,9 +50,9 @@ struct PointBoxCase
 inline std::vector<PointTruth> sinking_points()
 {
   std::vector<PointTruth> points;
-  for (int i = -100; i <= 100; ++i)
+  for (int i = 0; i <= 200; ++i)
   {
-    const double distance = -1e-5 * i;
+    const double distance = 1e-3 - 1e-5 * i;
     points.push_back({{9, 0.5 + distance, 0}, distance});
   }
   return points;

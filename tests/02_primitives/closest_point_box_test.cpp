@@ -263,6 +263,17 @@ TEST_CASE(
     }
   }
 }
+
+TEST_CASE("the table tells a wrong direction and a wrong distance from a right answer", "[case:D1]")
+{
+  const Vector3<double> floor(10, 0.5, 10);
+  const PointTruth truth{{9, 0.45, 0}, -0.05};
+  CHECK(point_box_verdict({{0, 1, 0}, -0.05}, floor, truth).holds);
+  CHECK(point_box_verdict({{1, 0, 0}, -0.05}, floor, truth).what == "wrong direction");
+  CHECK(point_box_verdict({{0, -1, 0}, -0.05}, floor, truth).what == "wrong direction");
+  CHECK(point_box_verdict({{0, 1, 0}, 0.05}, floor, truth).what == "distance 0.05, not -0.05");
+  CHECK(point_box_verdict({{0, 2, 0}, -0.05}, floor, truth).what == "no direction");
+}
 // [cases]
 
 // [X28]

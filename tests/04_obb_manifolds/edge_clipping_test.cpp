@@ -111,6 +111,16 @@ TEST_CASE("an edge along an edge of the box passes its two ends", "[O11]")
   CHECK((piece->enter == 0 && piece->enter_face == 1));
   CHECK((piece->leave == 1 && piece->leave_face == 0));
 }
+
+TEST_CASE("an edge that misses the box by less than the slack touches it", "[O11]")
+{
+  // From x = 3 to y = 3, past the box's edge x = y = 1 by gap · √2 along the way.
+  const auto past = [](double gap) {
+    return clip_edge<double>({3, gap - 1, 0}, {gap - 1, 3, 0}, {1, 1, 1}, 0.01);
+  };
+  CHECK_FALSE(past(0.01));
+  CHECK(past(0.005));
+}
 // [O11]
 
 // [crossings]
@@ -225,16 +235,21 @@ TEST_CASE(
 
 TEST_CASE("features are different for different points, and tell the edge and the face", "[O11]")
 {
-  // Cube B stands askew on A: its four upright edges, number 4 to 7, pass A's face +y, number 2.
-  const auto manifold = edge_clipping(
-      upright({0, 0, 0}, {3, 1, 3}), {{0, 1.5, 0}, turned(0.3, {0, 1, 0}), {1, 1, 1}});
-  REQUIRE(manifold->points.size() == 4);
-  std::set<std::uint32_t> features;
-  for (const ContactPoint<double>& point : manifold->points)
+  // The cube's four upright edges, number 4 to 7, pass the slab's face +y, number 2.
+  const Obb<double> slab = upright({0, 0, 0}, {3, 1, 3});
+  const Obb<double> cube{{0, 1.5, 0}, turned(0.3, {0, 1, 0}), {1, 1, 1}};
+  const auto features = [](const Obb<double>& a, const Obb<double>& b)
   {
-    features.insert(point.feature);
-  }
-  CHECK(features == std::set<std::uint32_t>{73 + 26, 73 + 32, 73 + 38, 73 + 44});
+    const auto manifold = edge_clipping(a, b).value();
+    std::set<std::uint32_t> found;
+    for (const ContactPoint<double>& point : manifold.points)
+    {
+      found.insert(point.feature);
+    }
+    return found;
+  };
+  CHECK(features(cube, slab) == std::set<std::uint32_t>{1 + 26, 1 + 32, 1 + 38, 1 + 44});
+  CHECK(features(slab, cube) == std::set<std::uint32_t>{73 + 26, 73 + 32, 73 + 38, 73 + 44});
 }
 // [points]
 
@@ -270,6 +285,24 @@ TEST_CASE("a contained box on its corner answers with the corner", "[case:G4]")
   REQUIRE(manifold->points.size() == 1);
   const double middle = (10 + 7 - std::sqrt(3.0)) / 2;
   CHECK((manifold->points[0].position - Vector3<double>(1, middle, -3)).norm() <= 1e-14);
+}
+
+TEST_CASE("a contained box that is turned answers with its deepest edge", "[case:G4]")
+{
+  // Axes (3, 4, 0)/5 and (−4, 3, 0)/5: along x the box reaches 0.6 + 2 · 0.8 to either side.
+  const Obb<double> large = upright({0, 0, 0}, {10, 10, 10});
+  const Matrix3<double> turn = rational_rotation<double>(2, 0, 0, 1);
+  const Obb<double> right{{5, 1, -2}, turn, {1, 2, 1}}, left{{-5, 1, -2}, turn, {1, 2, 1}};
+  for (const auto& points : {clipped_points(large, right), clipped_points(right, large)})
+  {
+    REQUIRE(points.size() == 1);
+    CHECK((points[0] - Vector3<double>((10 + 2.8) / 2, 1.4, -2)).norm() <= 10 * rounding);
+  }
+  for (const auto& points : {clipped_points(large, left), clipped_points(left, large)})
+  {
+    REQUIRE(points.size() == 1);
+    CHECK((points[0] - Vector3<double>(-(10 + 2.8) / 2, 0.6, -2)).norm() <= 10 * rounding);
+  }
 }
 // [contained]
 
