@@ -10,7 +10,7 @@ function(cookbook_install target folder)
     file(RELATIVE_PATH below_recipes ${PROJECT_SOURCE_DIR} ${folder})
   endif()
   install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cookbook/${below_recipes}
-    FILES_MATCHING PATTERN "*.hpp")
+    FILES_MATCHING PATTERN "*.hpp" PATTERN "pairs_file.hpp" EXCLUDE)
 endfunction()
 
 set(COOKBOOK_CONFIG_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/cookbook)

@@ -65,7 +65,8 @@ template <class Real>
 Direction<Real> normalize(const Vector3<Real>& v, const Vector3<Real>& fallback)
 {
   const Real squared = v.squaredNorm();
-  if (squared >= SafeSquares<Real>::least && squared <= SafeSquares<Real>::most)
+  // Not a number is neither less nor more: it comes out as it went in.
+  if (!(squared < SafeSquares<Real>::least) && !(squared > SafeSquares<Real>::most))
   {
     return split<Real>(v, squared);
   }

@@ -46,7 +46,7 @@ std::size_t knee(
   const auto y = [&](std::size_t i) { return std::log(std::max(methods[i].error, least_error)); };
   const double slope_x = x(front.back()) - x(front.front());
   const double slope_y = y(front.back()) - y(front.front());
-  std::size_t best = front.back();
+  std::size_t best = front.front();
   double farthest = 0;
   for (const std::size_t i : front)
   {

@@ -29,8 +29,8 @@ std::vector<std::size_t> pareto_front(const std::vector<CostAndError>& methods);
 /// the front's first to its last point, both axes logarithmic.
 ///
 /// `front` is what pareto_front gives, with positive costs; an error of zero counts as
-/// `least_error`. A front of one or two points has its last as knee; an empty one throws
-/// std::invalid_argument.
+/// `least_error`. A front without a point below that line has its cheapest as knee; an empty one
+/// throws std::invalid_argument.
 std::size_t knee(
     const std::vector<CostAndError>& methods, const std::vector<std::size_t>& front,
     double least_error);

@@ -50,11 +50,13 @@ bool is_number(const std::string& text)
 std::string Table::text() const
 {
   std::vector<std::size_t> widths(rows_.front().size(), 0);
+  std::vector<bool> numbers(rows_.front().size(), false);
   for (const std::vector<std::string>& row : rows_)
   {
     for (std::size_t i = 0; i < row.size(); ++i)
     {
       widths[i] = std::max(widths[i], width(row[i]));
+      numbers[i] = numbers[i] || is_number(row[i]);
     }
   }
   std::string all;
@@ -63,8 +65,9 @@ std::string Table::text() const
     std::string line;
     for (std::size_t i = 0; i < row.size(); ++i)
     {
+      const bool right = is_number(row[i]) || (&row == &rows_.front() && numbers[i]);
       const std::string fill(widths[i] - width(row[i]), ' ');
-      line += (i == 0 ? "" : "  ") + (is_number(row[i]) ? fill + row[i] : row[i] + fill);
+      line += (i == 0 ? "" : "  ") + (right ? fill + row[i] : row[i] + fill);
     }
     all += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }

@@ -21,7 +21,7 @@ inline std::vector<Vector3<float>> normalize_workload(int least, int most)
   std::vector<Vector3<float>> all;
   for (int turn = 0; turn < 2000; ++turn)
   {
-    const int exponent = least + (7 * turn) % (most - least + 1);
+    const int exponent = least + (5 * turn) % (most - least + 1);
     const float size = static_cast<float>(std::pow(10.0, exponent));
     all.push_back(vectors_of_size(size, 1 + turn % 20).back());
   }

@@ -6,9 +6,8 @@
 #include "common/math/rotation.hpp"
 #include "common/math/vector.hpp"
 
-#include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -93,13 +92,21 @@ private:
   std::string member_;
 };
 
+/// A number as the shortest text that reads back as the same number.
+template <class Real>
+std::string text_of(Real value)
+{
+  char text[64];
+  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
+}
+
 /// Throws InvalidShape unless the number is finite.
 template <class Real>
 void check_finite(const std::string& member, Real value)
 {
   if (!std::isfinite(value))
   {
-    throw InvalidShape(member, "finite", std::to_string(value));
+    throw InvalidShape(member, "finite", text_of(value));
   }
 }
 
@@ -119,7 +126,7 @@ void check_radius(Real radius)
   check_finite("radius", radius);
   if (radius < Real(0))
   {
-    throw InvalidShape("radius", "zero or more", std::to_string(radius));
+    throw InvalidShape("radius", "zero or more", text_of(radius));
   }
 }
 
@@ -148,13 +155,13 @@ const Obb<Real>& checked(const Obb<Real>& box)
   {
     if (!(box.half_extents[i] > Real(0)))
     {
-      throw InvalidShape(names[i], "greater than zero", std::to_string(box.half_extents[i]));
+      throw InvalidShape(names[i], "greater than zero", text_of(box.half_extents[i]));
     }
   }
   const Real error = rotation_error(box.axes);
   if (!(error <= Real(1e-4)))
   {
-    throw InvalidShape("axes", "a rotation", "an error of " + std::to_string(error));
+    throw InvalidShape("axes", "a rotation", "an error of " + text_of(error));
   }
   return box;
 }
@@ -168,7 +175,7 @@ const Plane<Real>& checked(const Plane<Real>& plane)
   const Real length = plane.normal.norm();
   if (std::abs(length - Real(1)) > Real(1e-4))
   {
-    throw InvalidShape("normal", "of length one", "length " + std::to_string(length));
+    throw InvalidShape("normal", "of length one", "length " + text_of(length));
   }
   return plane;
 }

@@ -71,13 +71,13 @@ void print_meetings()
 
 void draw(const Arguments& arguments)
 {
-  const Motion<double> a{{0, 0, 0}, {0.8, 0.3, 0}, {0, 0, 0.9}};
-  const Motion<double> b{{1.7, 0, 0}, {-0.6, 0.2, 0}, {0, 0, 0.6}};
+  const Motion<double> a{{0, 0, 0}, {0.6, 0.2, 0}, {0, 0, 0.5}};
+  const Motion<double> b{{1.7, 0, 0}, {-0.5, 0.1, 0}, {0, 0, 0.4}};
   const Manifold<double> manifold = sphere_sphere(ball_a, {b.center, 1}).value();
   const Vector3<double> point = manifold.points[0].position;
   const auto flat = [](const Vector3<double>& v) { return Eigen::Vector2d(v.x(), v.y()); };
   const auto arrow_at_point = [&](const Vector3<double>& v) { return flat(point + v); };
-  plot::Figure2d figure("collision", "", {{-1.3, -1.3}, {3.0, 1.9}, 640});
+  plot::Figure2d figure("collision", "", {{-1.2, -1.2}, {2.9, 1.2}, 640});
   figure.describe("Velocities of two turning balls at their contact point, and the difference.")
     .circle(flat(ball_a.center), 1, plot::Ink::a)
     .circle(flat(b.center), 1, plot::Ink::b)

@@ -3,6 +3,7 @@
 /// others.
 
 #include "03_sphere_manifolds/sphere_failures.hpp"
+#include "03_sphere_manifolds/sphere_box_failures.hpp"
 #include "common/program/program.hpp"
 
 #include <iostream>

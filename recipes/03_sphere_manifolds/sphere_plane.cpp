@@ -54,7 +54,7 @@ void draw_ball(plot::Figure2d& figure, double height, double x)
 
 void draw(const Arguments& arguments)
 {
-  plot::Figure2d figure("sphere_plane", "", {{-1, -1.25}, {4.4, 1.1}, 640});
+  plot::Figure2d figure("sphere_plane", "", {{-0.8, -1.25}, {4.9, 1.1}, 640});
   figure.describe("A ball above, in and below the surface of the ground, with depth and normal.")
     .half_plane({0, 1}, ground.distance);
   draw_ball(figure, 0.375, 0);

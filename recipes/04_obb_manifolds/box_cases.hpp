@@ -105,6 +105,11 @@ inline std::vector<BoxCase> edge_cases()
   const Vector3<double> one(1, 1, 1), half(0.5, 0.5, 0.5), about(1, 2, 3);
   const double quarter = std::atan(1.0);
   const Matrix3<double> anyhow = rational_rotation<double>(1, 2, 3, 3);
+  std::vector<Vector3<double>> contacts;
+  for (const Vector3<double>& corner : rectangle(0.5, 0.4995, 0.5))
+  {
+    contacts.push_back(anyhow * corner);
+  }
   return {
       {"G1",
        "two cubes edge to edge, apart",
@@ -127,13 +132,9 @@ inline std::vector<BoxCase> edge_cases()
        0.0063166,
        {0, 0, 0},
        {}},
-      {"G9b",
-       "a stack turned by 1e-14 about its height",
-       placed(upright({0, 0, 0}, half), anyhow),
-       placed({{0, 0.999, 0}, turned(1e-14, {0, 1, 0}), half}, anyhow),
-       0.001,
-       anyhow.col(1),
-       {}}};
+      {"G9b", "a stack turned by 1e-14 about its height", placed(upright({0, 0, 0}, half), anyhow),
+       placed({{0, 0.999, 0}, turned(1e-14, {0, 1, 0}), half}, anyhow), 0.001, anyhow.col(1),
+       contacts}};
 }
 
 /// All pairs.

@@ -96,8 +96,8 @@ void draw_boxes(const Arguments& arguments)
       .box(ridge_a.center, ridge_a.axes, ridge_a.half_extents, plot::Ink::a)
       .box(ridge_b.center, ridge_b.axes, ridge_b.half_extents, plot::Ink::b)
       .label(
-          ridge_a.center + Vector3<double>(-0.2, -0.75, 0.3), "A", plot::Side::centre, plot::Ink::a)
-      .label(ridge_b.center + Vector3<double>(0.3, 0.65, 0), "B", plot::Side::centre, plot::Ink::b)
+          ridge_a.center + Vector3<double>(-0.2, -0.6, 0.3), "A", plot::Side::centre, plot::Ink::a)
+      .label(ridge_b.center + Vector3<double>(0.55, 0.6, 0), "B", plot::Side::centre, plot::Ink::b)
       .dimension(
           top + beside - least.depth * least.normal, top + beside, "depth " + number(least.depth))
       .arrow(top, top + 0.8 * least.normal, plot::Ink::ink, "normal");

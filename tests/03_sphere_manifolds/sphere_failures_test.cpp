@@ -1,6 +1,7 @@
 /// \file
 /// The table of verdicts: in every case, who fails and who survives.
 
+#include "03_sphere_manifolds/sphere_box_failures.hpp"
 #include "03_sphere_manifolds/sphere_failures.hpp"
 #include "03_sphere_manifolds/sphere_plane.hpp"
 
@@ -65,7 +66,7 @@ TEST_CASE("a verdict says what is wrong: contact, depth, normal, number", "[verd
   CHECK_FALSE(verdict_of(Found{{2, 0, 0}, 0.5}, right).holds);
   CHECK(what(std::nullopt, right) == "no contact");
   CHECK(what(Found{{1, 0, 0}, 0.25}, apart) == "contact, 0.25 deep");
-  CHECK(what(Found{{1, 0, 0}, 0.25}, right) == "depth 0.25");
+  CHECK(what(Found{{1, 0, 0}, 0.25}, right) == "depth off by 0.25");
   CHECK(what(Found{{0, 1, 0}, 0.5}, right) == "normal 90° off");
   CHECK(what(Found{{-1, 0, 0}, 0.5}, right) == "normal 180° off");
   CHECK(what(Found{{NAN, 0, 0}, 0.5}, right) == "not a number");

@@ -83,6 +83,7 @@ TEST_CASE("the knee of costs 1, 10, 100 with errors 1000, 1, 0.1 is at cost 10",
 TEST_CASE("the knee of a front of one point is that point", "[knee]")
 {
   CHECK(knee({{5, 5}}, {0}, 1e-9) == 0);
+  CHECK(knee({{5, 5}, {9, 1}}, {0, 1}, 1e-9) == 0); // and of two, the cheaper
   CHECK_THROWS_AS(knee({}, {}, 1e-9), std::invalid_argument);
 }
 

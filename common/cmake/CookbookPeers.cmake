@@ -1,0 +1,20 @@
+# Other libraries to time beside the recipes; charts leave out what is not installed.
+#
+# cookbook_peers links to whatever was found and defines COOKBOOK_HAS_ODE, COOKBOOK_HAS_BULLET.
+
+add_library(cookbook_peers INTERFACE)
+if(COOKBOOK_PEERS)
+  find_package(PkgConfig QUIET)
+  if(PkgConfig_FOUND)
+    pkg_check_modules(ODE QUIET IMPORTED_TARGET ode)
+    pkg_check_modules(BULLET QUIET IMPORTED_TARGET bullet)
+  endif()
+  if(TARGET PkgConfig::ODE)
+    target_link_libraries(cookbook_peers INTERFACE PkgConfig::ODE)
+    target_compile_definitions(cookbook_peers INTERFACE COOKBOOK_HAS_ODE)
+  endif()
+  if(TARGET PkgConfig::BULLET)
+    target_link_libraries(cookbook_peers INTERFACE PkgConfig::BULLET)
+    target_compile_definitions(cookbook_peers INTERFACE COOKBOOK_HAS_BULLET)
+  endif()
+endif()

@@ -1,0 +1,77 @@
+/// \file
+/// What holds for files of pairs: shapes from rows, manifolds as rows, errors by line and column.
+
+#include "03_sphere_manifolds/pairs_file.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/common/run_program.hpp"
+
+#include <fstream>
+
+using namespace cookbook;
+
+namespace
+{
+
+/// Runs a program that prints the spheres' sum of radii as a manifold's depth, on a file.
+Run run_on_file(const std::string& text)
+{
+  const std::filesystem::path path = std::filesystem::temp_directory_path() / "cookbook_pairs.csv";
+  std::ofstream(path) << text;
+  const auto body = [](const Arguments& given)
+  {
+    print_pairs(
+        given,
+        [](const PairsRow& row, auto real)
+        {
+          using Real = decltype(real);
+          const Real depth = sphere_at<Real>(row, 0).radius + sphere_at<Real>(row, 4).radius;
+          const ContactPoint<Real> point{{1, 2, 3}, depth, 0};
+          return depth > 5 ? std::nullopt
+                           : std::optional(
+                                 Manifold<Real>{{0, 1, 0}, depth, ContactPoints<Real, 8>(point)});
+        });
+  };
+  const Run result = run({"demo", "--pairs", path.string()}, body);
+  std::filesystem::remove(path);
+  return result;
+}
+
+const std::string spheres = "ax,ay,az,ar,bx,by,bz,br\n";
+
+} // namespace
+
+TEST_CASE("manifolds are printed with as many points as any of them has", "[pairs]")
+{
+  const Run result = run_on_file(spheres + "0,0,0,1,0,0,0,0.5\n0,0,0,9,0,0,0,1\n");
+  CHECK(result.status == 0);
+  CHECK(
+      result.out == "pair,hit,depth,nx,ny,nz,count,p0x,p0y,p0z,p0depth\n"
+                    "0,1,1.5,0,1,0,1,1,2,3,1.5\n"
+                    "1,0,,,,,0,,,,\n");
+}
+
+TEST_CASE("a wrong shape is named by file, line and column, and nothing is printed", "[pairs]")
+{
+  const Run result = run_on_file(spheres + "0,0,0,1,0,0,0,1\n0,0,0,1,0,0,0,-2\n");
+  CHECK(result.status == 1);
+  CHECK(result.out.empty());
+  CHECK(
+      result.err.find("pairs.csv:3:8: br: radius must be zero or more, got -2") !=
+      std::string::npos);
+}
+
+TEST_CASE("a box's quaternion may be rounded, but not of another length", "[pairs]")
+{
+  const std::string header = "x,y,z,w,qx,qy,qz,hx,hy,hz";
+  const auto box = [&](std::vector<double> values) {
+    return obb_at<double>({"boxes.csv", header, {2, std::move(values)}}, 0);
+  };
+  CHECK(box({1, 2, 3, 0.7071, 0, 0, 0.7071, 1, 1, 1}).axes.isUnitary(1e-12));
+  CHECK_THROWS_WITH(
+      box({1, 2, 3, 2, 0, 0, 0, 1, 1, 1}),
+      "boxes.csv:2:4: w: the quaternion must have length 1, got 2");
+  CHECK_THROWS_WITH(
+      box({1, 2, 3, 1, 0, 0, 0, 1, 0, 1}),
+      "boxes.csv:2:9: hy: half_extents.y must be greater than zero, got 0");
+}

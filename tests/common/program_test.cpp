@@ -1,0 +1,133 @@
+/// \file
+/// What holds for the programs' common parts: tables, numbers, CSV files, errors.
+
+#include "common/program/csv.hpp"
+#include "common/program/program.hpp"
+#include "common/program/table.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/common/run_program.hpp"
+
+#include <sstream>
+
+using namespace cookbook;
+
+namespace
+{
+
+std::vector<CsvRow> rows_of(const std::string& text, const std::string& header = "x,y")
+{
+  std::istringstream stream(text);
+  return read_csv(stream, "pairs.csv", header);
+}
+
+/// The sentence a wrong file is answered with.
+std::string complaint(const std::string& text, const std::string& header = "x,y")
+{
+  try
+  {
+    rows_of(text, header);
+  }
+  catch (const CsvError& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+} // namespace
+
+TEST_CASE("rows of numbers are read, with spaces, blank lines and any line ends", "[csv]")
+{
+  const std::vector<CsvRow> rows = rows_of("\xEF\xBB\xBFx, y\r\n 1.5 ,-2e3\r\n\r\n+3,.5");
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[0].values == std::vector<double>{1.5, -2000});
+  CHECK(rows[1].values == std::vector<double>{3, 0.5});
+  CHECK(rows[1].line == 4);
+}
+
+TEST_CASE("what is wrong with a table is said by line and column", "[csv]")
+{
+  CHECK(complaint("") == "pairs.csv:1:1: the file is empty; expected the header x,y");
+  CHECK(complaint("a,b\n") == "pairs.csv:1:1: expected the header x,y");
+  CHECK(complaint("x,y\n1,2\n3,abc\n") == "pairs.csv:3:2: y must be a number, got \"abc\"");
+  CHECK(complaint("x,y\n1,2x\n") == "pairs.csv:2:2: y must be a number, got \"2x\"");
+  CHECK(complaint("x,y\n,2\n") == "pairs.csv:2:1: x is missing");
+  CHECK(complaint("x,y\n1\n") == "pairs.csv:2:2: expected 2 numbers, got 1");
+  CHECK(complaint("x,y\n1,2,3\n") == "pairs.csv:2:3: expected 2 numbers, got 3");
+  CHECK(complaint("x,y\n1,nan\n") == "pairs.csv:2:2: y must be finite, got nan");
+  CHECK(complaint("x,y\n-inf,1\n") == "pairs.csv:2:1: x must be finite, got -inf");
+  CHECK(complaint("x,y\n1,1e999\n") == "pairs.csv:2:2: y is beyond the range of double: 1e999");
+}
+
+TEST_CASE("a table with a header and no rows is empty, not wrong", "[csv]")
+{
+  CHECK(rows_of("x,y\n").empty());
+}
+
+TEST_CASE("a file that cannot be read is named", "[csv]")
+{
+  CHECK_THROWS_WITH(read_csv("no/such/file.csv", "x"), "cannot read no/such/file.csv");
+  CHECK_THROWS_WITH(read_csv(".", "x"), "cannot read .");
+}
+
+TEST_CASE("a number's shortest text reads back as the same number", "[csv]")
+{
+  CHECK(round_trip(0.1) == "0.1");
+  CHECK(round_trip(0.1f) == "0.1");
+  CHECK(round_trip(1.0 / 3) == "0.3333333333333333");
+  CHECK(round_trip(-0.0) == "0");
+}
+
+TEST_CASE("printed numbers have four digits and no negative zero", "[table]")
+{
+  CHECK(number(0.5) == "0.5");
+  CHECK(number(1.0 / 3) == "0.3333");
+  CHECK(number(-0.0) == "0");
+  CHECK(number(1.25e-7) == "1.25e-07");
+}
+
+TEST_CASE("columns are as wide as their widest cell, numbers at the right", "[table]")
+{
+  Table table({"name", "n"});
+  table.row({"ä", "5"});
+  table.row({"longer", "12"});
+  CHECK(table.text() == "name     n\nä        5\nlonger  12\n");
+  CHECK_THROWS_AS(table.row({"one"}), std::logic_error);
+}
+
+TEST_CASE("a program's failure is one sentence and status 1, wrong words are status 2", "[program]")
+{
+  const Run failed =
+      run({"demo"},
+          [](const Arguments&)
+          {
+            std::cout << "half";
+            throw std::runtime_error("the disc is full");
+          });
+  CHECK(failed.status == 1);
+  CHECK(failed.out.empty());
+  CHECK(failed.err == "demo: error: the disc is full\n");
+  const Run misspelt = run({"demo", "--piars", "x"}, [](const Arguments&) {});
+  CHECK(misspelt.status == 2);
+  CHECK(misspelt.err.find("--help") != std::string::npos);
+  CHECK(run({"demo", "--scalar", "half"}, [](const Arguments&) {}).status == 2);
+}
+
+TEST_CASE("help names the options and the columns of --pairs", "[program]")
+{
+  const Run help = run({"demo", "--help"}, [](const Arguments&) {});
+  CHECK(help.status == 0);
+  CHECK(help.out.find("A demonstration.") != std::string::npos);
+  CHECK(help.out.find("ax,ay,az,ar,bx,by,bz,br") != std::string::npos);
+}
+
+TEST_CASE("a figure that cannot be written is named", "[program]")
+{
+  Arguments arguments;
+  arguments.out = "/proc/no/such/folder";
+  CHECK_THROWS_WITH(
+      save_figure(arguments, "x.svg", "<svg/>"),
+      "cannot write the figure /proc/no/such/folder/x.svg");
+  CHECK_THROWS_AS(arguments.value("scalar"), std::logic_error);
+}

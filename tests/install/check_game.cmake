@@ -1,0 +1,49 @@
+# Builds the game of the README, as a reader would: its CMake text and its C++ text are cut out of the
+# README, once with the cookbook as a folder of the game, once with the cookbook installed.
+#
+# cmake -D source=REPOSITORY -D build=BUILD_FOLDER -D work=EMPTY_FOLDER -D compiler=C++ -P …
+
+cmake_minimum_required(VERSION 3.22)
+
+file(READ ${source}/README.md readme)
+function(cut language result)
+  string(REGEX MATCH "```${language}\n([^`]*)```" found "${readme}")
+  if(NOT found)
+    message(FATAL_ERROR "README.md has no block of ${language}")
+  endif()
+  set(${result} "${CMAKE_MATCH_1}" PARENT_SCOPE)
+endfunction()
+
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT status EQUAL 0)
+    string(REPLACE ";" " " command "${ARGN}")
+    message(FATAL_ERROR "${command} ended with ${status}:\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+function(build_game folder)
+  run(${CMAKE_COMMAND} -S ${folder} -B ${folder}/build -DCMAKE_CXX_COMPILER=${compiler}
+      -DCMAKE_BUILD_TYPE=Release ${ARGN})
+  run(${CMAKE_COMMAND} --build ${folder}/build)
+  run(${folder}/build/my_game)
+  if(NOT output STREQUAL "overlap by 0.5 m\n")
+    message(SEND_ERROR "the game in ${folder} printed \"${output}\"")
+  endif()
+endfunction()
+
+cut(cmake cmake_text)
+cut(cpp cpp_text)
+file(REMOVE_RECURSE ${work})
+
+file(WRITE ${work}/folder/main.cpp "${cpp_text}")
+file(WRITE ${work}/folder/CMakeLists.txt "${cmake_text}")
+file(CREATE_LINK ${source} ${work}/folder/cookbook SYMBOLIC)
+build_game(${work}/folder)
+
+string(REPLACE "add_subdirectory(cookbook)" "find_package(cookbook REQUIRED)" cmake_text "${cmake_text}")
+file(WRITE ${work}/installed/main.cpp "${cpp_text}")
+file(WRITE ${work}/installed/CMakeLists.txt "${cmake_text}")
+run(${CMAKE_COMMAND} --install ${build} --prefix ${work}/prefix)
+build_game(${work}/installed -DCMAKE_PREFIX_PATH=${work}/prefix)
