@@ -1,10 +1,10 @@
 # The house's own commands: a chapter, a recipe, a chart, a test.
 
-# cookbook_warnings(TARGET): what this project asks of its own code, not of a game's.
+# cookbook_warnings(TARGET [OPTION…]): what this project asks of its own code, not of a game's.
 function(cookbook_warnings target)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
-    $<$<CONFIG:Release>:-O3> -fno-math-errno -ffp-contract=off)
+    $<$<CONFIG:Release>:-O3> -fno-math-errno -ffp-contract=off ${ARGN})
   # g++ 12 warns of overlapping copies inside std::string that cannot happen.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${target} PRIVATE -Wno-restrict)
@@ -44,7 +44,13 @@ function(cookbook_program name)
   add_executable(${name} ${name}.cpp)
   target_link_libraries(${name} PRIVATE ${COOKBOOK_CHAPTER_TARGET} cookbook_tools ${ARGN})
   cookbook_warnings(${name})
+  add_dependencies(recipes ${name})
 endfunction()
+
+# All programs, but no tests.
+if(COOKBOOK_RECIPES)
+  add_custom_target(recipes)
+endif()
 
 # cookbook_recipe(NAME [LIBRARY…]): NAME.hpp, NAME.cpp and NAME.expected make the program NAME, the
 # checks of its output and its figures, and the tests in tests/CHAPTER/NAME_test.cpp.
@@ -71,11 +77,12 @@ endfunction()
 function(cookbook_chart name)
   if(COOKBOOK_RECIPES)
     cookbook_program(${name} ${ARGN})
-    set(charts ${CMAKE_BINARY_DIR}/charts/${COOKBOOK_CHAPTER})
-    add_custom_target(${name}.chart
+    set(charts ${CMAKE_BINARY_DIR}/charts)
+    add_custom_command(OUTPUT ${charts}/${name}.measured
       COMMAND ${CMAKE_COMMAND} -E make_directory ${charts}
-      COMMAND ${name} --out ${charts}
-      COMMENT "Measuring and drawing the chart ${name}" USES_TERMINAL VERBATIM)
+      COMMAND ${name} --out ${charts} > ${charts}/${name}.measured
+      DEPENDS ${name} COMMENT "Measuring and drawing the chart ${name}" VERBATIM)
+    add_custom_target(${name}.chart DEPENDS ${charts}/${name}.measured)
     set_property(GLOBAL APPEND PROPERTY COOKBOOK_CHART_TARGETS ${name}.chart)
   endif()
   cookbook_test(${name} ${ARGN})

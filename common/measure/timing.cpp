@@ -42,7 +42,7 @@ void initialize(const Effort& effort)
   std::string words[] = {
       "measure", "--benchmark_enable_random_interleaving=true",
       "--benchmark_repetitions=" + std::to_string(effort.repetitions),
-      "--benchmark_min_time=" + std::to_string(effort.seconds * effort.repetitions)};
+      "--benchmark_min_time=" + std::to_string(effort.seconds)};
   char* arguments[] = {words[0].data(), words[1].data(), words[2].data(), words[3].data(), nullptr};
   int count = 4;
   benchmark::Initialize(&count, arguments);

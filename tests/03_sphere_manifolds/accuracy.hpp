@@ -180,6 +180,7 @@ private:
   }
 };
 
+// [expect_within_4_ulp]
 inline void expect_within_4_ulp(const Accuracy& accuracy)
 {
   CAPTURE(accuracy.depth_error, accuracy.normal_error, accuracy.truth_error);
@@ -192,5 +193,6 @@ inline void expect_within_4_ulp(const Accuracy& accuracy)
   CHECK(accuracy.normal_error <= 4);
   CHECK(accuracy.truth_error <= 1e-4); // double is 2^29 times finer than float
 }
+// [expect_within_4_ulp]
 
 } // namespace cookbook
