@@ -4,6 +4,7 @@
 /// \brief The manifold of a sphere and an oriented box.
 
 #include "02_primitives/closest_point_box.hpp"
+#include "03_sphere_manifolds/any_size.hpp"
 #include "03_sphere_manifolds/sphere_sphere.hpp"
 
 namespace cookbook
@@ -14,7 +15,7 @@ namespace cookbook
 /// `local` along the box's axes; S7, S8.
 template <class Real>
 Direction<Real> direction_to_box(
-  const Vector3<Wide<Real>>& local, const Matrix3<Real>& axes, const Vector3<Real>& half_extents)
+    const Vector3<Wide<Real>>& local, const Matrix3<Real>& axes, const Vector3<Real>& half_extents)
 {
   const Direction<Wide<Real>> out = signed_distance_box<Wide<Real>>(local, widen(half_extents));
   const Vector3<Wide<Real>> unit = widen(axes) * -out.unit;
@@ -28,13 +29,13 @@ Direction<Real> direction_to_box(
 /// For worlds far from the origin: keep positions in double, and pass their difference [m].
 template <class Real>
 std::optional<Manifold<Real>> sphere_box_relative(
-  const Vector3<Wide<Real>>& sphere_to_box, Real radius, const Matrix3<Real>& axes,
-  const Vector3<Real>& half_extents)
+    const Vector3<Wide<Real>>& sphere_to_box, Real radius, const Matrix3<Real>& axes,
+    const Vector3<Real>& half_extents)
 {
   const Vector3<Wide<Real>> local = widen(axes).transpose() * -sphere_to_box;
   return overlap_manifold<Real>(
-    sphere_overlap(direction_to_box(local, axes, half_extents), radius, Real(0)),
-    Vector3<Real>::Zero());
+      sphere_overlap(direction_to_box(local, axes, half_extents), radius, Real(0)),
+      Vector3<Real>::Zero());
 }
 // [sphere_box_relative]
 
@@ -48,10 +49,13 @@ std::optional<Manifold<Real>> sphere_box_relative(
 template <class Real>
 std::optional<Manifold<Real>> sphere_box(const Sphere<Real>& sphere, const Obb<Real>& box)
 {
-  return translated(
-    sphere_box_relative<Real>(
-      widen(box.center) - widen(sphere.center), sphere.radius, box.axes, box.half_extents),
-    sphere.center);
+  const auto find = [](const Sphere<Real>& a, const Obb<Real>& b)
+  {
+    const Vector3<Wide<Real>> sphere_to_box = widen(b.center) - widen(a.center);
+    return translated(
+        sphere_box_relative<Real>(sphere_to_box, a.radius, b.axes, b.half_extents), a.center);
+  };
+  return at_any_size(sphere, box, find);
 }
 // [sphere_box]
 

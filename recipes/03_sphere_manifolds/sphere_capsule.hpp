@@ -3,6 +3,7 @@
 /// \file
 /// \brief The manifold of a sphere and a capsule.
 
+#include "03_sphere_manifolds/any_size.hpp"
 #include "03_sphere_manifolds/sphere_sphere.hpp"
 #include "common/math/wide.hpp"
 
@@ -38,10 +39,13 @@ template <class Real>
 std::optional<Manifold<Real>>
 sphere_capsule(const Sphere<Real>& sphere, const Capsule<Real>& capsule)
 {
-  const Vector3<Wide<Real>> closest = closest_point(capsule.segment, sphere.center);
-  const Vector3<Real> to_closest = (closest - widen(sphere.center)).template cast<Real>();
-  return translated(
-      sphere_sphere_relative<Real>(to_closest, sphere.radius, capsule.radius), sphere.center);
+  const auto find = [](const Sphere<Real>& a, const Capsule<Real>& b)
+  {
+    const Vector3<Wide<Real>> closest = closest_point(b.segment, a.center);
+    const Vector3<Real> to_closest = (closest - widen(a.center)).template cast<Real>();
+    return translated(sphere_sphere_relative<Real>(to_closest, a.radius, b.radius), a.center);
+  };
+  return at_any_size(sphere, capsule, find);
 }
 // [sphere_capsule]
 

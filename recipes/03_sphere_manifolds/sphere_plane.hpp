@@ -3,6 +3,7 @@
 /// \file
 /// \brief The manifold of a sphere and the solid below a plane.
 
+#include "03_sphere_manifolds/any_size.hpp"
 #include "03_sphere_manifolds/sphere_sphere.hpp"
 #include "common/math/wide.hpp"
 
@@ -26,9 +27,13 @@ Wide<Real> signed_distance(const Plane<Real>& plane, const Vector3<Real>& point)
 template <class Real>
 std::optional<Manifold<Real>> sphere_plane(const Sphere<Real>& sphere, const Plane<Real>& plane)
 {
-  const Real distance = static_cast<Real>(signed_distance(plane, sphere.center));
-  const Direction<Real> to_surface{-plane.normal, distance};
-  return overlap_manifold(sphere_overlap(to_surface, sphere.radius, Real(0)), sphere.center);
+  const auto find = [](const Sphere<Real>& a, const Plane<Real>& b)
+  {
+    const Real distance = static_cast<Real>(signed_distance(b, a.center));
+    const Direction<Real> to_surface{-b.normal, distance};
+    return overlap_manifold(sphere_overlap(to_surface, a.radius, Real(0)), a.center);
+  };
+  return at_any_size(sphere, plane, find);
 }
 // [sphere_plane]
 
