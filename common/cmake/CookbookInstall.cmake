@@ -2,28 +2,49 @@
 
 include(CMakePackageConfigHelpers)
 
-# cookbook_install(TARGET FOLDER): the headers of a folder below the repository's include roots.
+# A game that only adds the folder builds nothing that it does not link.
+set(COOKBOOK_WHEN_NEEDED "")
+if(NOT PROJECT_IS_TOP_LEVEL)
+  set(COOKBOOK_WHEN_NEEDED EXCLUDE_FROM_ALL)
+endif()
+
+# cookbook_install_target(TARGET): part of the package.
+function(cookbook_install_target target)
+  if(COOKBOOK_INSTALL)
+    install(TARGETS ${target} EXPORT cookbook)
+  endif()
+endfunction()
+
+# cookbook_install(TARGET FOLDER): the headers of a folder below the repository's include roots, but not
+# those that only tests, programs and pages need.
 function(cookbook_install target folder)
-  install(TARGETS ${target} EXPORT cookbook)
+  cookbook_install_target(${target})
+  if(NOT COOKBOOK_INSTALL)
+    return()
+  endif()
   file(RELATIVE_PATH below_recipes ${PROJECT_SOURCE_DIR}/recipes ${folder})
   if(below_recipes MATCHES "^\\.\\.")
     file(RELATIVE_PATH below_recipes ${PROJECT_SOURCE_DIR} ${folder})
   endif()
   install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cookbook/${below_recipes}
-    FILES_MATCHING PATTERN "*.hpp" PATTERN "pairs_file.hpp" EXCLUDE)
+    FILES_MATCHING PATTERN "*.hpp"
+    REGEX "_(cases|chart|chart_peers|failures|figures|file|kernel|methods|pitfalls|scenes|speed|tables|truth|verdicts)\\.hpp$" EXCLUDE
+    REGEX "math/rational\\.hpp$" EXCLUDE)
 endfunction()
 
-set(COOKBOOK_CONFIG_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/cookbook)
-install(EXPORT cookbook NAMESPACE cookbook:: DESTINATION ${COOKBOOK_CONFIG_FOLDER}
-  FILE cookbookTargets.cmake)
-file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/cookbookConfig.cmake
+if(COOKBOOK_INSTALL)
+  set(COOKBOOK_CONFIG_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/cookbook)
+  install(EXPORT cookbook NAMESPACE cookbook:: DESTINATION ${COOKBOOK_CONFIG_FOLDER}
+    FILE cookbookTargets.cmake)
+  file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/cookbookConfig.cmake
 "include(CMakeFindDependencyMacro)
 find_dependency(Eigen3)
 include(\${CMAKE_CURRENT_LIST_DIR}/cookbookTargets.cmake)
 ")
-write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/cookbookConfigVersion.cmake
-  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
-install(FILES
-  ${CMAKE_CURRENT_BINARY_DIR}/cookbookConfig.cmake
-  ${CMAKE_CURRENT_BINARY_DIR}/cookbookConfigVersion.cmake
-  DESTINATION ${COOKBOOK_CONFIG_FOLDER})
+  write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/cookbookConfigVersion.cmake
+    COMPATIBILITY SameMinorVersion)
+  install(FILES
+    ${CMAKE_CURRENT_BINARY_DIR}/cookbookConfig.cmake
+    ${CMAKE_CURRENT_BINARY_DIR}/cookbookConfigVersion.cmake
+    DESTINATION ${COOKBOOK_CONFIG_FOLDER})
+endif()

@@ -3,7 +3,7 @@
 # cookbook_warnings(TARGET [OPTION…]): what this project asks of its own code, not of a game's.
 function(cookbook_warnings target)
   target_compile_options(${target} PRIVATE
-    -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
+    -Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<BOOL:${PROJECT_IS_TOP_LEVEL}>:-Werror>
     $<$<CONFIG:Release>:-O3> -fno-math-errno -ffp-contract=off ${ARGN})
   # g++ 12 warns of overlapping copies inside std::string that cannot happen.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
@@ -44,7 +44,18 @@ function(cookbook_program name)
   add_executable(${name} ${name}.cpp)
   target_link_libraries(${name} PRIVATE ${COOKBOOK_CHAPTER_TARGET} cookbook_tools ${ARGN})
   cookbook_warnings(${name})
+  target_precompile_headers(${name} REUSE_FROM cookbook_program_headers)
   add_dependencies(recipes ${name})
+endfunction()
+
+# cookbook_precompiled(NAME HEADER [LIBRARY…]): headers that every program, or every test, reads first
+# anyway, compiled once. Nothing relies on them: each file includes what it needs.
+function(cookbook_precompiled name header)
+  file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp "")
+  add_library(${name} STATIC ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+  target_link_libraries(${name} PRIVATE ${ARGN})
+  cookbook_warnings(${name})
+  target_precompile_headers(${name} PRIVATE ${header})
 endfunction()
 
 # All programs, but no tests.
@@ -104,6 +115,7 @@ function(cookbook_test name)
     target_link_libraries(${stem} PRIVATE
       ${COOKBOOK_CHAPTER_TARGET} cookbook_exact cookbook_tools cookbook_test_main ${ARGN})
     cookbook_warnings(${stem})
+    target_precompile_headers(${stem} REUSE_FROM cookbook_test_headers)
     string(REGEX REPLACE "_test$" "" short ${stem})
     add_test(NAME ${short}.unit COMMAND ${stem})
     set_tests_properties(${short}.unit PROPERTIES

@@ -35,7 +35,8 @@ std::vector<std::string_view> fields_of(std::string_view line)
 double number_of(std::string_view field, const std::string& complaint_start)
 {
   double value = 0;
-  const char* const begin = field.data() + (field.substr(0, 1) == "+" ? 1 : 0);
+  const bool plus = field.substr(0, 1) == "+" && field.substr(1, 1) != "-";
+  const char* const begin = field.data() + (plus ? 1 : 0);
   const char* const end = field.data() + field.size();
   const auto [stop, error] = std::from_chars(begin, end, value);
   if (field.empty())
@@ -114,6 +115,10 @@ read_csv(std::istream& stream, const std::string& file, const std::string& heade
       throw CsvError(file, line, 1, "expected the header " + header);
     }
     header_seen = true;
+  }
+  if (stream.bad())
+  {
+    throw std::runtime_error("cannot read " + file + " to its end");
   }
   if (!header_seen)
   {

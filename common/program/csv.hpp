@@ -35,8 +35,8 @@ struct CsvRow
 
 /// Reads all rows of finite numbers below a header, which must be the one given.
 ///
-/// Empty lines are passed over, spaces around fields too, and the line ends of every system are
-/// understood. Throws CsvError for anything else, before a caller sees any row.
+/// Empty lines are passed over, spaces around fields too, and lines may end as on Unix or on
+/// Windows. Throws CsvError for anything else, before a caller sees any row.
 std::vector<CsvRow>
 read_csv(std::istream& stream, const std::string& file, const std::string& header);
 

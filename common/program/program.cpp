@@ -61,7 +61,9 @@ void describe(CLI::App& app, Arguments& arguments)
     app.add_option(
            "--pairs", arguments.pairs,
            "your own pairs: a CSV file that begins with the line\n" + arguments.pairs_header)
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->check([](const std::string& file)
+                { return file.empty() ? std::string("the file's name is empty") : std::string(); });
   }
   for (Option& option : arguments.options)
   {

@@ -24,11 +24,11 @@ struct Option
 /// What a program is called with, and what it can be called with.
 struct Arguments
 {
-  std::string name;            ///< of the program
-  std::string summary;         ///< one sentence: what it prints and draws
-  std::string pairs_header{};  ///< columns of the file that --pairs reads; empty: no such option
-  std::vector<Option> options{};///< further options
-  std::filesystem::path out{}; ///< folder for figures
+  std::string name;              ///< of the program
+  std::string summary;           ///< one sentence: what it prints and draws
+  std::string pairs_header{};    ///< columns of the file that --pairs reads; empty: no such option
+  std::vector<Option> options{}; ///< further options
+  std::filesystem::path out{};   ///< folder for figures
   std::filesystem::path pairs{}; ///< the reader's own data; empty: the chapter's scene
 
   /// The value of the option called `option`; std::logic_error if the program has none such.

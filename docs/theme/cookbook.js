@@ -3,10 +3,17 @@
 // Boxes that scroll can be reached and scrolled by keyboard.
 window.addEventListener("load", () => {
   for (const box of document.querySelectorAll(
-    "div.fragment, p.formulaDsp, table.verdicts, table.index")) {
+    "div.fragment, div.figure, p.formulaDsp, table.verdicts, table.index")) {
     if (box.scrollWidth > box.clientWidth) {
       box.tabIndex = 0;
     }
+  }
+});
+
+// A long name at the head of a column may be broken after its underscores.
+window.addEventListener("DOMContentLoaded", () => {
+  for (const head of document.querySelectorAll("table.verdicts thead th")) {
+    head.innerHTML = head.innerHTML.replaceAll("_", "_<wbr>");
   }
 });
 

@@ -97,18 +97,26 @@ Manifold<Real> scaled(Manifold<Real> manifold, int exponent)
 }
 
 // [at_any_size]
-/// The manifold that `find(a, b)` gives, found of shapes of size one where the shapes are so large
-/// that squares of their numbers would not fit. Powers of two are exact.
+/// Numbers up to this size have sums that fit.
+template <class Real>
+inline const Real sums_fit = std::numeric_limits<Real>::max() / Real(16);
+
+/// Numbers up to this size have sums of squares that fit.
+template <class Real>
+inline const Real squares_fit = std::sqrt(std::numeric_limits<Real>::max()) / Real(16);
+
+/// The manifold that `find(a, b)` gives for shapes of numbers up to `most`; larger ones are made
+/// that small first, and the answer is enlarged. Powers of two are exact.
 template <class Real, class Shape, class Find>
-std::optional<Manifold<Real>> at_any_size(const Sphere<Real>& a, const Shape& b, const Find& find)
+std::optional<Manifold<Real>>
+at_any_size(const Sphere<Real>& a, const Shape& b, Real most, const Find& find)
 {
-  const Real most = std::sqrt(std::numeric_limits<Real>::max()) / Real(16);
   const Real size = std::max(largest(a), largest(b));
   if (!(size > most))
   {
     return find(a, b);
   }
-  const int exponent = std::ilogb(size);
+  const int exponent = std::ilogb(size) - std::ilogb(most) + 1;
   const std::optional<Manifold<Real>> found = find(scaled(a, -exponent), scaled(b, -exponent));
   return found ? std::optional(scaled(*found, exponent)) : std::nullopt;
 }

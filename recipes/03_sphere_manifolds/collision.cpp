@@ -29,9 +29,8 @@ struct Meeting
   double speed;    // [m/s]
 };
 
-const Meeting meetings[] = {
-  {"passing by", 2.5, -1}, {"hit", 2, -1},    {"rest", 2, 0},
-  {"rebound", 2, 1},       {"stuck", 1.4, 0}, {"deep hit", 1.4, -1}};
+const Meeting meetings[] = {{"passing by", 2.5, -1}, {"hit", 2, -1},    {"rest", 2, 0},
+                            {"rebound", 2, 1},       {"stuck", 1.4, 0}, {"deep hit", 1.4, -1}};
 
 const char* name_of(Nature nature)
 {
@@ -62,9 +61,9 @@ void print_meetings()
     const Vector3<double> velocity = relative_velocity(a, b, manifold->points[0].position);
     const PartingMoves<double> moves = parting_moves(*manifold, inverse_mass_a, inverse_mass_b);
     table.row(
-      {meeting.name, number(manifold->depth), name_of(nature(manifold, tolerance)),
-       name_of(approach(velocity, manifold->normal, resting_speed)), number(moves.a.x()),
-       number(moves.b.x())});
+        {meeting.name, number(manifold->depth), name_of(nature(manifold, tolerance)),
+         name_of(approach(velocity, manifold->normal, resting_speed)), number(moves.a.x()),
+         number(moves.b.x())});
   }
   std::cout << table.text();
 }
@@ -79,16 +78,16 @@ void draw(const Arguments& arguments)
   const auto arrow_at_point = [&](const Vector3<double>& v) { return flat(point + v); };
   plot::Figure2d figure("collision", "", {{-1.2, -1.2}, {2.9, 1.2}, 640});
   figure.describe("Velocities of two turning balls at their contact point, and the difference.")
-    .circle(flat(ball_a.center), 1, plot::Ink::a)
-    .circle(flat(b.center), 1, plot::Ink::b)
-    .arrow(flat(a.center), flat(a.center + a.velocity), plot::Ink::a, "v_{A}")
-    .arrow(flat(b.center), flat(b.center + b.velocity), plot::Ink::b, "v_{B}")
-    .arrow(flat(point), arrow_at_point(velocity_at(a, point)), plot::Ink::a, "A at the point")
-    .arrow(flat(point), arrow_at_point(velocity_at(b, point)), plot::Ink::b, "B at the point")
-    .arrow(
-      flat(point), arrow_at_point(relative_velocity(a, b, point)), plot::Ink::overlap,
-      "relative velocity", plot::Side::below)
-    .point(flat(point), plot::Ink::ink);
+      .circle(flat(ball_a.center), 1, plot::Ink::a)
+      .circle(flat(b.center), 1, plot::Ink::b)
+      .arrow(flat(a.center), flat(a.center + a.velocity), plot::Ink::a, "v_{A}")
+      .arrow(flat(b.center), flat(b.center + b.velocity), plot::Ink::b, "v_{B}")
+      .arrow(flat(point), arrow_at_point(velocity_at(a, point)), plot::Ink::a, "A at the point")
+      .arrow(flat(point), arrow_at_point(velocity_at(b, point)), plot::Ink::b, "B at the point")
+      .arrow(
+          flat(point), arrow_at_point(relative_velocity(a, b, point)), plot::Ink::overlap,
+          "relative velocity", plot::Side::below)
+      .point(flat(point), plot::Ink::ink);
   save_figure(arguments, "collision.svg", figure.svg());
 }
 
@@ -97,13 +96,13 @@ void draw(const Arguments& arguments)
 int main(int argc, char** argv)
 {
   const Arguments arguments{
-    .name = "collision",
-    .summary = "Relative velocity, approach and nature of a collision, and the way apart."};
+      .name = "collision",
+      .summary = "Relative velocity, approach and nature of a collision, and the way apart."};
   return run_program(
-    argc, argv, arguments,
-    [](const Arguments& given)
-    {
-      print_meetings();
-      draw(given);
-    });
+      argc, argv, arguments,
+      [](const Arguments& given)
+      {
+        print_meetings();
+        draw(given);
+      });
 }

@@ -8,8 +8,9 @@
 #include "common/program/csv.hpp"
 #include "common/program/program.hpp"
 
-#include <functional>
+#include <cmath>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -25,13 +26,27 @@ struct PairsRow
   std::string header; ///< names of the columns
   CsvRow row;         ///< the numbers
 
+  /// The number in a column, rounded to `Real`; CsvError if it is too large or too small for that.
+  template <class Real>
+  Real at(std::size_t column) const
+  {
+    const double value = row.values[column];
+    const bool too_large = std::abs(value) > static_cast<double>(std::numeric_limits<Real>::max());
+    const Real rounded = too_large ? Real(0) : static_cast<Real>(value);
+    if (rounded == Real(0) && value != 0)
+    {
+      fail(
+          column, round_trip(value) + (too_large ? " is too large" : " is too small") +
+                      " for the number type");
+    }
+    return rounded;
+  }
+
   /// Three columns from `first` on, as a vector.
   template <class Real>
   Vector3<Real> vector(std::size_t first) const
   {
-    return {
-        static_cast<Real>(row.values[first]), static_cast<Real>(row.values[first + 1]),
-        static_cast<Real>(row.values[first + 2])};
+    return {at<Real>(first), at<Real>(first + 1), at<Real>(first + 2)};
   }
 
   /// Throws CsvError at a column, beginning with the column's name.
@@ -60,7 +75,7 @@ struct PairsRow
 template <class Real>
 Sphere<Real> sphere_at(const PairsRow& row, std::size_t first)
 {
-  const Sphere<Real> sphere{row.vector<Real>(first), static_cast<Real>(row.row.values[first + 3])};
+  const Sphere<Real> sphere{row.vector<Real>(first), row.at<Real>(first + 3)};
   return row.checked_shape(
       sphere, {{"center.x", first},
                {"center.y", first + 1},
@@ -108,25 +123,31 @@ std::string manifolds_csv(const std::vector<std::optional<Manifold<Real, Capacit
   std::string text = "pair,hit,depth,nx,ny,nz,count";
   for (std::size_t i = 0; i < most; ++i)
   {
-    const std::string p = ",p" + std::to_string(i);
-    text += p + "x" + p + "y" + p + "z" + p + "depth";
+    for (const char* const part : {"x", "y", "z", "depth"})
+    {
+      text.append(",p").append(std::to_string(i)).append(part);
+    }
   }
   text += "\n";
-  const auto vector = [](const Vector3<Real>& v)
-  { return "," + round_trip(v.x()) + "," + round_trip(v.y()) + "," + round_trip(v.z()); };
+  const auto add = [&text](const auto& value) { text.append(",").append(round_trip(value)); };
+  const auto add_vector = [&add](const Vector3<Real>& v) { add(v.x()), add(v.y()), add(v.z()); };
   for (std::size_t pair = 0; pair < manifolds.size(); ++pair)
   {
     const auto& manifold = manifolds[pair];
     const std::size_t count = manifold ? manifold->points.size() : 0;
-    text += std::to_string(pair) + (manifold ? ",1," : ",0,");
-    text += manifold ? round_trip(manifold->depth) + vector(manifold->normal) : ",,,";
-    text += "," + std::to_string(count);
+    text.append(std::to_string(pair)).append(manifold ? ",1" : ",0,,,,");
+    if (manifold)
+    {
+      add(manifold->depth);
+      add_vector(manifold->normal);
+    }
+    text.append(",").append(std::to_string(count));
     for (std::size_t i = 0; i < count; ++i)
     {
-      const ContactPoint<Real>& point = manifold->points[i];
-      text += vector(point.position) + "," + round_trip(point.depth);
+      add_vector(manifold->points[i].position);
+      add(manifold->points[i].depth);
     }
-    text += std::string(4 * (most - count), ',') + "\n";
+    text.append(4 * (most - count), ',').append("\n");
   }
   return text;
 }

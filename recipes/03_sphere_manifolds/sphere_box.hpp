@@ -55,7 +55,7 @@ std::optional<Manifold<Real>> sphere_box(const Sphere<Real>& sphere, const Obb<R
     return translated(
         sphere_box_relative<Real>(sphere_to_box, a.radius, b.axes, b.half_extents), a.center);
   };
-  return at_any_size(sphere, box, find);
+  return at_any_size(sphere, box, sums_fit<Real>, find);
 }
 // [sphere_box]
 

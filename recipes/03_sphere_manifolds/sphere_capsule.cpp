@@ -15,7 +15,10 @@ using namespace cookbook;
 
 const Capsule<double> capsule{{{-1, 0, 0}, {1, 0, 0}}, 0.5};
 
-Sphere<double> ball_at(double x) { return {{x, 0.75, 0}, 0.5}; }
+Sphere<double> ball_at(double x)
+{
+  return {{x, 0.75, 0}, 0.5};
+}
 
 void print_flight()
 {
@@ -30,8 +33,8 @@ void print_flight()
       continue;
     }
     table.row(
-      {number(x), number(closest.x()), number(manifold->depth), number(manifold->normal.x()),
-       number(manifold->normal.y())});
+        {number(x), number(closest.x()), number(manifold->depth), number(manifold->normal.x()),
+         number(manifold->normal.y())});
   }
   std::cout << table.text();
 }
@@ -44,25 +47,25 @@ void draw_ball(plot::Figure2d& figure, double x)
   const Eigen::Vector2d contact = manifold.points[0].position.head<2>();
   const Eigen::Vector2d center = ball.center.head<2>();
   figure.circle(closest, capsule.radius, plot::Ink::b, plot::Fill::none, plot::Stroke::dashed)
-    .circle(center, ball.radius, plot::Ink::a)
-    .lens(center, ball.radius, closest, capsule.radius)
-    .dot(center, plot::Ink::a)
-    .dot(closest, plot::Ink::b)
-    .segment(center, closest, plot::Ink::muted, plot::Stroke::dotted)
-    .arrow(contact, contact + 0.45 * manifold.normal.head<2>(), plot::Ink::ink)
-    .point(contact, plot::Ink::overlap);
+      .circle(center, ball.radius, plot::Ink::a)
+      .lens(center, ball.radius, closest, capsule.radius)
+      .dot(center, plot::Ink::a)
+      .dot(closest, plot::Ink::b)
+      .segment(center, closest, plot::Ink::muted, plot::Stroke::dotted)
+      .arrow(contact, contact + 0.45 * manifold.normal.head<2>(), plot::Ink::ink)
+      .point(contact, plot::Ink::overlap);
 }
 
 void draw(const Arguments& arguments)
 {
   plot::Figure2d figure("sphere_capsule", "", {{-1.9, -0.75}, {2.1, 1.45}, 640});
   figure.describe("Two balls on a capsule; each meets the ball of the capsule closest to it.")
-    .capsule(
-      capsule.segment.start.head<2>(), capsule.segment.end.head<2>(), capsule.radius,
-      plot::Ink::b)
-    .segment(
-      capsule.segment.start.head<2>(), capsule.segment.end.head<2>(), plot::Ink::b,
-      plot::Stroke::dashed);
+      .capsule(
+          capsule.segment.start.head<2>(), capsule.segment.end.head<2>(), capsule.radius,
+          plot::Ink::b)
+      .segment(
+          capsule.segment.start.head<2>(), capsule.segment.end.head<2>(), plot::Ink::b,
+          plot::Stroke::dashed);
   draw_ball(figure, -0.5);
   draw_ball(figure, 1.25);
   save_figure(arguments, "sphere_capsule.svg", figure.svg());
@@ -73,12 +76,12 @@ void draw(const Arguments& arguments)
 int main(int argc, char** argv)
 {
   const Arguments arguments{
-    .name = "sphere_capsule", .summary = "The manifold of a sphere and a capsule."};
+      .name = "sphere_capsule", .summary = "The manifold of a sphere and a capsule."};
   return run_program(
-    argc, argv, arguments,
-    [](const Arguments& given)
-    {
-      print_flight();
-      draw(given);
-    });
+      argc, argv, arguments,
+      [](const Arguments& given)
+      {
+        print_flight();
+        draw(given);
+      });
 }

@@ -45,7 +45,7 @@ sphere_capsule(const Sphere<Real>& sphere, const Capsule<Real>& capsule)
     const Vector3<Real> to_closest = (closest - widen(a.center)).template cast<Real>();
     return translated(sphere_sphere_relative<Real>(to_closest, a.radius, b.radius), a.center);
   };
-  return at_any_size(sphere, capsule, find);
+  return at_any_size(sphere, capsule, squares_fit<Real>, find);
 }
 // [sphere_capsule]
 

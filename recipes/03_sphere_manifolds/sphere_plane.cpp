@@ -15,7 +15,10 @@ using namespace cookbook;
 
 const Plane<double> ground{{0, 1, 0}, 0};
 
-Sphere<double> ball_at(double height) { return {{0, height, 0}, 0.5}; }
+Sphere<double> ball_at(double height)
+{
+  return {{0, height, 0}, 0.5};
+}
 
 void print_descent()
 {
@@ -29,8 +32,8 @@ void print_descent()
       continue;
     }
     table.row(
-      {number(height), number(manifold->depth), number(manifold->normal.y()),
-       number(manifold->points[0].position.y())});
+        {number(height), number(manifold->depth), number(manifold->normal.y()),
+         number(manifold->points[0].position.y())});
   }
   std::cout << table.text();
 }
@@ -44,19 +47,18 @@ void draw_ball(plot::Figure2d& figure, double height, double x)
   const Eigen::Vector2d contact(x, manifold.points[0].position.y());
   const Eigen::Vector2d lowest(x + 0.62, height - ball.radius);
   figure.circle(center, ball.radius, plot::Ink::a)
-    .dot(center, plot::Ink::a)
-    .dimension(
-      lowest, {lowest.x(), 0}, "depth " + number(manifold.depth), 0, plot::Ink::overlap)
-    .segment({x, height - ball.radius}, lowest, plot::Ink::faint)
-    .arrow(contact, contact + Eigen::Vector2d(0, 0.45 * manifold.normal.y()), plot::Ink::ink)
-    .point(contact, plot::Ink::overlap);
+      .dot(center, plot::Ink::a)
+      .dimension(lowest, {lowest.x(), 0}, "depth " + number(manifold.depth), 0, plot::Ink::overlap)
+      .segment({x, height - ball.radius}, lowest, plot::Ink::faint)
+      .arrow(contact, contact + Eigen::Vector2d(0, 0.45 * manifold.normal.y()), plot::Ink::ink)
+      .point(contact, plot::Ink::overlap);
 }
 
 void draw(const Arguments& arguments)
 {
   plot::Figure2d figure("sphere_plane", "", {{-0.8, -1.25}, {4.9, 1.1}, 640});
   figure.describe("A ball above, in and below the surface of the ground, with depth and normal.")
-    .half_plane({0, 1}, ground.distance);
+      .half_plane({0, 1}, ground.distance);
   draw_ball(figure, 0.375, 0);
   draw_ball(figure, 0, 1.7);
   draw_ball(figure, -0.5, 3.4);
@@ -68,12 +70,12 @@ void draw(const Arguments& arguments)
 int main(int argc, char** argv)
 {
   const Arguments arguments{
-    .name = "sphere_plane", .summary = "The manifold of a sphere and the solid below a plane."};
+      .name = "sphere_plane", .summary = "The manifold of a sphere and the solid below a plane."};
   return run_program(
-    argc, argv, arguments,
-    [](const Arguments& given)
-    {
-      print_descent();
-      draw(given);
-    });
+      argc, argv, arguments,
+      [](const Arguments& given)
+      {
+        print_descent();
+        draw(given);
+      });
 }

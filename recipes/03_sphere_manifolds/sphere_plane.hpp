@@ -33,7 +33,7 @@ std::optional<Manifold<Real>> sphere_plane(const Sphere<Real>& sphere, const Pla
     const Direction<Real> to_surface{-b.normal, distance};
     return overlap_manifold(sphere_overlap(to_surface, a.radius, Real(0)), a.center);
   };
-  return at_any_size(sphere, plane, find);
+  return at_any_size(sphere, plane, sums_fit<Real>, find);
 }
 // [sphere_plane]
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <limits>
 #include <optional>
@@ -30,6 +31,15 @@ Real depth_at(const Real& distance, const Real& radius_a, const Real& radius_b)
   using std::max, std::min;
   return (max(radius_a, radius_b) - distance) + min(radius_a, radius_b);
 }
+
+/// The way from A's centre to the contact point, rA − p/2 = (rA − rB + |d|) / 2; S4.
+///
+/// Halves are added, not the whole halved: they stay finite where the depth does not.
+template <class Real>
+Real way_to_contact(const Real& distance, const Real& radius_a, const Real& radius_b)
+{
+  return (radius_a - radius_b) * Real(0.5) + distance * Real(0.5);
+}
 // [depth_at]
 
 // [sphere_overlap]
@@ -45,15 +55,13 @@ struct SphereOverlap
 /// The overlap of a sphere A with a sphere B in a direction and at a distance; S1, S2, S4.
 ///
 /// A surface is a sphere of radius zero at its closest point; its distance is negative where A's
-/// centre is inside. `Real` may be a pack of numbers: then many pairs are answered at once. The
-/// way to the contact point, rA − p/2, is written so that it stays finite where p does not.
+/// centre is inside. `Real` may be a pack of numbers: then many pairs are answered at once.
 template <class Real>
 SphereOverlap<Real>
 sphere_overlap(const Direction<Real>& a_to_b, const Real& radius_a, const Real& radius_b)
 {
   const Real depth = depth_at(a_to_b.length, radius_a, radius_b);
-  const Real to_contact = (radius_a - radius_b + a_to_b.length) * Real(0.5);
-  return {a_to_b.unit, depth, a_to_b.unit * to_contact};
+  return {a_to_b.unit, depth, a_to_b.unit * way_to_contact(a_to_b.length, radius_a, radius_b)};
 }
 // [sphere_overlap]
 
@@ -119,7 +127,10 @@ using Row = Pack<float, 4>;
 inline std::optional<Manifold<float>>
 sphere_sphere_rows(const Sphere<float>& a, const Sphere<float>& b)
 {
-  static_assert(sizeof(Sphere<float>) == sizeof(Row));
+  static_assert(
+      sizeof(Sphere<float>) == sizeof(Row) && sizeof(Vector3<float>) == 3 * sizeof(float));
+  static_assert(offsetof(Manifold<float>, depth) == sizeof(Vector3<float>));
+  static_assert(offsetof(ContactPoint<float>, depth) == sizeof(Vector3<float>));
   Row row_a;
   Row row_b;
   std::memcpy(&row_a, &a, sizeof row_a); // of the whole sphere: three of four floats are its centre
@@ -135,7 +146,7 @@ sphere_sphere_rows(const Sphere<float>& a, const Sphere<float>& b)
     return apart ? std::nullopt : overlap_manifold<float>(world_overlap(a, b), {0, 0, 0});
   }
   const Row normal = a_to_b * Row(1 / length);
-  const Row position = row_a + normal * Row((a.radius - b.radius + length) * 0.5f);
+  const Row position = row_a + normal * Row(way_to_contact(length, a.radius, b.radius));
   const auto written_in_rows = [&]
   {
     Manifold<float> manifold;

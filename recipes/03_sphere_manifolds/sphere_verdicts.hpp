@@ -48,13 +48,17 @@ inline Verdict verdict_of(const std::optional<Found>& answer, const Right& right
   {
     return right.depth < 0 ? Verdict{true, "apart"} : Verdict{false, "no contact"};
   }
+  if (right.depth < 0)
+  {
+    return {false, "contact, though apart"};
+  }
   if (!answer->normal.allFinite() || !std::isfinite(answer->depth))
   {
     return {false, "not a number"};
   }
-  if (right.depth < 0)
+  if (std::abs(answer->normal.norm() - 1) > right.tolerance)
   {
-    return {false, "contact, " + number(answer->depth) + " deep"};
+    return {false, "normal not of length 1"};
   }
   const double off = std::abs(answer->depth - right.depth);
   if (off > right.tolerance)
@@ -67,7 +71,7 @@ inline Verdict verdict_of(const std::optional<Found>& answer, const Right& right
   {
     return {false, "normal " + number(std::round(angle * 180 / std::numbers::pi)) + "° off"};
   }
-  return {std::abs(answer->normal.norm() - 1) <= 1e-3, "holds"};
+  return {true, "holds"};
 }
 // [verdict_of]
 

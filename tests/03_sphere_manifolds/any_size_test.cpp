@@ -13,12 +13,12 @@ using namespace cookbook;
 namespace
 {
 
-/// Exponents of two at which squares, and then sums, no longer fit.
+/// Exponents of two at which sums of squares, then squares, and then sums no longer fit.
 template <class Real>
 std::vector<int> exponents()
 {
   const int most = std::numeric_limits<Real>::max_exponent;
-  return {0, most / 2 + 4, most - 5};
+  return {0, most / 2, most / 2 + 4, most - 5};
 }
 
 template <class Real>
@@ -75,6 +75,66 @@ TEMPLATE_TEST_CASE("a ball and a box of any size answer as small ones do", "[S7]
           exponent);
     }
   }
+}
+
+TEMPLATE_TEST_CASE("a ball 5 off the middle of a vast capsule is 0.5 deep", "[P2]", float, double)
+{
+  // Only one of the two shapes is too large to be squared.
+  const TestType end =
+      std::ldexp(TestType(1), std::numeric_limits<TestType>::max_exponent / 2 + 10);
+  const Capsule<TestType> capsule{{{-end, 0, 0}, {end, 0, 0}}, 1};
+  const Manifold<TestType> manifold =
+      sphere_capsule<TestType>({{0, 5, 0}, TestType(4.5)}, capsule).value();
+  CHECK(manifold.depth == TestType(0.5));
+  CHECK(manifold.normal == Vector3<TestType>(0, -1, 0));
+  CHECK(manifold.points[0].position == Vector3<TestType>(0, TestType(0.75), 0));
+}
+
+TEST_CASE("the largest of a shape's numbers is found wherever it stands, without its sign", "[P2]")
+{
+  CHECK(largest<double>(Sphere<double>{{1, -5, 2}, 3}) == 5);
+  CHECK(largest<double>(Sphere<double>{{1, -2, 2}, 3}) == 3);
+  CHECK(largest<double>(Plane<double>{{0, 1, 0}, -3}) == 3);
+  CHECK(largest<double>(Capsule<double>{{{-7, 1, 2}, {3, 1, 4}}, 5}) == 7);
+  CHECK(largest<double>(Capsule<double>{{{1, 2, 3}, {2, -9, 0}}, 5}) == 9);
+  CHECK(largest<double>(Capsule<double>{{{1, 2, 3}, {2, -9, 0}}, 11}) == 11);
+  const Matrix3<double> upright = Matrix3<double>::Identity();
+  CHECK(largest<double>(Obb<double>{{-4, 1, 2}, upright, {2, 3, 1}}) == 4);
+  CHECK(largest<double>(Obb<double>{{-4, 1, 2}, upright, {2, 6, 1}}) == 6);
+}
+
+TEST_CASE("a shape times two to the power of 1 has twice every length", "[P2]")
+{
+  const Capsule<double> capsule = scaled(Capsule<double>{{{1, 2, 3}, {4, 5, 6}}, 7}, 1);
+  CHECK(capsule.segment.start == Vector3<double>(2, 4, 6));
+  CHECK(capsule.segment.end == Vector3<double>(8, 10, 12));
+  CHECK(capsule.radius == 14);
+  const Obb<double> box = scaled(Obb<double>{{1, 2, 3}, Matrix3<double>::Identity(), {4, 5, 6}}, 1);
+  CHECK(box.center == Vector3<double>(2, 4, 6));
+  CHECK(box.axes == Matrix3<double>::Identity());
+  CHECK(box.half_extents == Vector3<double>(8, 10, 12));
+  const Sphere<double> sphere = scaled(Sphere<double>{{1, 2, 3}, 4}, 1);
+  CHECK(sphere.center == Vector3<double>(2, 4, 6));
+  CHECK(sphere.radius == 8);
+  const Plane<double> plane = scaled(Plane<double>{{0, 1, 0}, 3}, 1);
+  CHECK(plane.normal == Vector3<double>(0, 1, 0));
+  CHECK(plane.distance == 6);
+}
+
+TEST_CASE("far along the ground a gap of 5e-10 is still a gap", "[P1]")
+{
+  CHECK_FALSE(sphere_plane<float>({{3e37f, 1e-9f, 0}, 5e-10f}, {{0, 1, 0}, 0}));
+  CHECK(sphere_plane<float>({{3e37f, 1e-9f, 0}, 2e-9f}, {{0, 1, 0}, 0})->depth == 2e-9f - 1e-9f);
+}
+
+TEST_CASE("a contact point is finite where the depth is not", "[S4]")
+{
+  const Manifold<float> manifold =
+      sphere_sphere_relative<float>({1e10f, 1e-30f, -8.5e37f}, 3.4e38f, 3.4e38f).value();
+  CHECK(std::isinf(manifold.depth));
+  CHECK(manifold.points[0].position.z() == Catch::Approx(-4.25e37));
+  const auto lopsided = sphere_sphere_relative<float>({1e10f, 1e-30f, -8.5e37f}, 3.4e38f, 0);
+  CHECK(lopsided->points[0].position.z() == Catch::Approx(-2.125e38));
 }
 
 TEMPLATE_TEST_CASE("the largest numbers give no NaN", "[S8]", float, double)

@@ -6,6 +6,8 @@
 
 #include "tests/catch.hpp"
 
+#include <utility>
+
 using namespace cookbook;
 
 namespace
@@ -60,6 +62,13 @@ TEST_CASE(
   CHECK(approach<double>(sideways + 0.2 * normal, normal, 0.1) == Approach::separating);
 }
 
+TEST_CASE("a speed of exactly the resting speed rests, whichever way", "[S11]")
+{
+  const Vector3<double> normal(0, 1, 0);
+  CHECK(approach<double>({3, -0.125, 0}, normal, 0.125) == Approach::resting);
+  CHECK(approach<double>({3, 0.125, 0}, normal, 0.125) == Approach::resting);
+}
+
 TEST_CASE("no manifold is separated, touching collides, half a radius deep penetrates", "[S11]")
 {
   const Sphere<double> ball{{0, 0, 0}, 1};
@@ -81,4 +90,27 @@ TEST_CASE("swapping a manifold turns its normal, moving it moves its points", "[
   const Vector3<double> offset(1, 2, 3);
   const Vector3<double> moved = translated(manifold, offset)->points[0].position;
   CHECK(moved == manifold->points[0].position + offset);
+}
+
+TEST_CASE("contact points are counted as they are added, and only those are copied", "[S2]")
+{
+  ContactPoints<double, 8> two;
+  CHECK(two.empty());
+  two.push_back({{1, 2, 3}, 4, 5});
+  two.emplace_back() = {{6, 7, 8}, 9, 10};
+  CHECK(two.size() == 2);
+  CHECK_FALSE(two.empty());
+  double depths = 0;
+  for (const ContactPoint<double>& point : std::as_const(two))
+  {
+    depths = 100 * depths + point.depth;
+  }
+  CHECK(depths == 409); // first the 4, then the 9
+
+  const ContactPoints<double, 8> one({{11, 12, 13}, 14, 15});
+  CHECK_FALSE(one.empty());
+  two = one;
+  CHECK(two.size() == 1);
+  CHECK(two[0].position == Vector3<double>(11, 12, 13));
+  CHECK(two.begin()[1].depth == 9); // the room for others is left alone
 }

@@ -8,6 +8,8 @@
 
 #include <fstream>
 
+#include <unistd.h>
+
 using namespace cookbook;
 
 namespace
@@ -16,7 +18,8 @@ namespace
 /// Runs a program that prints the spheres' sum of radii as a manifold's depth, on a file.
 Run run_on_file(const std::string& text)
 {
-  const std::filesystem::path path = std::filesystem::temp_directory_path() / "cookbook_pairs.csv";
+  const std::filesystem::path path = std::filesystem::temp_directory_path() /
+                                     ("cookbook_pairs_" + std::to_string(getpid()) + ".csv");
   std::ofstream(path) << text;
   const auto body = [](const Arguments& given)
   {
@@ -56,9 +59,17 @@ TEST_CASE("a wrong shape is named by file, line and column, and nothing is print
   const Run result = run_on_file(spheres + "0,0,0,1,0,0,0,1\n0,0,0,1,0,0,0,-2\n");
   CHECK(result.status == 1);
   CHECK(result.out.empty());
-  CHECK(
-      result.err.find("pairs.csv:3:8: br: radius must be zero or more, got -2") !=
-      std::string::npos);
+  CHECK(result.err.find(".csv:3:8: br: radius must be zero or more, got -2") != std::string::npos);
+}
+
+TEST_CASE("a number that does not fit the number type is named", "[pairs]")
+{
+  const auto sphere = [](double x) {
+    return sphere_at<float>({"balls.csv", "x,y,z,r", {2, {x, 0, 0, 1}}}, 0).center.x();
+  };
+  CHECK(sphere(0.1) == 0.1f);
+  CHECK_THROWS_WITH(sphere(1e300), "balls.csv:2:1: x: 1e+300 is too large for the number type");
+  CHECK_THROWS_WITH(sphere(-1e-300), "balls.csv:2:1: x: -1e-300 is too small for the number type");
 }
 
 TEST_CASE("a box's quaternion may be rounded, but not of another length", "[pairs]")

@@ -5,6 +5,7 @@
 
 #include "tests/catch.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -192,6 +193,25 @@ TEST_CASE("0 to 17 pairs are answered, and nothing beside them is written", "[sp
       CHECK(out[3][0] == -99);
       CHECK(out[3][count + 1] == -99);
     }
+  }
+}
+
+TEST_CASE("a pair without a safe square writes nothing beside its block either", "[sphere_pairs]")
+{
+  std::vector<Pair> pairs = random_pairs(48);
+  pairs[3] = {{{1, 2, 3}, 1}, {{1, 2, 3}, 1}}; // concentric
+  const Lists in = lists_of_pairs(pairs);
+  for (const InstructionSet set : instruction_sets())
+  {
+    Lists out = lists_of_overlaps(48);
+    std::fill(out[3].begin(), out[3].end(), -99.0f);
+    const auto first = [&](std::size_t k) { return in[k].first(16); };
+    const auto to = [&](std::size_t k) { return out[k].first(16); };
+    sphere_pairs(
+        {first(0), first(1), first(2), first(3), first(4), first(5), first(6), first(7)},
+        {to(0), to(1), to(2), to(3), to(4), to(5), to(6)}, set);
+    CHECK(out[3][3] == 2);
+    CHECK(std::count(out[3].begin() + 16, out[3].end(), -99.0f) == 32);
   }
 }
 

@@ -75,9 +75,9 @@ TEST_CASE("relative to A, float answers within 4 ulp a million metres away", "[S
   const Vector3<double> far(1e6, 1e6, 1e6);
   for (int i = 0; i < pairs_per_world; ++i)
   {
-    auto [a, b] = random_pair(random, 1);
-    a.center += far;
-    b.center += far;
+    const std::pair<Sphere<double>, Sphere<double>> pair = random_pair(random, 1);
+    const Sphere<double> a{pair.first.center + far, pair.first.radius};
+    const Sphere<double> b{pair.second.center + far, pair.second.radius};
     const float radius_a = rounded(a.radius);
     const float radius_b = rounded(b.radius);
     const Vector3<double> a_to_b = b.center - a.center;

@@ -8,6 +8,7 @@
 #include "tests/catch.hpp"
 
 #include <limits>
+#include <utility>
 
 using namespace cookbook;
 
@@ -202,3 +203,48 @@ TEMPLATE_TEST_CASE(
   CHECK_FALSE(sphere_sphere<TestType>({{0, 0, 0}, 1}, small));
 }
 // [huge]
+
+TEMPLATE_TEST_CASE(
+    "far apart, or one of them vast, spheres have a finite contact point", "[S4]", float, double)
+{
+  const TestType most = std::numeric_limits<TestType>::max();
+  const Sphere<TestType> one{{0, 0, 0}, 1};
+  const Sphere<TestType> far{{-most, -most, 0}, 1}; // further than the largest number
+  const Vector3<TestType> midway(-most / 2, -most / 2, 0);
+  const TestType few_roundings = 4 * std::numeric_limits<TestType>::epsilon();
+  for (const auto& [a, b] : {std::pair(one, far), std::pair(far, one)})
+  {
+    const Vector3<TestType> position = world_overlap(a, b).position;
+    CHECK((position / most - midway / most).norm() <= few_roundings);
+  }
+  const Vector3<TestType> corner(most, most, most);
+  const Vector3<TestType> middle = world_overlap<TestType>({-corner, 1}, {corner, 1}).position;
+  CHECK((middle / most).norm() <= few_roundings);
+  // From 0 to most and from most / 16 to most / 16 - 1: midway, 17 / 32 of most.
+  const SphereOverlap<TestType> vast =
+      world_overlap<TestType>({{0, 0, 0}, most}, {{most / 16, 0, 0}, 1});
+  CHECK(std::abs(vast.position.x() / most - TestType(17) / 32) <= few_roundings);
+  CHECK(std::abs(vast.depth / most - TestType(15) / 16) <= few_roundings);
+}
+
+TEMPLATE_TEST_CASE("two spheres meet in one point, of feature 0", "[S4]", float, double)
+{
+  const Manifold<TestType> manifold =
+      sphere_sphere<TestType>({{0, 0, 0}, 1}, {{1.5, 0, 0}, 1}).value();
+  CHECK(manifold.points.size() == 1);
+  CHECK(manifold.points[0].feature == 0);
+  CHECK(manifold.points[0].depth == TestType(0.5));
+  CHECK(manifold.points[0].position == Vector3<TestType>(0.75, 0, 0));
+}
+
+TEMPLATE_TEST_CASE(
+    "the smallest spheres in one place are as deep as both radii", "[S1]", float, double)
+{
+  using Limits = std::numeric_limits<TestType>;
+  // A quarter of either would lose its last digit.
+  for (const TestType radius : {Limits::denorm_min(), Limits::min() / 8 + Limits::denorm_min()})
+  {
+    const Sphere<TestType> ball{{0, 0, 0}, radius};
+    CHECK(sphere_sphere(ball, ball)->depth == 2 * radius);
+  }
+}

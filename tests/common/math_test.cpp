@@ -9,6 +9,9 @@
 
 #include "tests/catch.hpp"
 
+#include <cmath>
+#include <limits>
+
 using namespace cookbook;
 
 TEST_CASE("the quaternion 1 + 2i splits (3-4-5) into a turn with cosine -3/5, sine 4/5", "[math]")
@@ -51,6 +54,8 @@ TEST_CASE("a sheared matrix is 0.1 from a rotation, a mirror is 2", "[math]")
   CHECK(rotation_error(sheared) == Catch::Approx(0.1));
   CHECK(rotation_error<double>(-Matrix3<double>::Identity()) == 2);
   CHECK(rotation_error<double>(Matrix3<double>::Identity()) == 0);
+  CHECK(rotation_error<double>(Matrix3<double>::Identity() / 2) == 0.75); // a quarter, not one
+  CHECK(rotation_error<double>(Matrix3<double>::Zero()) == 1);            // nor a mirror
 }
 
 TEST_CASE("the ulp of 1 is 2^-23 in float, whatever the sign", "[math]")
@@ -71,4 +76,18 @@ TEST_CASE("an exact 0.1f is not a tenth", "[math]")
 {
   CHECK(exact<Rational>(0.1f) == Rational(13421773, 134217728));
   CHECK(exact<Rational>(Vector3<double>(0.5, 0.25, 3)).y() == Rational(1, 4));
+}
+
+TEMPLATE_TEST_CASE(
+    "a vector times a power of two has the same direction bits", "[math]", float, double)
+{
+  // The smallest squares would lose digits, the largest of them would not.
+  const int exponent = std::numeric_limits<TestType>::min_exponent / 2 + 1;
+  for (int i = 1; i <= 100; ++i)
+  {
+    const Vector3<TestType> v(1, TestType(i) / 301, TestType(i) / 7001);
+    const Vector3<TestType> small = v * std::ldexp(TestType(1), exponent);
+    CHECK(normalize(small).unit == normalize(v).unit);
+    CHECK(normalize(small).length == std::ldexp(normalize(v).length, exponent));
+  }
 }

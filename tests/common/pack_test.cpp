@@ -73,6 +73,22 @@ TEMPLATE_TEST_CASE("select takes what the mask says, lane by lane", "[pack]", WI
   }
 }
 
+TEMPLATE_TEST_CASE("max and min of 0, 1, 2 … and 3 choose in every lane", "[pack]", WIDTHS)
+{
+  using Real = typename Lane<TestType>::Real;
+  const TestType a = Lane<TestType>::counting_from(0);
+  const TestType three(Real(3));
+  for (std::size_t i = 0; i < Lane<TestType>::width; ++i)
+  {
+    const Real larger = i < 3 ? Real(3) : static_cast<Real>(i);
+    const Real smaller = i < 3 ? static_cast<Real>(i) : Real(3);
+    CHECK(max(a, three)[i] == larger);
+    CHECK(max(three, a)[i] == larger);
+    CHECK(min(a, three)[i] == smaller);
+    CHECK(min(three, a)[i] == smaller);
+  }
+}
+
 TEMPLATE_TEST_CASE("all holds only where every lane does", "[pack]", WIDTHS)
 {
   using Real = typename Lane<TestType>::Real;

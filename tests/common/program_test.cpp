@@ -52,6 +52,7 @@ TEST_CASE("what is wrong with a table is said by line and column", "[csv]")
   CHECK(complaint("a,b\n") == "pairs.csv:1:1: expected the header x,y");
   CHECK(complaint("x,y\n1,2\n3,abc\n") == "pairs.csv:3:2: y must be a number, got \"abc\"");
   CHECK(complaint("x,y\n1,2x\n") == "pairs.csv:2:2: y must be a number, got \"2x\"");
+  CHECK(complaint("x,y\n1,+-2\n") == "pairs.csv:2:2: y must be a number, got \"+-2\"");
   CHECK(complaint("x,y\n,2\n") == "pairs.csv:2:1: x is missing");
   CHECK(complaint("x,y\n1\n") == "pairs.csv:2:2: expected 2 numbers, got 1");
   CHECK(complaint("x,y\n1,2,3\n") == "pairs.csv:2:3: expected 2 numbers, got 3");

@@ -1,0 +1,16 @@
+# cookbook_test_main: Catch2, of version 2 or 3, and the main program of every test.
+
+add_library(cookbook_test_main INTERFACE)
+target_include_directories(cookbook_test_main INTERFACE ${PROJECT_SOURCE_DIR})
+find_package(Catch2 3 CONFIG QUIET)
+if(Catch2_FOUND)
+  target_link_libraries(cookbook_test_main INTERFACE Catch2::Catch2WithMain)
+else()
+  find_package(Catch2 2.13 CONFIG REQUIRED)
+  add_library(cookbook_catch_main STATIC ${PROJECT_SOURCE_DIR}/tests/catch_main.cpp)
+  target_link_libraries(cookbook_catch_main PUBLIC Catch2::Catch2)
+  target_link_libraries(cookbook_test_main INTERFACE cookbook_catch_main)
+endif()
+
+cookbook_precompiled(cookbook_test_headers ${PROJECT_SOURCE_DIR}/tests/precompiled.hpp
+  cookbook_common cookbook_exact cookbook_tools cookbook_test_main)
