@@ -18,7 +18,8 @@ namespace cookbook
 /// The x and y of a vector, as text.
 inline std::string vector_text(const Vector3<double>& v)
 {
-  return "(" + tidy(v.x()) + ", " + tidy(v.y()) + ")";
+  std::string text = "(";
+  return text.append(tidy(v.x())).append(", ").append(tidy(v.y())).append(")");
 }
 
 // [balls_table]
