@@ -1,7 +1,8 @@
 # Builds the game of the README, as a reader would: its CMake text and its C++ text are cut out of the
 # README, once with the cookbook as a folder of the game, once with the cookbook installed.
 #
-# cmake -D source=REPOSITORY -D build=BUILD_FOLDER -D work=EMPTY_FOLDER -D compiler=C++ -P …
+# cmake -D source=REPOSITORY -D build=BUILD_FOLDER -D work=EMPTY_FOLDER -D compiler=C++ -D generator=GENERATOR
+#   -P …
 
 cmake_minimum_required(VERSION 3.22)
 
@@ -24,7 +25,7 @@ function(run)
 endfunction()
 
 function(build_game folder)
-  run(${CMAKE_COMMAND} -S ${folder} -B ${folder}/build -DCMAKE_CXX_COMPILER=${compiler}
+  run(${CMAKE_COMMAND} -G ${generator} -S ${folder} -B ${folder}/build -DCMAKE_CXX_COMPILER=${compiler}
       -DCMAKE_BUILD_TYPE=Release ${ARGN})
   run(${CMAKE_COMMAND} --build ${folder}/build)
   run(${folder}/build/my_game)
