@@ -6,7 +6,9 @@
 #include "common/math/vector.hpp"
 
 #include <cmath>
+#include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <type_traits>
 
@@ -43,8 +45,14 @@ struct Pack
   Lanes lanes; ///< the numbers
 
   Pack() = default;
-  Pack(Real same) : lanes(same - Lanes{}) {}                ///< the same number in every lane
-  Real operator[](std::size_t i) const { return lanes[i]; } ///< the i-th number, i < Width
+  Pack(Real same) : lanes(same - Lanes{}) {} ///< the same number in every lane
+
+  /// The i-th number, i < Width.
+  template <std::integral Whole>
+  Real operator[](Whole i) const
+  {
+    return lanes[i];
+  }
 
   /// What a comparison gives: in every lane all bits set, or none.
   struct Mask
@@ -73,13 +81,38 @@ struct Pack
   {
     return of(a.lanes < b.lanes ? a.lanes : b.lanes);
   }
+  friend Pack abs(const Pack& a)
+  {
+    using Bits = decltype(Mask::lanes);
+    const auto sign = (Bits)(-Lanes{}); // the bits of minus zero
+    return of((Lanes)((Bits)(a.lanes) & ~sign));
+  }
+  friend Pack copysign(const Pack& size, const Pack& sign)
+  {
+    using Bits = decltype(Mask::lanes);
+    const auto bit = (Bits)(-Lanes{});
+    return of((Lanes)(((Bits)(size.lanes) & ~bit) | ((Bits)(sign.lanes) & bit)));
+  }
   friend Mask operator<(const Pack& a, const Pack& b) { return {a.lanes < b.lanes}; }
   friend Mask operator<=(const Pack& a, const Pack& b) { return {a.lanes <= b.lanes}; }
   friend Mask operator>(const Pack& a, const Pack& b) { return {a.lanes > b.lanes}; }
   friend Mask operator>=(const Pack& a, const Pack& b) { return {a.lanes >= b.lanes}; }
   friend Mask operator&(const Mask& a, const Mask& b) { return {a.lanes & b.lanes}; }
+  friend Mask operator|(const Mask& a, const Mask& b) { return {a.lanes | b.lanes}; }
 };
 // [pack]
+
+/// What a pack is made of; a plain number is made of itself.
+template <class Number>
+struct PartOf
+{
+  using type = Number; ///< the plain number
+};
+template <class Real, std::size_t Width>
+struct PartOf<Pack<Real, Width>>
+{
+  using type = Real; ///< the number in each lane
+};
 
 /// Reads `Width` numbers from memory, aligned or not.
 template <class P, class Real>
@@ -97,6 +130,21 @@ void store_pack(const Pack<Real, Width>& pack, Real* to)
   std::memcpy(to, &pack.lanes, sizeof(pack.lanes));
 }
 
+/// Four packs of four as a square whose rows become columns.
+template <class Real>
+void transpose(
+    Pack<Real, 4>& a, Pack<Real, 4>& b, Pack<Real, 4>& c, Pack<Real, 4>& d)
+{
+  const auto low_ab = __builtin_shufflevector(a.lanes, b.lanes, 0, 4, 1, 5);
+  const auto low_cd = __builtin_shufflevector(c.lanes, d.lanes, 0, 4, 1, 5);
+  const auto high_ab = __builtin_shufflevector(a.lanes, b.lanes, 2, 6, 3, 7);
+  const auto high_cd = __builtin_shufflevector(c.lanes, d.lanes, 2, 6, 3, 7);
+  a.lanes = __builtin_shufflevector(low_ab, low_cd, 0, 1, 4, 5);
+  b.lanes = __builtin_shufflevector(low_ab, low_cd, 2, 3, 6, 7);
+  c.lanes = __builtin_shufflevector(high_ab, high_cd, 0, 1, 4, 5);
+  d.lanes = __builtin_shufflevector(high_ab, high_cd, 2, 3, 6, 7);
+}
+
 /// The lanes of `yes` where the mask is set, those of `no` elsewhere.
 template <class Real, std::size_t Width>
 Pack<Real, Width> select(
@@ -104,6 +152,13 @@ Pack<Real, Width> select(
     const Pack<Real, Width>& no)
 {
   return Pack<Real, Width>::of(mask.lanes ? yes.lanes : no.lanes);
+}
+
+/// One of two numbers: what select() is to packs.
+template <class Real>
+Real select(bool first, const Real& yes, const Real& no)
+{
+  return first ? yes : no;
 }
 
 /// Whether a mask is set in every lane.
@@ -116,6 +171,20 @@ bool all(const Mask& mask)
     set &= mask.lanes[i] != 0;
   }
   return set;
+}
+
+/// Whether a mask is set in any lane.
+template <class Mask>
+bool any(const Mask& mask)
+{
+  std::uint64_t words[sizeof(mask.lanes) / sizeof(std::uint64_t)];
+  std::memcpy(words, &mask.lanes, sizeof words);
+  std::uint64_t set = 0;
+  for (const std::uint64_t word : words)
+  {
+    set |= word;
+  }
+  return set != 0;
 }
 
 /// The square root of every lane: a loop that becomes one instruction.

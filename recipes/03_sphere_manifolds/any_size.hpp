@@ -107,9 +107,9 @@ inline const Real squares_fit = std::sqrt(std::numeric_limits<Real>::max()) / Re
 
 /// The manifold that `find(a, b)` gives for shapes of numbers up to `most`; larger ones are made
 /// that small first, and the answer is enlarged. Powers of two are exact.
-template <class Real, class Shape, class Find>
+template <class Real, class First, class Second, class Find>
 std::optional<Manifold<Real>>
-at_any_size(const Sphere<Real>& a, const Shape& b, Real most, const Find& find)
+at_any_size(const First& a, const Second& b, Real most, const Find& find)
 {
   const Real size = std::max(largest(a), largest(b));
   if (!(size > most))

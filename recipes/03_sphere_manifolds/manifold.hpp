@@ -21,7 +21,7 @@ template <class Real>
 struct ContactPoint
 {
   Vector3<Real> position; ///< [m], world, midway between the two surfaces
-  Real depth;             ///< [m], overlap along the normal at this point, zero or more
+  Real depth;             ///< [m], overlap along the normal at this point; negative: a gap
   std::uint32_t feature;  ///< which features of the shapes meet here; 0 where there is one choice
 };
 
@@ -82,6 +82,15 @@ public:
   {
     assert(size_ < Capacity);
     points_[size_++] = point;
+  }
+
+  /// Writes a point, and keeps it only if asked to: no branch that is hard to predict. There must be
+  /// room for it either way.
+  void push_back_if(bool kept, const ContactPoint<Real>& point)
+  {
+    assert(size_ < Capacity);
+    points_[size_] = point;
+    size_ += kept ? 1 : 0;
   }
 
   std::size_t size() const { return size_; } ///< how many points there are

@@ -3,17 +3,13 @@
 
 #include "03_sphere_manifolds/sphere_pairs.hpp"
 #include "03_sphere_manifolds/sphere_pairs_kernel.hpp"
+#include "common/math/stream.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <stdexcept>
 #include <string>
-
-#if defined(__SSE2__)
-#include <xmmintrin.h>
-#endif
 
 namespace cookbook
 {
@@ -107,23 +103,6 @@ void answer_block(
 // [answer_each]
 
 // [stream]
-/// Copies numbers past the cache: memory that is only written need not be read first.
-void stream(const float* from, float* to, std::size_t count)
-{
-#if defined(__SSE2__)
-  while (count > 0 && reinterpret_cast<std::uintptr_t>(to) % 16 != 0)
-  {
-    *to++ = *from++;
-    --count;
-  }
-  for (; count >= 4; count -= 4, from += 4, to += 4)
-  {
-    _mm_stream_ps(to, _mm_loadu_ps(from));
-  }
-#endif
-  std::memcpy(to, from, count * sizeof(float));
-}
-
 /// Answers a block beside the lists, and streams the answers there.
 void answer_streamed(
     SpherePairsKernel* kernel, const PairsBegin& pairs, const OverlapsBegin& overlaps,
@@ -138,7 +117,7 @@ void answer_streamed(
   answer_block(kernel, pairs, near, count);
   for (std::size_t k = 0; k < 7; ++k)
   {
-    stream(answers[k].data(), overlaps.list[k], count);
+    stream(answers[k].data(), overlaps.list[k], count * sizeof(float));
   }
 }
 // [stream]
@@ -195,9 +174,7 @@ void sphere_pairs(const SpherePairs& pairs, const SphereOverlaps& overlaps, Inst
     const std::size_t count = std::min(block, pairs.ax.size() - i);
     answer(kernel, begin_at(pairs, i), begin_at(overlaps, i), count);
   }
-#if defined(__SSE2__)
-  _mm_sfence(); // streamed numbers are there before anything that follows
-#endif
+  end_of_stream();
 }
 
 Lists::Lists(std::size_t count, std::size_t length)

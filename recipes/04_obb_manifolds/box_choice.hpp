@@ -1,0 +1,156 @@
+#pragma once
+
+/// \file
+/// \brief Which of the fifteen axes the manifold of two boxes is built on.
+
+#include "04_obb_manifolds/box_overlaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cookbook
+{
+inline namespace COOKBOOK_INSTRUCTION_SET
+{
+
+// [tolerances]
+/// Lengths that decide between answers which are nearly equally right.
+template <class Real>
+struct Tolerances
+{
+  Real size;   ///< [m], all half extents together
+  Real hair;   ///< [m], what rounding can make of equal lengths
+  Real margin; ///< [m], a hundredth of the smaller box
+};
+
+/// The tolerances of two boxes.
+template <class Real>
+Tolerances<Real> tolerances_of(const Obb<Real>& a, const Obb<Real>& b)
+{
+  using std::min;
+  using Limits = std::numeric_limits<typename PartOf<Real>::type>;
+  const auto sum = [](const Vector3<Real>& half) { return half[0] + half[1] + half[2]; };
+  const Real of_a = sum(a.half_extents), of_b = sum(b.half_extents), size = of_a + of_b;
+  return {size, size * Real(4 * Limits::epsilon()), min(of_a, of_b) * Real(0.01f)};
+}
+
+/// Whether a pair's squares fit into numbers, neither too large nor too small; not if one is NaN.
+template <class Real>
+auto squares_fit(const BoxesInRows<Real>& boxes, const Real& size)
+{
+  const Group<Real, 3> distance = abs(boxes.offset_a);
+  const Real reach = size + (distance[0] + distance[1] + distance[2]);
+  return (Real(0x1p-40f) < size) & (reach < Real(0x1p40f));
+}
+// [tolerances]
+
+// [least_face]
+/// The face axis of least overlap.
+template <class Real>
+struct LeastFace
+{
+  Real depth;        ///< [m]
+  Index<Real> index; ///< 0, 1, 2 for A's axes, 3, 4, 5 for B's
+};
+
+/// The least of three numbers, and the first lane that holds it.
+template <class Real>
+LeastFace<Real> least_lane(const Group<Real, 3>& row)
+{
+  using std::min;
+  const Real least = min(row[0], min(row[1], row[2]));
+  const Index<Real> later = select(row[1] <= least, index<Real>(1), index<Real>(2));
+  return {least, select(row[0] <= least, index<Real>(0), later)};
+}
+
+/// The first of the six least overlaps.
+template <class Real>
+LeastFace<Real> least_face(const Group<Real, 3>& face_a, const Group<Real, 3>& face_b)
+{
+  using std::min;
+  const LeastFace<Real> a = least_lane<Real>(face_a), b = least_lane<Real>(face_b);
+  return {
+      min(a.depth, b.depth), select(b.depth < a.depth, b.index + index<Real>(3), a.index)};
+}
+// [least_face]
+
+/// The gap [m] up to which corners of a face's manifold are kept; O14.
+template <class Real>
+Real kept_gap(const LeastFace<Real>& face, const Tolerances<Real>& tolerances)
+{
+  using std::max, std::min;
+  return min(tolerances.margin, max(face.depth, tolerances.hair));
+}
+
+// [edge_bar]
+/// Faces of two boxes are parallel if the cosine of their angle is at least that of one degree.
+inline constexpr float parallel_cosine = 0.99985f;
+
+/// The overlap [m] that an edge axis must stay under to be taken instead of a face; O9.
+///
+/// A hair less than the face's: rounding alone shall not decide. Where two faces are parallel, a
+/// twentieth less, or half the margin: a face keeps all its points, and the next frame's.
+template <class Real>
+Real edge_bar(
+    const BoxesInRows<Real>& boxes, const Real& face_depth, const Tolerances<Real>& tolerances)
+{
+  using Row = Group<Real, 3>;
+  using std::max;
+  const Row largest = max(max(abs(boxes.rows[0]), abs(boxes.rows[1])), abs(boxes.rows[2]));
+  const auto parallel = any_lane<Real>(Row(Real(parallel_cosine)) < largest);
+  const Real preference = max(face_depth * Real(0.05f), tolerances.margin * Real(0.5f));
+  return max(face_depth - select(parallel, preference, tolerances.hair), Real(0));
+}
+// [edge_bar]
+
+// [least_edge]
+/// The edge axis of least overlap.
+template <class Real>
+struct LeastEdge
+{
+  Real squared_depth; ///< [m²]; `none` where no edge axis stays under the bar
+  Index<Real> row;    ///< i of a_i × b_j
+  Index<Real> column; ///< j
+
+  static constexpr float none = std::numeric_limits<float>::max(); ///< [m²], for no axis
+
+  auto found() const { return squared_depth < Real(none); } ///< whether there is one
+};
+
+/// The edge axes whose overlap stays under a bar, and which of them has the least.
+///
+/// Squares are compared: s² < bar² |L|² needs no root. Axes shorter than ε are left out.
+template <class Real>
+LeastEdge<Real> least_edge(const EdgeOverlaps<Real> (&edges)[3], const Real& bar)
+{
+  using Row = Group<Real, 3>;
+  using std::min;
+  constexpr float epsilon = std::numeric_limits<float>::epsilon();
+  LeastEdge<Real> least{Real(LeastEdge<Real>::none), index<Real>(0), index<Real>(0)};
+  Row square[3];
+  typename Row::Mask under[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    square[i] = edges[i].overlap * edges[i].overlap;
+    under[i] = (square[i] < Row(bar * bar) * edges[i].squared) &
+               (Row(Real(epsilon * epsilon)) < edges[i].squared);
+  }
+  if (!any(any_lane<Real>(under[0] | under[1] | under[2])))
+  {
+    return least;
+  }
+  Row lowest(least.squared_depth), row(Real(0));
+  for (int i = 0; i < 3; ++i)
+  {
+    const Row squared_depth = select(under[i], square[i] / edges[i].squared, lowest);
+    row = select(squared_depth < lowest, Row(Real(static_cast<float>(i))), row);
+    lowest = min(squared_depth, lowest);
+  }
+  const LeastFace<Real> lane = least_lane<Real>(lowest);
+  return {
+      lane.depth, static_cast<Index<Real>>(chosen(row, which(lane.index))), lane.index};
+}
+// [least_edge]
+
+} // namespace COOKBOOK_INSTRUCTION_SET
+} // namespace cookbook
