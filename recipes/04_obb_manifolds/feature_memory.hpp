@@ -1,0 +1,149 @@
+#pragma once
+
+/// \file
+/// \brief The manifold of two boxes that remembers the frame before: its axis, its points, and what
+/// was known of each.
+
+#include "04_obb_manifolds/box_axes.hpp"
+#include "04_obb_manifolds/box_box.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace cookbook
+{
+
+// [feature_id]
+/// The axis, 0 … 14, that the manifold of a contact point was built on; part of its feature, O17.
+inline int axis_of_feature(std::uint32_t feature)
+{
+  return static_cast<int>(feature / 64);
+}
+
+/// The axis that a manifold was built on; −1 if there is none.
+template <class Real>
+int axis_of(const std::optional<Manifold<Real>>& manifold)
+{
+  return manifold ? axis_of_feature(manifold->points[0].feature) : -1;
+}
+
+/// For each point of a manifold what belongs to it.
+template <class Warm>
+using PerPoint = std::array<Warm, 8>;
+
+/// What was known of the points of the frame before, for the points of this one that have the same
+/// feature; `Warm{}` for points that are new.
+template <class Real, class Warm>
+PerPoint<Warm>
+carried_by_id(const Manifold<Real>& before, const PerPoint<Warm>& warm, const Manifold<Real>& now)
+{
+  PerPoint<Warm> carried{};
+  for (std::size_t i = 0; i < now.points.size(); ++i)
+  {
+    for (std::size_t j = 0; j < before.points.size(); ++j)
+    {
+      if (now.points[i].feature == before.points[j].feature)
+      {
+        carried[i] = warm[j];
+      }
+    }
+  }
+  return carried;
+}
+// [feature_id]
+
+// [on_axis]
+/// The overlap of two boxes along an axis, 0 … 14 [m]; negative if they are apart along it, and
+/// nothing if it comes from parallel edges.
+template <class Real>
+std::optional<Real> overlap_on(const Obb<Real>& a, const Obb<Real>& b, int axis)
+{
+  using std::sqrt;
+  const AxisOverlap<Real> along = axis_overlap(relative_boxes(a, b), axis);
+  return from_parallel_edges(along) ? std::nullopt
+                                    : std::optional(along.overlap / sqrt(along.squared_length));
+}
+
+/// The manifold of two boxes on an axis, 0 … 14, that somebody chose; they must overlap along it by
+/// `depth` [m], zero or more.
+template <class Real>
+std::optional<Manifold<Real>>
+box_box_on(const Obb<Real>& a, const Obb<Real>& b, int axis, const Real& depth)
+{
+  const BoxesInRows<Real> boxes = boxes_in_rows(a, b);
+  return axis_kind(axis) == AxisKind::edges
+             ? edge_manifold(a, boxes, LeastEdge<Real>{depth * depth, (axis - 6) / 3, axis % 3})
+             : face_manifold(a, b, boxes, LeastFace<Real>{depth, axis}, tolerances_of(a, b));
+}
+// [on_axis]
+
+// [keeps_axis]
+/// How much less [m] a new axis must overlap before the old one is given up for it: a hundredth of
+/// the smaller box's mean half extent and a tenth of the depth.
+///
+/// The length is for boxes that barely touch, the part of the depth for those sunk deep.
+template <class Real>
+Real axis_margin(const Obb<Real>& a, const Obb<Real>& b, Real depth)
+{
+  using std::min;
+  const Real smaller = min(a.half_extents.sum(), b.half_extents.sum()) / Real(3);
+  return Real(0.01) * smaller + Real(0.1) * depth;
+}
+
+/// The overlap [m] along an old axis, if that is kept though a new one was found to be the better;
+/// O17.
+///
+/// A face is kept against faces and edges; a pair of edges only against other pairs of edges, for
+/// its one point shall not stay where a face has come to lie on a face.
+template <class Real>
+std::optional<Real>
+kept_overlap(const Obb<Real>& a, const Obb<Real>& b, int before, const Manifold<Real>& found)
+{
+  const int now = axis_of_feature(found.points[0].feature);
+  const bool edge_for_face =
+      axis_kind(before) == AxisKind::edges && axis_kind(now) != AxisKind::edges;
+  if (before == now || edge_for_face)
+  {
+    return std::nullopt;
+  }
+  const std::optional<Real> overlap = overlap_on(a, b, before);
+  const bool kept =
+      overlap && *overlap >= Real(0) && *overlap <= found.depth + axis_margin(a, b, found.depth);
+  return kept ? overlap : std::nullopt;
+}
+// [keeps_axis]
+
+// [feature_memory]
+/// What is known of two boxes from one frame to the next.
+template <class Real, class Warm>
+struct ContactMemory
+{
+  std::optional<Manifold<Real>> manifold; ///< nothing where they are apart
+  PerPoint<Warm> warm;                    ///< of each point, such as the impulse it has taken up
+};
+
+/// The contact of two boxes in this frame, from that in the frame before; O17.
+///
+/// As box_box(), but on the axis of the frame before unless another has less overlap by more than
+/// axis_margin(). Points whose features were there before keep what was known of them. A memory
+/// without a manifold is how to begin; boxes that part forget everything.
+template <class Real, class Warm>
+ContactMemory<Real, Warm>
+next_frame(const ContactMemory<Real, Warm>& before, const Obb<Real>& a, const Obb<Real>& b)
+{
+  ContactMemory<Real, Warm> now{box_box(a, b), {}};
+  if (!now.manifold || !before.manifold)
+  {
+    return now;
+  }
+  const int axis = axis_of(before.manifold);
+  if (const std::optional<Real> overlap = kept_overlap(a, b, axis, *now.manifold))
+  {
+    now.manifold = box_box_on(a, b, axis, *overlap);
+  }
+  now.warm = carried_by_id(*before.manifold, before.warm, *now.manifold);
+  return now;
+}
+// [feature_memory]
+
+} // namespace cookbook
