@@ -18,9 +18,9 @@ std::string escaped(const std::string& text)
   return result;
 }
 
-std::string row_html(const VerdictRow& row)
+std::string row_html(const VerdictRow& row, const std::string& mark)
 {
-  const std::string id = row.id.empty() ? "" : " id=\"case-" + row.id + "\"";
+  const std::string id = row.id.empty() ? "" : " id=\"" + mark + "-" + row.id + "\"";
   std::string html =
       "<tr" + id + "><th>" + escaped(row.id) + "</th><td>" + escaped(row.what) + "</td>";
   for (const Verdict& verdict : row.verdicts)
@@ -35,7 +35,7 @@ std::string row_html(const VerdictRow& row)
 
 std::string verdict_table(
     const std::string& caption, const std::vector<std::string>& methods,
-    const std::vector<VerdictRow>& rows)
+    const std::vector<VerdictRow>& rows, const std::string& mark)
 {
   std::string html = "<table class=\"verdicts\">\n<caption>" + escaped(caption) +
                      "</caption>\n<thead><tr><th>case</th><th>set-up</th>";
@@ -51,7 +51,7 @@ std::string verdict_table(
       throw std::logic_error(
           "case " + row.id + " has " + std::to_string(row.verdicts.size()) + " verdicts");
     }
-    html += row_html(row);
+    html += row_html(row, mark);
   }
   return html + "</tbody>\n</table>\n";
 }

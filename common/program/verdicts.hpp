@@ -24,11 +24,12 @@ struct VerdictRow
   std::vector<Verdict> verdicts; ///< as many as there are methods
 };
 
-/// The table as HTML, for a page to include; each row with an id can be linked to.
+/// The table as HTML, for a page to include; each row with an id can be linked to as `case-C4`, or
+/// with another mark, for a second table of the same cases on a page.
 ///
 /// Throws std::logic_error where a row has not one verdict for each method.
 std::string verdict_table(
     const std::string& caption, const std::vector<std::string>& methods,
-    const std::vector<VerdictRow>& rows);
+    const std::vector<VerdictRow>& rows, const std::string& mark = "case");
 
 } // namespace cookbook

@@ -14,16 +14,27 @@ namespace cookbook
 {
 
 // [box_case]
+/// The numbers in which a pair is handed to a method.
+enum class BoxNumbers
+{
+  in_double,       ///< as they are
+  in_float,        ///< the world's coordinates rounded to float
+  in_float_from_a, ///< the offset from A's centre, subtracted in double, rounded to float
+};
+
 /// A pair of boxes and the right answer for it.
 struct BoxCase
 {
-  std::string id;                        ///< as in [case:G1]
-  std::string scene;                     ///< one line
-  Obb<double> a;                         ///< box A
-  Obb<double> b;                         ///< box B
-  double depth;                          ///< [m], negative where the boxes are apart
-  Vector3<double> normal;                ///< [1], zero where more than one is right
-  std::vector<Vector3<double>> contacts; ///< [m], world; none where any will do
+  std::string id;                             ///< as in [case:G1]
+  std::string scene;                          ///< one line
+  Obb<double> a;                              ///< box A
+  Obb<double> b;                              ///< box B
+  double depth;                               ///< [m], negative where the boxes are apart
+  Vector3<double> normal;                     ///< [1], zero where more than one is right
+  std::vector<Vector3<double>> contacts;      ///< [m], world; none where any will do
+  double tolerance = 1e-6;                    ///< [m] and, for the normal, [1]: far above rounding
+  BoxNumbers numbers = BoxNumbers::in_double; ///< what a method is given
+  bool features = false; ///< whether each contact must tell what meets there, all of them different
 };
 // [box_case]
 

@@ -1,140 +1,149 @@
 #pragma once
 
 /// \file
-/// \brief The verdict on each method of testing two boxes at each case, and their table.
+/// \brief The verdict on each method of testing two boxes at each case, and their tables.
 
-#include "04_obb_manifolds/box_cases.hpp"
+#include "04_obb_manifolds/box_as_published.hpp"
+#include "04_obb_manifolds/box_box.hpp"
+#include "04_obb_manifolds/box_failures.hpp"
 #include "04_obb_manifolds/box_pitfalls.hpp"
+#include "04_obb_manifolds/gjk_epa.hpp"
 #include "common/program/table.hpp"
 #include "common/program/verdicts.hpp"
 
 #include <functional>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace cookbook
 {
 
-// [verdict]
-/// What is right to within this [m] is right: far above rounding, far below every wrong answer.
-inline constexpr double verdict_tolerance = 1e-6;
-
-/// Right if the decision, the depth and, where there is only one, the normal are.
-inline Verdict
-verdict_on_overlap(const BoxCase& pair, const std::optional<LeastOverlap<double>>& answer)
+// [box_answer]
+/// What a method says of two boxes that overlap, in double.
+struct BoxAnswer
 {
-  const bool apart = pair.depth < 0;
-  if (apart || !answer)
-  {
-    return {apart == !answer, answer ? "overlap " + number(answer->depth) : "apart"};
-  }
-  if (!(std::abs(answer->depth - pair.depth) <= verdict_tolerance))
-  {
-    const double said = answer->depth < verdict_tolerance ? 0 : answer->depth;
-    return {false, "depth " + number(said) + ", not " + number(pair.depth)};
-  }
-  const bool turned = !pair.normal.isZero() &&
-                      (answer->normal - pair.normal).cwiseAbs().maxCoeff() > verdict_tolerance;
-  return {!turned, turned ? "normal wrong" : "depth " + number(pair.depth)};
+  Vector3<double> normal;                   ///< [1]
+  double depth;                             ///< [m]; not a number where only a yes is given
+  std::vector<ContactPoint<double>> points; ///< world; none from methods that find no points
+};
+
+/// The least overlap, without points.
+template <class Real>
+BoxAnswer box_answer(const LeastOverlap<Real>& least)
+{
+  return {least.normal.template cast<double>(), double(least.depth), {}};
 }
 
-/// Right if every contact is found and no other; where any will do, if there is at least one.
-inline Verdict verdict_on_points(const BoxCase& pair, const std::vector<Vector3<double>>& points)
+/// A whole manifold.
+template <class Real, std::size_t Capacity>
+BoxAnswer box_answer(const Manifold<Real, Capacity>& manifold)
 {
-  const auto is_found = [&](const Vector3<double>& contact)
+  BoxAnswer answer{manifold.normal.template cast<double>(), double(manifold.depth), {}};
+  for (const ContactPoint<Real>& point : manifold.points)
   {
-    return std::any_of(
-        points.begin(), points.end(),
-        [&](const Vector3<double>& point)
-        { return (point - contact).norm() <= verdict_tolerance; });
-  };
-  const std::vector<Vector3<double>>& right = pair.contacts;
-  const std::string count = number(static_cast<double>(points.size()));
-  if (pair.depth < 0)
-  {
-    return {points.empty(), points.empty() ? "no points" : count + " points"};
+    answer.points.push_back(
+        {point.position.template cast<double>(), double(point.depth), point.feature});
   }
-  const bool holds = right.empty() ? !points.empty()
-                                   : points.size() == right.size() &&
-                                         std::all_of(right.begin(), right.end(), is_found);
-  const std::string wanted =
-      holds || right.empty() ? "" : ", not " + number(static_cast<double>(right.size()));
-  return {holds, count + (count == "1" ? " point" : " points") + wanted};
+  return answer;
 }
-// [verdict]
+
+/// A box in another number type, seen from a point.
+template <class Real>
+Obb<Real> rounded(const Obb<double>& box, const Vector3<double>& from)
+{
+  return {(box.center - from).cast<Real>(), box.axes.cast<Real>(), box.half_extents.cast<Real>()};
+}
 
 /// A method by name.
 struct BoxMethod
 {
-  std::string name;                               ///< of its function
-  std::function<Verdict(const BoxCase&)> verdict; ///< on a case
+  std::string name;                                               ///< of its function
+  std::function<std::optional<BoxAnswer>(const BoxCase&)> answer; ///< on a case
 };
 
-/// A method that answers with the least overlap.
-inline BoxMethod overlap_method(
-    const std::string& name,
-    std::optional<LeastOverlap<double>> (*method)(const Obb<double>&, const Obb<double>&))
+/// A method that is called with two boxes of either number type.
+template <class Call>
+BoxMethod box_method(const std::string& name, const Call& call)
 {
-  return {name, [method](const BoxCase& pair) {
-            return verdict_on_overlap(pair, method(pair.a, pair.b));
-          }};
-}
-
-/// The contact positions [m] of a manifold; none where the boxes are apart.
-inline std::vector<Vector3<double>> clipped_points(const Obb<double>& a, const Obb<double>& b)
-{
-  std::vector<Vector3<double>> points;
-  if (const auto manifold = edge_clipping(a, b))
+  const auto asked = [call](const auto& a, const auto& b)
   {
-    for (const ContactPoint<double>& point : manifold->points)
-    {
-      points.push_back(point.position);
-    }
-  }
-  return points;
-}
-
-/// All methods: those that decide, then those that find points.
-inline std::vector<BoxMethod> box_methods()
-{
+    const auto found = call(a, b);
+    return found ? std::optional(box_answer(*found)) : std::nullopt;
+  };
   return {
-      overlap_method("separating_axes", separating_axes<double>),
-      overlap_method("six_axes", six_axes<double>),
-      overlap_method("unnormalized_axes", unnormalized_axes<double>),
-      overlap_method("short_reach_axes", short_reach_axes<double>),
-      overlap_method("union_depth", union_depth<double>),
-      {"edge_clipping",
-       [](const BoxCase& pair) { return verdict_on_points(pair, clipped_points(pair.a, pair.b)); }},
-      {"untolerant_points", [](const BoxCase& pair)
-       { return verdict_on_points(pair, untolerant_points(pair.a, pair.b)); }}};
+      name, [asked](const BoxCase& pair)
+      {
+        const bool from_a = pair.numbers == BoxNumbers::in_float_from_a;
+        const Vector3<double> from = from_a ? pair.a.center : Vector3<double>::Zero();
+        std::optional<BoxAnswer> answer =
+            pair.numbers == BoxNumbers::in_double
+                ? asked(pair.a, pair.b)
+                : asked(rounded<float>(pair.a, from), rounded<float>(pair.b, from));
+        for (std::size_t i = 0; answer && i < answer->points.size(); ++i)
+        {
+          answer->points[i].position += from;
+        }
+        return answer;
+      }};
+}
+// [box_answer]
+
+// [verdict]
+/// Right if the decision, the depth and, where there is only one, the normal are.
+inline Verdict verdict_on_overlap(const BoxCase& pair, const std::optional<BoxAnswer>& answer)
+{
+  const bool apart = pair.depth < 0;
+  if (apart || !answer || std::isnan(answer->depth))
+  {
+    const std::string depth = answer && !std::isnan(answer->depth) ? number(answer->depth) : "";
+    return {apart == !answer, !answer ? "apart" : depth.empty() ? "overlap" : "overlap " + depth};
+  }
+  if (!(std::abs(answer->depth - pair.depth) <= pair.tolerance))
+  {
+    const double said = std::abs(answer->depth) < pair.tolerance ? 0 : answer->depth;
+    return {false, "depth " + number(said) + ", not " + number(pair.depth)};
+  }
+  const bool turned =
+      !pair.normal.isZero() && (answer->normal - pair.normal).cwiseAbs().maxCoeff() > 1e-6;
+  return {!turned, turned ? "normal wrong" : "depth " + number(pair.depth)};
 }
 
-/// What all methods make of all cases; a neighbour such as G9b has no id of its own in the table.
-inline std::vector<VerdictRow> box_verdicts()
+/// Right if every contact is found and no other, and its features where they are asked for; where
+/// any contact will do, if there is at least one.
+inline Verdict verdict_on_points(const BoxCase& pair, const std::optional<BoxAnswer>& answer)
 {
-  std::vector<VerdictRow> rows;
-  for (const BoxCase& pair : box_cases())
+  const std::vector<ContactPoint<double>> points =
+      answer ? answer->points : std::vector<ContactPoint<double>>();
+  const std::string count =
+      points.empty() ? "no points"
+                     : std::to_string(points.size()) + (points.size() == 1 ? " point" : " points");
+  const std::vector<Vector3<double>>& right = pair.contacts;
+  if (pair.depth < 0 || right.empty())
   {
-    const bool neighbour = pair.id.back() == 'b';
-    VerdictRow row{neighbour ? "" : pair.id, pair.scene, {}};
-    for (const BoxMethod& method : box_methods())
-    {
-      row.verdicts.push_back(method.verdict(pair));
-    }
-    rows.push_back(row);
+    return {points.empty() == (pair.depth < 0), count};
   }
-  return rows;
-}
-
-/// The names of all methods, in the order of the verdicts.
-inline std::vector<std::string> box_method_names()
-{
-  std::vector<std::string> names;
-  for (const BoxMethod& method : box_methods())
+  if (points.size() != right.size())
   {
-    names.push_back(method.name);
+    return {false, count + ", not " + std::to_string(right.size())};
   }
-  return names;
+  const auto is_found = [&](const Vector3<double>& contact)
+  {
+    return std::any_of(
+        points.begin(), points.end(),
+        [&](const ContactPoint<double>& point)
+        { return (point.position - contact).norm() <= 2 * pair.tolerance; });
+  };
+  std::set<std::uint32_t> features;
+  for (const ContactPoint<double>& point : points)
+  {
+    features.insert(point.feature);
+  }
+  const bool in_place = std::all_of(right.begin(), right.end(), is_found);
+  const bool known = !pair.features || features.size() == points.size();
+  return {in_place && known, count + (!in_place ? ", misplaced" : known ? "" : ", unknown")};
 }
+// [verdict]
 
 } // namespace cookbook

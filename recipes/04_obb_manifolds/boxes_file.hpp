@@ -1,0 +1,38 @@
+#pragma once
+
+/// \file
+/// \brief The reader's own pairs of boxes, from the rows of a CSV file.
+
+#include "03_sphere_manifolds/any_size.hpp"
+#include "03_sphere_manifolds/pairs_file.hpp"
+#include "04_obb_manifolds/box_workloads.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace cookbook
+{
+
+// [box_pair_at]
+/// Both boxes of a row under box_pairs_header; CsvError at the first length so large that squares
+/// of such do not fit.
+template <class Real>
+std::pair<Obb<Real>, Obb<Real>> box_pair_at(const PairsRow& row)
+{
+  const std::pair<Obb<Real>, Obb<Real>> boxes{obb_at<Real>(row, 0), obb_at<Real>(row, 10)};
+  for (const std::size_t column : {0u, 1u, 2u, 7u, 8u, 9u, 10u, 11u, 12u, 17u, 18u, 19u})
+  {
+    const Real length = row.at<Real>(column);
+    if (std::abs(length) > squares_fit<Real>)
+    {
+      row.fail(
+          column, "lengths must be at most " + round_trip(squares_fit<Real>) + ", got " +
+                      round_trip(length));
+    }
+  }
+  return boxes;
+}
+// [box_pair_at]
+
+} // namespace cookbook
