@@ -3,6 +3,7 @@
 /// \file
 /// \brief Packs: several numbers in one register, added, multiplied and compared at once.
 
+#include "common/math/mask.hpp"
 #include "common/math/vector.hpp"
 
 #include <cmath>
@@ -11,12 +12,6 @@
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
-
-/// The instruction set this file is compiled for; a name of its own keeps the linker from ever
-/// taking one instruction set's functions for another's.
-#ifndef COOKBOOK_INSTRUCTION_SET
-#define COOKBOOK_INSTRUCTION_SET portable
-#endif
 
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
@@ -132,8 +127,7 @@ void store_pack(const Pack<Real, Width>& pack, Real* to)
 
 /// Four packs of four as a square whose rows become columns.
 template <class Real>
-void transpose(
-    Pack<Real, 4>& a, Pack<Real, 4>& b, Pack<Real, 4>& c, Pack<Real, 4>& d)
+void transpose(Pack<Real, 4>& a, Pack<Real, 4>& b, Pack<Real, 4>& c, Pack<Real, 4>& d)
 {
   const auto low_ab = __builtin_shufflevector(a.lanes, b.lanes, 0, 4, 1, 5);
   const auto low_cd = __builtin_shufflevector(c.lanes, d.lanes, 0, 4, 1, 5);
@@ -159,32 +153,6 @@ template <class Real>
 Real select(bool first, const Real& yes, const Real& no)
 {
   return first ? yes : no;
-}
-
-/// Whether a mask is set in every lane.
-template <class Mask>
-bool all(const Mask& mask)
-{
-  bool set = true;
-  for (std::size_t i = 0; i < sizeof(mask.lanes) / sizeof(mask.lanes[0]); ++i)
-  {
-    set &= mask.lanes[i] != 0;
-  }
-  return set;
-}
-
-/// Whether a mask is set in any lane.
-template <class Mask>
-bool any(const Mask& mask)
-{
-  std::uint64_t words[sizeof(mask.lanes) / sizeof(std::uint64_t)];
-  std::memcpy(words, &mask.lanes, sizeof words);
-  std::uint64_t set = 0;
-  for (const std::uint64_t word : words)
-  {
-    set |= word;
-  }
-  return set != 0;
 }
 
 /// The square root of every lane: a loop that becomes one instruction.

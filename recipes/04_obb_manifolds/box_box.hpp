@@ -21,6 +21,13 @@ namespace cookbook
 inline namespace COOKBOOK_INSTRUCTION_SET
 {
 
+/// The three numbers of a group as a vector.
+template <class Real>
+Vector3<Real> vector_of(const Group<Real, 3>& group)
+{
+  return {group[0], group[1], group[2]};
+}
+
 // [edge_manifold]
 /// The manifold on the axis of two edges: one point.
 template <class Real>
@@ -29,13 +36,15 @@ edge_manifold(const Obb<Real>& a, const BoxesInRows<Real>& boxes, const LeastEdg
 {
   const auto built = [&]
   {
-    const EdgeContact<Real> contact = edge_contact<Real>(a, boxes, edge.row, edge.column);
+    const int i = edge.index / 3, j = edge.index % 3;
+    const EdgeContact<Real> contact = edge_contact<Real>(a, boxes, i, j);
     const Real depth = std::sqrt(edge.squared_depth);
     Manifold<Real> manifold;
-    manifold.normal = contact.normal;
+    manifold.normal = vector_of<Real>(contact.normal);
     manifold.depth = depth;
     manifold.points.push_back(
-        {contact.position, depth, static_cast<std::uint32_t>(64 * (6 + 3 * edge.row + edge.column))});
+        {vector_of<Real>(contact.position), depth,
+         static_cast<std::uint32_t>(64 * (6 + edge.index))});
     return manifold;
   };
   return std::optional<Manifold<Real>>(std::in_place, Build(built));
@@ -51,8 +60,8 @@ template <class Real>
     std::uint32_t feature)
 {
   const Vector3<Real> along = other.axes.transpose() * normal;
-  const Vector3<Real> corner =
-      along.binaryExpr(other.half_extents, [](Real way, Real half) { return way < 0 ? half : -half; });
+  const Vector3<Real> corner = along.binaryExpr(
+      other.half_extents, [](Real way, Real half) { return way < 0 ? half : -half; });
   const Vector3<Real> between = other.center + (other.axes * corner + normal * (depth / Real(2)));
   return {closest_point(box, between), depth, feature};
 }
@@ -94,16 +103,15 @@ std::optional<Manifold<Real>> face_manifold(
           contact.position[part][0], contact.position[part][1], contact.position[part][2],
           contact.depth[part]};
       transpose(rows[0], rows[1], rows[2], rows[3]);
+      const std::uint32_t kept = bits_of(contact.kept[part]);
       for (std::uint32_t i = 0; i < 4; ++i)
       {
-        manifold.points.push_back_if(
-            contact.kept[part].lanes[i] != 0, point_of(rows[i], feature + 4 * part + i));
+        manifold.points.push_back_if(kept >> i & 1, point_of(rows[i], feature + 4 * part + i));
       }
     }
     if (manifold.points.empty())
     {
-      manifold.points.push_back(
-          deepest_point(box, other, contact.normal, face.depth, feature));
+      manifold.points.push_back(deepest_point(box, other, contact.normal, face.depth, feature));
     }
     return manifold;
   };
@@ -121,7 +129,7 @@ std::optional<Manifold<Real>> box_manifold(
   using Row = Group<Real, 3>;
   const Row face_a = face_overlaps(boxes.half_a, boxes.columns, boxes.half_b, boxes.offset_a);
   const Row face_b = face_overlaps(boxes.half_b, boxes.rows, boxes.half_a, boxes.offset_b);
-  if (any(min(face_a, face_b) < Row(0)))
+  if (!all((Row(0) <= face_a) & (Row(0) <= face_b))) // boxes too far apart for numbers are NaN
   {
     return std::nullopt;
   }
@@ -173,7 +181,7 @@ template <class Real>
 {
   const BoxesInRows<Real> boxes = boxes_in_rows(a, b);
   const Tolerances<Real> tolerances = tolerances_of(a, b);
-  if (!squares_fit(boxes, tolerances.size))
+  if (!squares_fit(tolerances.size))
   {
     return box_box_at_unit_size(a, b);
   }

@@ -34,13 +34,11 @@ Tolerances<Real> tolerances_of(const Obb<Real>& a, const Obb<Real>& b)
   return {size, size * Real(4 * Limits::epsilon()), min(of_a, of_b) * Real(0.01f)};
 }
 
-/// Whether a pair's squares fit into numbers, neither too large nor too small; not if one is NaN.
+/// Whether the squares of boxes of this size [m] fit into numbers, neither too large nor too small.
 template <class Real>
-auto squares_fit(const BoxesInRows<Real>& boxes, const Real& size)
+auto squares_fit(const Real& size)
 {
-  const Group<Real, 3> distance = abs(boxes.offset_a);
-  const Real reach = size + (distance[0] + distance[1] + distance[2]);
-  return (Real(0x1p-40f) < size) & (reach < Real(0x1p40f));
+  return (Real(0x1p-40f) < size) & (size < Real(0x1p40f));
 }
 // [tolerances]
 
@@ -53,24 +51,21 @@ struct LeastFace
   Index<Real> index; ///< 0, 1, 2 for A's axes, 3, 4, 5 for B's
 };
 
-/// The least of three numbers, and the first lane that holds it.
+/// The least number of a group.
 template <class Real>
-LeastFace<Real> least_lane(const Group<Real, 3>& row)
+Real least_of(const Group<Real, 3>& group)
 {
   using std::min;
-  const Real least = min(row[0], min(row[1], row[2]));
-  const Index<Real> later = select(row[1] <= least, index<Real>(1), index<Real>(2));
-  return {least, select(row[0] <= least, index<Real>(0), later)};
+  return min(group[0], min(group[1], group[2]));
 }
 
 /// The first of the six least overlaps.
 template <class Real>
 LeastFace<Real> least_face(const Group<Real, 3>& face_a, const Group<Real, 3>& face_b)
 {
-  using std::min;
-  const LeastFace<Real> a = least_lane<Real>(face_a), b = least_lane<Real>(face_b);
-  return {
-      min(a.depth, b.depth), select(b.depth < a.depth, b.index + index<Real>(3), a.index)};
+  using Row = Group<Real, 3>;
+  const Real depth = least_of<Real>(min(face_a, face_b));
+  return {depth, first_set<Real>({face_a <= Row(depth), face_b <= Row(depth)})};
 }
 // [least_face]
 
@@ -109,8 +104,7 @@ template <class Real>
 struct LeastEdge
 {
   Real squared_depth; ///< [m²]; `none` where no edge axis stays under the bar
-  Index<Real> row;    ///< i of a_i × b_j
-  Index<Real> column; ///< j
+  Index<Real> index;  ///< 3 i + j for a_i × b_j
 
   static constexpr float none = std::numeric_limits<float>::max(); ///< [m²], for no axis
 
@@ -124,9 +118,8 @@ template <class Real>
 LeastEdge<Real> least_edge(const EdgeOverlaps<Real> (&edges)[3], const Real& bar)
 {
   using Row = Group<Real, 3>;
-  using std::min;
   constexpr float epsilon = std::numeric_limits<float>::epsilon();
-  LeastEdge<Real> least{Real(LeastEdge<Real>::none), index<Real>(0), index<Real>(0)};
+  const Real none(LeastEdge<Real>::none);
   Row square[3];
   typename Row::Mask under[3];
   for (int i = 0; i < 3; ++i)
@@ -137,18 +130,18 @@ LeastEdge<Real> least_edge(const EdgeOverlaps<Real> (&edges)[3], const Real& bar
   }
   if (!any(any_lane<Real>(under[0] | under[1] | under[2])))
   {
-    return least;
+    return {none, index<Real>(0)};
   }
-  Row lowest(least.squared_depth), row(Real(0));
+  Row squared_depth[3];
   for (int i = 0; i < 3; ++i)
   {
-    const Row squared_depth = select(under[i], square[i] / edges[i].squared, lowest);
-    row = select(squared_depth < lowest, Row(Real(static_cast<float>(i))), row);
-    lowest = min(squared_depth, lowest);
+    squared_depth[i] = select(under[i], square[i] / edges[i].squared, Row(none));
   }
-  const LeastFace<Real> lane = least_lane<Real>(lowest);
+  const Real least = least_of<Real>(min(min(squared_depth[0], squared_depth[1]), squared_depth[2]));
   return {
-      lane.depth, static_cast<Index<Real>>(chosen(row, which(lane.index))), lane.index};
+      least, first_set<Real>(
+                 {squared_depth[0] <= Row(least), squared_depth[1] <= Row(least),
+                  squared_depth[2] <= Row(least)})};
 }
 // [least_edge]
 

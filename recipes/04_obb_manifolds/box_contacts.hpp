@@ -14,14 +14,6 @@ namespace cookbook
 inline namespace COOKBOOK_INSTRUCTION_SET
 {
 
-/// A number, or its opposite where another is negative.
-template <class Real>
-Real with_sign(const Real& number, const Real& sign)
-{
-  using std::copysign;
-  return number * copysign(Real(1), sign);
-}
-
 /// A number brought between −most and most.
 template <class Real>
 Real clamped(const Real& x, const Real& most)
@@ -51,19 +43,20 @@ Vector3<Real> axis_of(const Obb<Real>& box, const K& k)
 template <class Real>
 struct EdgeContact
 {
-  Vector3<Real> normal;   ///< [1], unit, world, from A to B
-  Vector3<Real> position; ///< [m], world, midway between the edges' closest points
+  Group<Real, 3> normal;   ///< [1], unit, world, from A to B
+  Group<Real, 3> position; ///< [m], world, midway between the edges' closest points
 };
 
 /// The contact of A's edge along its axis i and B's along its axis j; O13.
 ///
 /// All in A's frame, its axes taken in the order i, i+1, i+2: there L = a_i × b_j is (0, −b₂, b₁).
+/// The point of B's edge is where the lines cross, the point of A's edge is the closest to that.
 template <class Real, class Lane>
 EdgeContact<Real>
 edge_contact(const Obb<Real>& a, const BoxesInRows<Real>& boxes, const Lane& i, const Lane& j)
 {
   using Row = Group<Real, 3>;
-  using std::sqrt;
+  using std::copysign, std::sqrt;
   const Lane i1 = next(i), i2 = next(i1), j1 = next(j), j2 = next(j1);
   const Row& row0 = chosen(boxes.rows, i);
   const Row& row1 = chosen(boxes.rows, i1);
@@ -75,29 +68,29 @@ edge_contact(const Obb<Real>& a, const BoxesInRows<Real>& boxes, const Lane& i, 
       chosen(boxes.offset_a, i), chosen(boxes.offset_a, i1), chosen(boxes.offset_a, i2));
 
   const Vector3<Real> bj = b(j), bj1 = b(j1), bj2 = b(j2);
-  const Real squared = bj[1] * bj[1] + bj[2] * bj[2];
-  const Real scale = with_sign(Real(1) / sqrt(squared), t[2] * bj[1] - t[1] * bj[2]);
-  const Real n1 = -bj[2] * scale, n2 = bj[1] * scale;
+  const Real l1 = -bj[2], l2 = bj[1];
+  const Real side = copysign(Real(1), t[1] * l1 + t[2] * l2);
+  const Real squared = l1 * l1 + l2 * l2, per_squared = Real(1) / squared;
 
-  const Real a1 = with_sign(chosen(boxes.half_a, i1), n1);
-  const Real a2 = with_sign(chosen(boxes.half_a, i2), n2);
-  const Real b1 = with_sign(chosen(boxes.half_b, j1), n1 * bj1[1] + n2 * bj1[2]);
-  const Real b2 = with_sign(chosen(boxes.half_b, j2), n1 * bj2[1] + n2 * bj2[2]);
+  const Real a1 = copysign(chosen(boxes.half_a, i1), side * l1);
+  const Real a2 = copysign(chosen(boxes.half_a, i2), side * l2);
+  const Real b1 = copysign(chosen(boxes.half_b, j1), side * (l1 * bj1[1] + l2 * bj1[2]));
+  const Real b2 = copysign(chosen(boxes.half_b, j2), side * (l1 * bj2[1] + l2 * bj2[2]));
   const Vector3<Real> middle_b = t - bj1 * b1 - bj2 * b2;
-  const Vector3<Real> d(middle_b[0], middle_b[1] - a1, middle_b[2] - a2);
 
-  const Real half_a = chosen(boxes.half_a, i), half_b = chosen(boxes.half_b, j);
-  const Real crossing = d[0] - bj[0] * (d[1] * bj[1] + d[2] * bj[2]) / squared;
-  const Real along_b = clamped(
-      clamped(crossing, half_a) * bj[0] - (d[0] * bj[0] + d[1] * bj[1] + d[2] * bj[2]), half_b);
+  const Real beside = (middle_b[1] - a1) * bj[1] + (middle_b[2] - a2) * bj[2];
+  const Real along_b = clamped(-beside * per_squared, chosen(boxes.half_b, j));
   const Vector3<Real> on_b = middle_b + bj * along_b;
-  const Real along_a = clamped(on_b[0], half_a);
+  const Real along_a = clamped(on_b[0], chosen(boxes.half_a, i));
 
-  const Vector3<Real> e0 = axis_of(a, i), e1 = axis_of(a, i1), e2 = axis_of(a, i2);
+  const BoxColumns<Real> columns = columns_of(a);
+  const Row &e0 = chosen(columns.axes, i), &e1 = chosen(columns.axes, i1),
+            &e2 = chosen(columns.axes, i2);
   const Real half(0.5f);
-  return {
-      e1 * n1 + e2 * n2, a.center + (e0 * ((along_a + on_b[0]) * half) +
-                                     e1 * ((a1 + on_b[1]) * half) + e2 * ((a2 + on_b[2]) * half))};
+  const Row middle = e0 * Row((along_a + on_b[0]) * half) + e1 * Row((a1 + on_b[1]) * half) +
+                     e2 * Row((a2 + on_b[2]) * half);
+  const Real unit = side / sqrt(squared);
+  return {e1 * Row(l1 * unit) + e2 * Row(l2 * unit), columns.center + middle};
 }
 // [edge_contact]
 
@@ -125,27 +118,25 @@ FaceContact<Real> face_contact(
 {
   using Row = Group<Real, 3>;
   using Four = Group<Real, 4>;
-  using std::abs;
+  using std::copysign, std::max;
   const Lane u = next(k), v = next(u);
   const Row& row_k = chosen(c, k);
   const Row& row_u = chosen(c, u);
   const Row& row_v = chosen(c, v);
   const Real offset_k = chosen(offset, k);
-  const Real side = with_sign(Real(1), offset_k);
+  const Real side = copysign(Real(1), offset_k);
 
   const Row slant = abs(row_k);
-  const auto second = slant[0] < slant[1];
-  const Real more = select(second, slant[1], slant[0]);
-  const Index<Real> incident =
-      select(more < slant[2], index<Real>(2), select(second, index<Real>(1), index<Real>(0)));
+  const Real most = max(slant[0], max(slant[1], slant[2]));
+  const Index<Real> incident = first_set<Real>({Row(most) <= slant});
   const auto m = which(incident);
   const auto p = next(m), q = next(p);
   const auto half = [](const Obb<Real>& of, const auto& axis)
   { return chosen(of.half_extents, axis); };
   const Real half_p = half(other, p), half_q = half(other, q);
-  const Real way_m = with_sign(-half(other, m), side * chosen(row_k, m));
+  const Real way_m = -copysign(half(other, m), side * chosen(row_k, m));
   const Real half_k = half(box, k);
-  const Real left = with_sign(half_q, chosen(row_k, m));
+  const Real left = copysign(half_q, chosen(row_k, m));
   const FacingRectangles<Real> rectangles{
       half(box, u),
       half(box, v),
@@ -174,8 +165,8 @@ FaceContact<Real> face_contact(
     for (int x = 0; x < 3; ++x)
     {
       contact.position[part][x] =
-          Four(box.center[x]) + (Four(axis_u[x]) * four.u + Four(axis_v[x]) * four.v +
-                                 Four(contact.normal[x]) * up);
+          Four(box.center[x]) +
+          (Four(axis_u[x]) * four.u + Four(axis_v[x]) * four.v + Four(contact.normal[x]) * up);
     }
     contact.depth[part] = four.depth;
     contact.kept[part] = four.there & (Four(-gap) <= four.depth);

@@ -4,9 +4,12 @@
 /// \brief The overlaps of two boxes along all fifteen axes, three axes at a time.
 
 #include "02_primitives/shapes.hpp"
-#include "common/math/group.hpp"
+#include "common/math/choose.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
 
 namespace cookbook
 {
@@ -28,15 +31,41 @@ struct BoxesInRows
   Row offset_b;   ///< −Cᵀt [m], from B's centre to A's along B's axes
 };
 
-/// The three rows of a matrix.
+/// The numbers of a box as groups.
 template <class Real>
-void rows_of(const Matrix3<Real>& matrix, Group<Real, 3> (&rows)[3])
+struct BoxColumns
 {
-  for (int column = 0; column < 3; ++column)
+  Group<Real, 3> center;  ///< [m], world
+  Group<Real, 3> axes[3]; ///< [1], each its x, y and z
+  Group<Real, 3> half;    ///< [m]
+};
+
+/// A box's numbers in groups.
+template <class Real>
+BoxColumns<Real> columns_of(const Obb<Real>& box)
+{
+  BoxColumns<Real> columns;
+  if constexpr (std::is_floating_point_v<Real>)
   {
-    rows[column] = group<Real>(matrix(0, column), matrix(1, column), matrix(2, column));
+    // The fifteen numbers of a box lie in one row: four at a time are read, three are meant.
+    static_assert(sizeof(Obb<Real>) == 15 * sizeof(Real));
+    const auto four_from = [&](std::size_t k)
+    {
+      Pack<Real, 4> four;
+      std::memcpy(&four, reinterpret_cast<const char*>(&box) + k * sizeof(Real), sizeof(four));
+      return four;
+    };
+    columns = {four_from(0), {four_from(3), four_from(6), four_from(9)}, last_three(four_from(11))};
   }
-  transpose(rows);
+  else
+  {
+    const auto group_of = [](const auto& v) { return group<Real>(v[0], v[1], v[2]); };
+    columns = {
+        group_of(box.center),
+        {group_of(box.axes.col(0)), group_of(box.axes.col(1)), group_of(box.axes.col(2))},
+        group_of(box.half_extents)};
+  }
+  return columns;
 }
 
 /// The sum of three rows, each times a number.
@@ -50,22 +79,21 @@ Row combined(const Row (&rows)[3], const Real& x, const Real& y, const Real& z)
 template <class Real>
 BoxesInRows<Real> boxes_in_rows(const Obb<Real>& a, const Obb<Real>& b)
 {
-  using Row = Group<Real, 3>;
   const Vector3<Real> d = b.center - a.center;
-  Row axes_a[3], axes_b[3]; // x, y and z of the three axes
-  rows_of(a.axes, axes_a);
-  rows_of(b.axes, axes_b);
+  BoxColumns<Real> in_a = columns_of(a), in_b = columns_of(b);
+  transpose(in_a.axes);
+  transpose(in_b.axes);
   BoxesInRows<Real> boxes;
   for (int i = 0; i < 3; ++i)
   {
-    boxes.rows[i] = combined(axes_b, a.axes(0, i), a.axes(1, i), a.axes(2, i));
+    boxes.rows[i] = combined(in_b.axes, a.axes(0, i), a.axes(1, i), a.axes(2, i));
   }
   std::copy(boxes.rows, boxes.rows + 3, boxes.columns);
   transpose(boxes.columns);
-  boxes.half_a = group<Real>(a.half_extents[0], a.half_extents[1], a.half_extents[2]);
-  boxes.half_b = group<Real>(b.half_extents[0], b.half_extents[1], b.half_extents[2]);
-  boxes.offset_a = combined(axes_a, d[0], d[1], d[2]);
-  boxes.offset_b = combined(axes_b, -d[0], -d[1], -d[2]);
+  boxes.half_a = in_a.half;
+  boxes.half_b = in_b.half;
+  boxes.offset_a = combined(in_a.axes, d[0], d[1], d[2]);
+  boxes.offset_b = combined(in_b.axes, -d[0], -d[1], -d[2]);
   return boxes;
 }
 // [boxes_in_rows]

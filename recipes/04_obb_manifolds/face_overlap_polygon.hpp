@@ -35,7 +35,7 @@ struct FourCorners
 {
   using Row = Group<Real, 4>;
 
-  Row u, v, depth;         ///< [m]
+  Row u, v, depth;          ///< [m]
   typename Row::Mask there; ///< whether it is a corner
 };
 // [facing_rectangles]
@@ -56,7 +56,8 @@ Number bounded_reciprocal(const Number& x, const Number& least)
   return Number(1) / select(abs(x) < least, least, x);
 }
 
-/// The pieces of the four edges of a parallelogram that lie in two strips; an edge runs from 0 to 1.
+/// The pieces of the four edges of a parallelogram that lie in two strips; an edge runs from 0
+/// to 1.
 template <class Real>
 struct Pieces
 {
@@ -71,8 +72,8 @@ struct Pieces
   ///
   /// The tie decides whether there is a corner; it moves none, but where an edge runs along the
   /// strip's, so that there the corner is the tie's own.
-  void cut(
-      const Row& start, const Real& p, const Real& q, const Real& half, const Real& tie,
+  void
+  cut(const Row& start, const Real& p, const Real& q, const Real& half, const Real& tie,
       const Real& least)
   {
     using std::max;
@@ -106,7 +107,8 @@ Group<Real, 4> corners(const Real& center, const Real& p, const Real& q)
          Row(q) * group<Real>(-one, -one, one, one);
 }
 
-/// Corners at which a piece of the other's edges begins; a hair outside this rectangle counts as in it.
+/// Corners at which a piece of the other's edges begins; a hair outside this rectangle counts as in
+/// it.
 template <class Real>
 FourCorners<Real> corners_on_other(const FacingRectangles<Real>& r, const Real& hair)
 {
@@ -125,7 +127,8 @@ FourCorners<Real> corners_on_other(const FacingRectangles<Real>& r, const Real& 
       along<Real>(depth, part, r.p_depth, r.q_depth), pieces.enter < pieces.leave};
 }
 
-/// Corners at which a piece of this rectangle's edges begins; a hair inside the other counts as out.
+/// Corners at which a piece of this rectangle's edges begins; a hair inside the other counts as
+/// out.
 ///
 /// There α and β are measured in areas: multiplied by that of p and q, they need no division.
 template <class Real>

@@ -72,7 +72,7 @@ box_box_on(const Obb<Real>& a, const Obb<Real>& b, int axis, const Real& depth)
 {
   const BoxesInRows<Real> boxes = boxes_in_rows(a, b);
   return axis_kind(axis) == AxisKind::edges
-             ? edge_manifold(a, boxes, LeastEdge<Real>{depth * depth, (axis - 6) / 3, axis % 3})
+             ? edge_manifold(a, boxes, LeastEdge<Real>{depth * depth, axis - 6})
              : face_manifold(a, b, boxes, LeastFace<Real>{depth, axis}, tolerances_of(a, b));
 }
 // [on_axis]

@@ -1,0 +1,74 @@
+#pragma once
+
+/// \file
+/// \brief Masks: what comparisons of several numbers at once give.
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+/// The instruction set this file is compiled for; a name of its own keeps the linker from ever
+/// taking one instruction set's functions for another's.
+#ifndef COOKBOOK_INSTRUCTION_SET
+#define COOKBOOK_INSTRUCTION_SET portable
+#endif
+
+namespace cookbook
+{
+inline namespace COOKBOOK_INSTRUCTION_SET
+{
+
+/// A bit for each lane of a mask, that of the first lane lowest: one instruction where there is
+/// one.
+template <class Mask>
+std::uint32_t bits_of(const Mask& mask)
+{
+  constexpr std::size_t lane = sizeof(mask.lanes[0]), width = sizeof(mask.lanes) / lane;
+  std::uint32_t bits = 0;
+#if defined(__AVX512F__)
+  if constexpr (width == 16 && lane == 4)
+  {
+    return _mm512_cmplt_epi32_mask((__m512i)mask.lanes, _mm512_setzero_si512());
+  }
+#endif
+#if defined(__SSE2__)
+  if constexpr (sizeof(mask.lanes) >= sizeof(__m128))
+  {
+    for (std::size_t i = 0; i < width; i += sizeof(__m128) / lane)
+    {
+      __m128 part;
+      std::memcpy(&part, reinterpret_cast<const char*>(&mask.lanes) + i * lane, sizeof part);
+      const int set = lane == 4 ? _mm_movemask_ps(part) : _mm_movemask_pd(_mm_castps_pd(part));
+      bits |= static_cast<std::uint32_t>(set) << i;
+    }
+    return bits;
+  }
+#endif
+  for (std::size_t i = 0; i < width; ++i)
+  {
+    bits |= mask.lanes[i] != 0 ? 1u << i : 0u;
+  }
+  return bits;
+}
+
+/// Whether a mask is set in every lane.
+template <class Mask>
+bool all(const Mask& mask)
+{
+  constexpr std::size_t width = sizeof(mask.lanes) / sizeof(mask.lanes[0]);
+  return bits_of(mask) == (1u << width) - 1;
+}
+
+/// Whether a mask is set in any lane.
+template <class Mask>
+bool any(const Mask& mask)
+{
+  return bits_of(mask) != 0;
+}
+
+} // namespace COOKBOOK_INSTRUCTION_SET
+} // namespace cookbook
