@@ -84,12 +84,13 @@ public:
     points_[size_++] = point;
   }
 
-  /// Writes a point, and keeps it only if asked to: no branch that is hard to predict. There must be
-  /// room for it either way.
-  void push_back_if(bool kept, const ContactPoint<Real>& point)
+  /// Has a point written where it is to stay, and keeps it only if asked to: no branch that is hard
+  /// to predict. There must be room for it either way.
+  template <class Write>
+  void emplace_back_if(bool kept, const Write& write)
   {
     assert(size_ < Capacity);
-    points_[size_] = point;
+    write(points_[size_]);
     size_ += kept ? 1 : 0;
   }
 

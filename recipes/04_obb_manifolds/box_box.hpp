@@ -68,15 +68,13 @@ template <class Real>
 // [deepest_point]
 
 // [face_manifold]
-/// A contact point from its x, y, z and depth in one register.
+/// Writes a contact point from its x, y, z and depth in one register.
 template <class Real>
-ContactPoint<Real> point_of(const Pack<Real, 4>& numbers, std::uint32_t feature)
+void write_point(ContactPoint<Real>& point, const Pack<Real, 4>& numbers, std::uint32_t feature)
 {
-  ContactPoint<Real> point;
   static_assert(offsetof(ContactPoint<Real>, depth) == 3 * sizeof(Real));
   std::memcpy(static_cast<void*>(&point), &numbers.lanes, sizeof(numbers.lanes));
   point.feature = feature;
-  return point;
 }
 
 /// The manifold on the axis of a face: the corners of the polygon in which two faces overlap.
@@ -106,7 +104,9 @@ std::optional<Manifold<Real>> face_manifold(
       const std::uint32_t kept = bits_of(contact.kept[part]);
       for (std::uint32_t i = 0; i < 4; ++i)
       {
-        manifold.points.push_back_if(kept >> i & 1, point_of(rows[i], feature + 4 * part + i));
+        manifold.points.emplace_back_if(
+            kept >> i & 1, [&](ContactPoint<Real>& point)
+            { write_point(point, rows[i], feature + 4 * part + i); });
       }
     }
     if (manifold.points.empty())
