@@ -147,3 +147,50 @@ TEST_CASE("vectors of packs have four dot products at once: (1, 2, 3)·(k, 0, 1)
     CHECK(dot[k] == static_cast<float>(k) + 3);
   }
 }
+
+TEMPLATE_TEST_CASE("a mask has a bit for each lane, the first lowest", "[pack]", WIDTHS)
+{
+  using Real = typename Lane<TestType>::Real;
+  constexpr std::size_t width = Lane<TestType>::width;
+  const TestType counted = Lane<TestType>::counting_from(0);
+  for (std::size_t limit = 0; limit <= width; ++limit)
+  {
+    CAPTURE(limit);
+    CHECK(bits_of(counted < TestType(static_cast<Real>(limit))) == (1u << limit) - 1);
+  }
+}
+
+TEMPLATE_TEST_CASE("a sign is copied, that of zero too", "[pack]", WIDTHS)
+{
+  using Real = typename Lane<TestType>::Real;
+  const TestType numbers = Lane<TestType>::counting_from(-2);
+  for (const Real sign : {Real(3), Real(-3), Real(0), Real(-0.0)})
+  {
+    const TestType copied = copysign(numbers, TestType(sign)), absolute = abs(numbers);
+    for (std::size_t i = 0; i < Lane<TestType>::width; ++i)
+    {
+      CHECK(copied[i] == std::copysign(numbers[i], sign));
+      CHECK(std::signbit(copied[i]) == std::signbit(sign));
+      CHECK(absolute[i] == std::abs(numbers[i]));
+      CHECK_FALSE(std::signbit(absolute[i]));
+    }
+  }
+}
+
+TEST_CASE("a square of packs is mirrored", "[pack]")
+{
+  using P = Pack<float, 4>;
+  P rows[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    rows[i] = Lane<P>::counting_from(static_cast<float>(10 * i));
+  }
+  transpose(rows[0], rows[1], rows[2], rows[3]);
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      CHECK(rows[i][j] == static_cast<float>(10 * j + i));
+    }
+  }
+}
