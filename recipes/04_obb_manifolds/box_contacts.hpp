@@ -110,7 +110,8 @@ struct FaceContact
 /// directly; O10, O12, O14.
 ///
 /// `c` are the rows of the other box's axes as this one sees them, `offset` is where its centre is.
-/// Points with a gap are kept up to `gap` [m]; a hair [m] decides no corner.
+/// Points with a gap are kept up to `gap` [m]; a hair [m] decides no corner. Mirrored boxes are as
+/// good as others.
 template <class Real, class Lane>
 FaceContact<Real> face_contact(
     const Obb<Real>& box, const Obb<Real>& other, const Group<Real, 3> (&c)[3],
@@ -136,7 +137,8 @@ FaceContact<Real> face_contact(
   const Real half_p = half(other, p), half_q = half(other, q);
   const Real way_m = -copysign(half(other, m), side * chosen(row_k, m));
   const Real half_k = half(box, k);
-  const Real left = copysign(half_q, chosen(row_k, m));
+  const Real turn = chosen(row_u, p) * chosen(row_v, q) - chosen(row_v, p) * chosen(row_u, q);
+  const Real left = copysign(half_q, turn);
   const FacingRectangles<Real> rectangles{
       half(box, u),
       half(box, v),
