@@ -1,6 +1,7 @@
 # Other libraries to time beside the recipes; charts leave out what is not installed.
 #
-# cookbook_peers links to whatever was found and defines COOKBOOK_HAS_ODE, COOKBOOK_HAS_BULLET.
+# cookbook_peers links to whatever was found and defines COOKBOOK_HAS_ODE, COOKBOOK_HAS_BULLET,
+# COOKBOOK_HAS_FCL.
 
 add_library(cookbook_peers INTERFACE)
 if(COOKBOOK_PEERS)
@@ -8,6 +9,7 @@ if(COOKBOOK_PEERS)
   if(PkgConfig_FOUND)
     pkg_check_modules(ODE QUIET IMPORTED_TARGET ode)
     pkg_check_modules(BULLET QUIET IMPORTED_TARGET bullet)
+    pkg_check_modules(FCL QUIET IMPORTED_TARGET fcl)
   endif()
   if(TARGET PkgConfig::ODE)
     target_link_libraries(cookbook_peers INTERFACE PkgConfig::ODE)
@@ -16,5 +18,11 @@ if(COOKBOOK_PEERS)
   if(TARGET PkgConfig::BULLET)
     target_link_libraries(cookbook_peers INTERFACE PkgConfig::BULLET)
     target_compile_definitions(cookbook_peers INTERFACE COOKBOOK_HAS_BULLET)
+  endif()
+  if(TARGET PkgConfig::FCL)
+    # It asks for -std=c++11, as if nothing newer would do.
+    set_target_properties(PkgConfig::FCL PROPERTIES INTERFACE_COMPILE_OPTIONS "")
+    target_link_libraries(cookbook_peers INTERFACE PkgConfig::FCL)
+    target_compile_definitions(cookbook_peers INTERFACE COOKBOOK_HAS_FCL)
   endif()
 endif()

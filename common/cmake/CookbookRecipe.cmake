@@ -1,4 +1,4 @@
-# The house's own commands: a chapter, a recipe, a chart, a test.
+# The house's own commands: a chapter, a recipe, a batch, a chart, a test.
 
 # cookbook_warnings(TARGET [OPTION…]): what this project asks of its own code, not of a game's.
 function(cookbook_warnings target)
@@ -46,6 +46,37 @@ function(cookbook_program name)
   cookbook_warnings(${name})
   target_precompile_headers(${name} REUSE_FROM cookbook_program_headers)
   add_dependencies(recipes ${name})
+endfunction()
+
+# cookbook_batch(NAME [LIBRARY…]): the library cookbook::NAME from NAME_dispatch.cpp and
+# NAME_kernel.cpp; the latter, the inner loop, is compiled once for each instruction set.
+#
+# It is always optimised, and without Eigen's own vectors, so that no function of another file, compiled
+# for a newer processor, is left for the linker to choose.
+function(cookbook_batch name)
+  set(library cookbook_${name})
+  add_library(${library} STATIC ${COOKBOOK_WHEN_NEEDED} ${name}_dispatch.cpp)
+  add_library(cookbook::${name} ALIAS ${library})
+  set_target_properties(${library} PROPERTIES EXPORT_NAME ${name})
+  target_link_libraries(${library} PUBLIC ${COOKBOOK_CHAPTER_TARGET} ${ARGN})
+  cookbook_warnings(${library})
+  set(portable_flags "")
+  set(avx2_flags -mavx2)
+  set(avx512_flags -mavx512f -mprefer-vector-width=512)
+  set(instruction_sets portable)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    list(APPEND instruction_sets avx2 avx512)
+    target_compile_definitions(${library} PRIVATE COOKBOOK_KERNELS_X86)
+  endif()
+  foreach(set IN LISTS instruction_sets)
+    add_library(${name}_${set} OBJECT ${COOKBOOK_WHEN_NEEDED} ${name}_kernel.cpp)
+    target_link_libraries(${name}_${set} PRIVATE ${COOKBOOK_CHAPTER_TARGET})
+    target_compile_definitions(${name}_${set} PRIVATE
+      COOKBOOK_INSTRUCTION_SET=${set} EIGEN_DONT_VECTORIZE)
+    cookbook_warnings(${name}_${set} -O3 ${${set}_flags})
+    target_sources(${library} PRIVATE $<TARGET_OBJECTS:${name}_${set}>)
+  endforeach()
+  cookbook_install_target(${library})
 endfunction()
 
 # cookbook_precompiled(NAME HEADER [LIBRARY…]): headers that every program, or every test, reads first

@@ -67,6 +67,12 @@ void describe(CLI::App& app, Arguments& arguments)
   }
   for (Option& option : arguments.options)
   {
+    if (option.choices.size() == 1)
+    {
+      app.add_flag_callback(
+          "--" + option.name, [&option] { option.value = option.choices[0]; }, option.help);
+      continue;
+    }
     CLI::Option* added = app.add_option("--" + option.name, option.value, option.help);
     added->capture_default_str();
     if (!option.choices.empty())

@@ -12,7 +12,7 @@
 namespace cookbook
 {
 
-/// One further option of a program, `--name VALUE`.
+/// One further option of a program, `--name VALUE`; or only `--name`, where there is one choice.
 struct Option
 {
   std::string name;                 ///< without the dashes

@@ -1,10 +1,9 @@
 /// \file
-/// \brief Finds contact points of a turned cube on a slab, draws them, and tries all methods at all
-/// cases.
+/// \brief Finds contact points of a turned cube on a slab and of all cases, and draws the cube.
 
 #include "04_obb_manifolds/edge_clipping.hpp"
-#include "03_sphere_manifolds/pairs_file.hpp"
-#include "04_obb_manifolds/box_verdicts.hpp"
+#include "04_obb_manifolds/box_cases.hpp"
+#include "04_obb_manifolds/boxes_file.hpp"
 #include "common/plot/figure3d.hpp"
 #include "common/program/program.hpp"
 #include "common/program/table.hpp"
@@ -94,7 +93,8 @@ void draw(const Arguments& arguments)
 template <class Real>
 std::optional<Manifold<Real, most_crossings>> of_row(const PairsRow& row, Real)
 {
-  return edge_clipping(obb_at<Real>(row, 0), obb_at<Real>(row, 10));
+  const auto [a, b] = box_pair_at<Real>(row);
+  return edge_clipping(a, b);
 }
 
 } // namespace
@@ -104,7 +104,7 @@ int main(int argc, char** argv)
   const Arguments arguments{
       .name = "edge_clipping",
       .summary = "The manifold of two boxes from edges of one that pass faces of the other.",
-      .pairs_header = "ax,ay,az,aqw,aqx,aqy,aqz,ahx,ahy,ahz,bx,by,bz,bqw,bqx,bqy,bqz,bhx,bhy,bhz",
+      .pairs_header = box_pairs_header,
       .options = {scalar_option()}};
   return run_program(
       argc, argv, arguments,
@@ -118,10 +118,5 @@ int main(int argc, char** argv)
         print_points();
         print_counts();
         draw(given);
-        save_figure(
-            given, "edge_clipping_cases.html",
-            verdict_table(
-                "Five ways to find the least overlap, and two to find points", box_method_names(),
-                box_verdicts()));
       });
 }

@@ -265,9 +265,122 @@ TEMPLATE_TEST_CASE(
     }
   }
 }
+
+TEMPLATE_TEST_CASE(
+    "of 2,000 pairs of plates 1 to 1,000 across, no overlap is off by more than its own terms "
+    "allow",
+    "[O8]", float, double)
+{
+  using Real = TestType;
+  Draw draw(8);
+  const auto plate = [&]() -> Obb<Real>
+  {
+    const Vector3<double> half(
+        std::pow(10, draw.between(0, 3)), std::pow(10, draw.between(0, 3)), draw.between(0.1, 1));
+    const Matrix3<double> turn = draw.rotation();
+    const Vector3<double> center = turn * draw.vector(-1, 1).cwiseProduct(half);
+    return {center.cast<Real>(), turn.cast<Real>(), half.cast<Real>()};
+  };
+  using Exact = cookbook::Reference;
+  for (int i = 0; i < 2000; ++i)
+  {
+    const Obb<Real> a = plate(), b = plate();
+    const RelativeBoxes<Real> boxes = relative_boxes(a, b);
+    const RelativeBoxes<Exact> exact = relative_boxes<Exact>(
+        {a.center.template cast<Exact>(), a.axes.template cast<Exact>(),
+         a.half_extents.template cast<Exact>()},
+        {b.center.template cast<Exact>(), b.axes.template cast<Exact>(),
+         b.half_extents.template cast<Exact>()});
+    const RoundedTerms<Real> terms = rounded_terms(a, b);
+    for (int axis = 0; axis < box_axes; ++axis)
+    {
+      // Along the very direction that was computed, or, for B's faces, the one that was meant.
+      const AxisOverlap<Real> along = axis_overlap(boxes, axis);
+      const Vector3<Exact> direction = axis_kind(axis) == AxisKind::face_of_b
+                                           ? Vector3<Exact>(exact.rotation.col(axis - 3))
+                                           : along.axis.template cast<Exact>();
+      const Vector3<Exact> in_b = exact.rotation.transpose() * direction;
+      const Exact truth = (direction.cwiseAbs().dot(exact.half_a) +
+                           in_b.cwiseAbs().dot(exact.half_b) - abs(direction.dot(exact.offset))) /
+                          direction.norm();
+      const double off = double(along.overlap / std::sqrt(along.squared_length) - truth);
+      CHECK(std::abs(off) <= double(overlap_rounding(terms, along, axis)));
+    }
+  }
+}
+
+TEST_CASE(
+    "an axis' own terms, by hand: 76/30, 110/30, 132/30 along A's, 17/3 along B's second", "[O8]")
+{
+  // 30 |C| has the rows (20, 4, 22), (20, 10, 20), (10, 28, 4); A is (1, 2, 3), B a cube of 1.
+  const Obb<double> a = upright({0, 0, 0}, {1, 2, 3});
+  const Obb<double> b{{0, 0, 0}, rational_rotation<double>(1, 2, 3, 4), {1, 1, 1}};
+  const RoundedTerms<double> terms = rounded_terms(a, b);
+  const auto gaps = [&](int axis)
+  {
+    const AxisOverlap<double> along = axis_overlap(relative_boxes(a, b), axis);
+    return overlap_rounding(terms, along, axis) / std::numeric_limits<double>::epsilon();
+  };
+  CHECK(gaps(0) == Catch::Approx(8 * 76 / 30.0));
+  CHECK(gaps(1) == Catch::Approx(8 * 110 / 30.0));
+  CHECK(gaps(2) == Catch::Approx(8 * 132 / 30.0));
+  CHECK(gaps(4) == Catch::Approx(8 * (4 * 76 + 10 * 110 + 28 * 132) / 900.0));
+  // a0 × b0 is (0, −10, 20)/30.
+  CHECK(gaps(6) == Catch::Approx(8 * (10 * 110 + 20 * 132) / (30 * std::sqrt(500.0))));
+}
+
+TEST_CASE("two overlaps are told apart beyond both their roundings: 24 + 24 ε", "[O8][O9]")
+{
+  // Along each of x and y: 1 of the offset, 1 of either cube.
+  const Obb<double> b = upright({1, 1, 0}, {1, 1, 1});
+  const double epsilon = std::numeric_limits<double>::epsilon();
+  const RelativeBoxes<double> boxes = relative_boxes(cube, b);
+  CHECK_FALSE(is_beyond_rounding(47 * epsilon, cube, b, boxes, 0, 1));
+  CHECK(is_beyond_rounding(49 * epsilon, cube, b, boxes, 0, 1));
+  CHECK_FALSE(is_beyond_rounding(39 * epsilon, cube, b, boxes, 0, 2));
+  CHECK(is_beyond_rounding(41 * epsilon, cube, b, boxes, 2, 0));
+}
 // [O8]
 
 // [O9]
+// [thin]
+TEMPLATE_TEST_CASE(
+    "on the rim of a plate 2 km across, 1 mm up is less than 5 mm aside, in float too", "[O8][O9]",
+    float, double)
+{
+  using Real = TestType;
+  const Matrix3<Real> straight = Matrix3<Real>::Identity();
+  const Obb<Real> plate{{0, 0, 0}, straight, {1000, 1000, 1}};
+  for (const Real side : {Real(-1), Real(1)})
+  {
+    const Obb<Real> on_rim{{side * Real(1000.995), 0, Real(1.999)}, straight, {1, 1, 1}};
+    // A float near 2 is known to 2.4e-7; 32 ε Σh would be 7.6e-3 here.
+    CHECK(separating_axes(plate, on_rim)->axis == 2);
+    CHECK(separating_axes(plate, on_rim)->depth == Catch::Approx(0.001).margin(3e-7));
+    CHECK(separating_axes(on_rim, plate)->axis == 2);
+    CHECK(separating_axes(on_rim, plate)->depth == Catch::Approx(0.001).margin(3e-7));
+  }
+}
+
+TEMPLATE_TEST_CASE(
+    "plates of 2 km, one flush on the other and turned anyhow: A's face decides", "[O9]", float,
+    double)
+{
+  using Real = TestType;
+  Draw draw(9);
+  for (int i = 0; i < 1000; ++i)
+  {
+    const Matrix3<double> turn = draw.rotation();
+    const Vector3<double> place(draw.between(-900, 900), draw.between(-900, 900), 1.99);
+    const Obb<Real> a{{0, 0, 0}, turn.cast<Real>(), {1000, 1000, 1}};
+    const Obb<Real> b{(turn * place).template cast<Real>(), a.axes, a.half_extents};
+    REQUIRE(separating_axes(a, b));
+    CHECK(separating_axes(a, b)->axis == 2);
+    CHECK(separating_axes(b, a)->axis == 2);
+  }
+}
+// [thin]
+
 TEST_CASE("equal cubes, one turned with the other: a face of A decides, not an edge", "[O9]")
 {
   Draw draw(4);

@@ -123,6 +123,27 @@ TEST_CASE("help names the options and the columns of --pairs", "[program]")
   CHECK(help.out.find("ax,ay,az,ar,bx,by,bz,br") != std::string::npos);
 }
 
+TEST_CASE("an option with one choice stands alone", "[program]")
+{
+  const auto value_after = [](std::vector<std::string> words)
+  {
+    std::vector<char*> argv;
+    for (std::string& word : words)
+    {
+      argv.push_back(word.data());
+    }
+    std::string value;
+    const Arguments arguments{
+        .name = "demo", .summary = "", .options = {{"compare", "compare", "", {"yes"}}}};
+    run_program(
+        static_cast<int>(argv.size()), argv.data(), arguments,
+        [&](const Arguments& given) { value = given.value("compare"); });
+    return value;
+  };
+  CHECK(value_after({"demo"}).empty());
+  CHECK(value_after({"demo", "--compare"}) == "yes");
+}
+
 TEST_CASE("a figure that cannot be written is named", "[program]")
 {
   Arguments arguments;

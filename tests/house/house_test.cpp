@@ -38,20 +38,6 @@ std::vector<TextFile> together(std::vector<TextFile> a, const std::vector<TextFi
   return a;
 }
 
-/// Pages that are whole chapters: 05_resolution.md, not its sub-page 05_resolution_bodies.md.
-std::vector<TextFile> chapters()
-{
-  std::vector<TextFile> found;
-  for (const TextFile& page : pages())
-  {
-    if (std::filesystem::is_directory(root / "recipes" / cookbook::book::stem(page.path)))
-    {
-      found.push_back(page);
-    }
-  }
-  return found;
-}
-
 std::vector<TextFile> all_headers()
 {
   std::vector<TextFile> headers;
@@ -124,9 +110,9 @@ TEST_CASE("an include of a later chapter, of a recipe by common and of a test ar
   CHECK(include("common/math/a.hpp", "tests/catch.hpp") == 1);
 }
 
-TEST_CASE("every chapter's page has its sections in the same order", "[house]")
+TEST_CASE("every chapter has its sections in the same order, on one page or several", "[house]")
 {
-  for (const TextFile& page : chapters())
+  for (const TextFile& page : with_sub_pages(pages()))
   {
     expect_none(page_is_in_order(page));
   }
@@ -143,6 +129,16 @@ TEST_CASE("a page with swapped sections, or a recipe without proof, is found", "
   CHECK(page_is_in_order({"p", end + start}).size() == 1);
   CHECK(page_is_in_order({"p", start + "## Sources\n" + end}).empty());
   CHECK(page_is_in_order({"p", start}).size() == 1);
+}
+
+TEST_CASE("a chapter's sub-pages are read behind it, and another chapter is not", "[house]")
+{
+  const std::vector<TextFile> tree{
+      {"chapters/03_x.md", "## A"}, {"chapters/03_x_more.md", "## B"}, {"chapters/04_xy.md", "C"}};
+  const auto chapters = with_sub_pages(tree);
+  REQUIRE(chapters.size() == 2);
+  CHECK(chapters[0].text == "## A\n## B");
+  CHECK(chapters[1].text == "C");
 }
 
 TEST_CASE("every program has its header, output, test and section", "[house]")

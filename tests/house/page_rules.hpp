@@ -30,6 +30,27 @@ inline bool in_order(const std::vector<std::string>& words, const std::vector<st
   return true;
 }
 
+/// The pages of whole chapters: each with the text of its sub-pages behind it, as they are read.
+///
+/// `pages` come in order of path: 05_resolution.md, then its sub-page 05_resolution_bodies.md.
+inline std::vector<TextFile> with_sub_pages(const std::vector<TextFile>& pages)
+{
+  std::vector<TextFile> chapters;
+  for (const TextFile& page : pages)
+  {
+    const std::string name = book::stem(page.path);
+    if (!chapters.empty() && name.rfind(book::stem(chapters.back().path) + "_", 0) == 0)
+    {
+      chapters.back().text += "\n" + page.text;
+    }
+    else
+    {
+      chapters.push_back(page);
+    }
+  }
+  return chapters;
+}
+
 /// A chapter's page has its sections in order, and all four parts in each recipe's section.
 inline Complaints page_is_in_order(const TextFile& page)
 {

@@ -1,0 +1,122 @@
+#pragma once
+
+/// \file
+/// \brief The methods that give a whole manifold of two boxes, made ready to be checked and timed.
+
+#include "04_obb_manifolds/box_check.hpp"
+#include "04_obb_manifolds/box_every_method.hpp"
+#include "common/measure/timing.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cookbook
+{
+
+// [box_pair_lists]
+/// The same pairs for methods in float and for methods in double.
+struct BoxPairLists
+{
+  std::vector<BoxPair<float>> in_float;
+  std::vector<BoxPair<double>> in_double;
+
+  /// Those in the number type `Real`.
+  template <class Real>
+  const std::vector<BoxPair<Real>>& in() const
+  {
+    if constexpr (std::is_same_v<Real, float>)
+    {
+      return in_float;
+    }
+    else
+    {
+      return in_double;
+    }
+  }
+};
+
+/// A workload's pairs.
+inline BoxPairLists box_pair_lists(const std::vector<BoxPair<float>>& pairs)
+{
+  BoxPairLists lists{pairs, {}};
+  lists.in_double.reserve(pairs.size());
+  for (const BoxPair<float>& pair : pairs)
+  {
+    lists.in_double.push_back(pair_in<double>(pair));
+  }
+  return lists;
+}
+// [box_pair_lists]
+
+// [box_contender]
+/// A method in one number type, or another library: how to time it, and how good it is.
+struct BoxContender
+{
+  std::string name;
+  bool peer; ///< whether it is another library's
+  /// What answers all pairs once, made ready; the pairs are copied.
+  std::function<std::function<void()>(const BoxPairLists&)> prepare;
+  std::function<std::vector<BoxCheck>(const BoxPairLists&)> checks; ///< of each answer
+  std::function<BoxSteadiness(const BoxWorkload&)> steadiness;      ///< under a nudge
+};
+
+/// A contender by what it says of one pair, and how it is made ready for many.
+template <class Real, class Method, class Prepare>
+BoxContender
+box_contender(const std::string& name, bool peer, const Method& method, const Prepare& prepare)
+{
+  const auto checks = [method](const BoxPairLists& lists)
+  {
+    std::vector<BoxCheck> result;
+    for (const BoxPair<Real>& pair : lists.in<Real>())
+    {
+      result.push_back(box_check(pair, method(pair.first, pair.second)));
+    }
+    return result;
+  };
+  const auto steadiness = [method](const BoxWorkload& workload)
+  {
+    const auto with_points = [&](const Obb<Real>& a, const Obb<Real>& b)
+    {
+      const auto answer = method(a, b);
+      return answer && is_whole(*answer) ? answer : std::nullopt;
+    };
+    return box_steadiness<Real>(workload, with_points);
+  };
+  return {name, peer, prepare, checks, steadiness};
+}
+
+/// A method of this book: its pairs lie in a list, its answers are forgotten one by one.
+template <class Real, class Method>
+BoxContender own_contender(const std::string& name, const Method& method)
+{
+  const auto prepare = [method](const BoxPairLists& lists) -> std::function<void()>
+  {
+    return [method, pairs = lists.in<Real>()]
+    {
+      for (const auto& [a, b] : pairs)
+      {
+        const auto manifold = method(a, b);
+        measure::keep(manifold);
+      }
+    };
+  };
+  return box_contender<Real>(name, false, method, prepare);
+}
+
+/// Every method in float and in double, box_box in float first.
+inline std::vector<BoxContender> own_contenders()
+{
+  std::vector<BoxContender> all;
+  for_every_box_method(
+      [&](const std::string& name, const auto& method)
+      {
+        all.push_back(own_contender<float>(name + ", float", method));
+        all.push_back(own_contender<double>(name + ", double", method));
+      });
+  return all;
+}
+// [box_contender]
+
+} // namespace cookbook

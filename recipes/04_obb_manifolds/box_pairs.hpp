@@ -1,0 +1,88 @@
+#pragma once
+
+/// \file
+/// \brief Many pairs of boxes at once: the same formulas, one pair in every lane of a register.
+
+#include "02_primitives/shapes.hpp"
+#include "03_sphere_manifolds/manifold.hpp"
+#include "03_sphere_manifolds/sphere_pairs.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace cookbook
+{
+
+// [box_pairs]
+/// Sixteen boxes side by side: number i of every row belongs to box i.
+struct alignas(64) SixteenBoxes
+{
+  float center[3][16];       ///< [m], world: x, y, z
+  float axes[3][3][16];      ///< [1]: axis 0, 1, 2, of each its x, y, z in the world
+  float half_extents[3][16]; ///< [m], along each axis
+};
+
+/// The manifolds of sixteen pairs side by side.
+struct alignas(64) SixteenManifolds
+{
+  float normal[3][16];       ///< [1], unit, world, from A to B; not set where they are apart
+  float depth[16];           ///< [m], the whole overlap; −1 where the boxes are apart
+  std::uint32_t kept[16];    ///< bit s is set where there is a point in slot s; 0: apart
+  std::uint32_t feature[16]; ///< of slot 0; that of slot s is by s more
+  float position[8][3][16];  ///< [m], world, for every slot x, y, z; set where a point is kept
+  float point_depth[8][16];  ///< [m], for every slot
+};
+
+/// The manifolds of all pairs of boxes, equal to those of `box_box` to the last bit.
+///
+/// The three lists have one length, std::invalid_argument otherwise. What `box_box` says of sizes
+/// and degenerate boxes holds here; fill a last block that is not full with any boxes. All
+/// instruction sets give the same bits.
+void box_pairs(
+    std::span<const SixteenBoxes> a, std::span<const SixteenBoxes> b,
+    std::span<SixteenManifolds> manifolds, InstructionSet set = widest_instruction_set());
+// [box_pairs]
+
+// [box_pairs_touch]
+/// Only whether boxes touch: bit i of a block's word is set where `box_box` of its pair i gives a
+/// manifold; bits 16 and up are not.
+///
+/// Lists, sizes and instruction sets as of `box_pairs`.
+void box_pairs_touch(
+    std::span<const SixteenBoxes> a, std::span<const SixteenBoxes> b,
+    std::span<std::uint32_t> touching, InstructionSet set = widest_instruction_set());
+// [box_pairs_touch]
+
+// [blocks]
+/// Pairs of boxes, sixteen to a block: pair i is number i % 16 of block i / 16.
+struct BoxBlocks
+{
+  std::vector<SixteenBoxes> a; ///< the boxes A
+  std::vector<SixteenBoxes> b; ///< as many: the boxes B
+};
+
+/// The pairs in blocks; a last block that is not full is filled with cubes that are apart.
+BoxBlocks blocks_of(std::span<const std::pair<Obb<float>, Obb<float>>> pairs);
+
+/// Writes box i into its block.
+void set_box(std::span<SixteenBoxes> boxes, std::size_t i, const Obb<float>& box);
+
+/// Box i.
+Obb<float> box_at(std::span<const SixteenBoxes> boxes, std::size_t i);
+
+/// The manifold of pair i as `box_box` gives it: the same points in the same order.
+std::optional<Manifold<float>>
+manifold_at(std::span<const SixteenManifolds> manifolds, std::size_t i);
+
+/// Whether pair i touches.
+inline bool touches_at(std::span<const std::uint32_t> touching, std::size_t i)
+{
+  return (touching[i / 16] >> i % 16 & 1) != 0;
+}
+// [blocks]
+
+} // namespace cookbook

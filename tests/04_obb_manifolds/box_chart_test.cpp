@@ -1,0 +1,174 @@
+/// \file
+/// \brief What holds for the words and tables of the chart, for counted operations and for the
+/// other libraries' answers; it measures no time.
+
+#include "04_obb_manifolds/box_chart.hpp"
+#include "04_obb_manifolds/box_chart_contenders.hpp"
+#include "04_obb_manifolds/box_chart_peers.hpp"
+#include "04_obb_manifolds/box_flops.hpp"
+#include "common/measure/peak.hpp"
+
+#include "tests/catch.hpp"
+
+#include <limits>
+
+using namespace cookbook;
+
+namespace
+{
+
+const double infinity = std::numeric_limits<double>::infinity();
+
+BoxAccuracy within(double depth)
+{
+  BoxAccuracy accuracy;
+  accuracy.compared = 1;
+  accuracy.depth_p99 = depth;
+  return accuracy;
+}
+
+BoxAccuracy wrong()
+{
+  BoxAccuracy accuracy = within(1e-9);
+  accuracy.wrong = 1;
+  return accuracy;
+}
+
+/// A rough one, the knee, a fine one, one that fails, and a peer.
+std::vector<MeasuredBoxMethod> methods()
+{
+  return {
+      {{"rough", false, {10, 10}}, within(1e-2)},
+      {{"knee", false, {20, 20}}, within(1e-6)},
+      {{"fine", false, {80, 80}}, within(2e-7)},
+      {{"broken", false, {1, 1}}, wrong()},
+      {{"peer", true, {100, 200}}, within(0.05)}};
+}
+
+bool has(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+Obb<float> cube_at(float x, float y, float z)
+{
+  return {{x, y, z}, Matrix3<float>::Identity(), {1, 1, 1}};
+}
+
+} // namespace
+
+TEST_CASE("a wrong verdict takes a method off the chart", "[box_chart]")
+{
+  CHECK(depth_error_of(methods()[0]) == 1e-2);
+  CHECK(depth_error_of(methods()[3]) == infinity);
+  CHECK(jump_of(methods()[0]) == infinity);
+}
+
+TEST_CASE("the sentence names the knee, the cheapest and the finest", "[box_chart]")
+{
+  CHECK(
+      box_knee_sentence(methods(), depth_error_of, 0, "99 % within") ==
+      "The knee: knee, at 20 ns a pair, has 99 % within 1e-06 of the size. The cheapest: rough, at "
+      "10 ns a pair, has 99 % within 0.01 of the size. The finest: fine, at 80 ns a pair, has 99 % "
+      "within 2e-07 of the size.");
+}
+
+TEST_CASE("ratios are to the fastest peer, and without one a dash", "[box_chart]")
+{
+  std::vector<MeasuredTimes> all;
+  for (const MeasuredBoxMethod& method : methods())
+  {
+    all.push_back(method.times);
+  }
+  const std::string html = box_times_html("in cache", {"first", "second"}, all);
+  CHECK(has(html, "<th>in cache [ns a pair]</th><th>first</th><th>× peer</th><th>second</th>"));
+  CHECK(has(html, "<td>knee</td><td>20</td><td>5</td><td>20</td><td>10</td>"));
+  CHECK(has(box_times_html("", {"first"}, {{"alone", false, {1}}}), "<td>1</td><td>–</td>"));
+}
+
+TEST_CASE("800 operations in 10 ns are half of a peak of 160 a nanosecond", "[box_chart]")
+{
+  const std::string html = shares_html({{"batch", 10, 800, 1 / 160.0}});
+  CHECK(has(html, "<td>10</td><td>800</td><td>80</td><td>160</td><td>50 %</td>"));
+}
+
+// [flops]
+TEST_CASE("a sum of two products is three operations, a choice is none", "[box_chart]")
+{
+  Counted::flops = 0;
+  const Counted a(2), b(3);
+  const Counted sum = a * b + b * b;
+  CHECK(sum.value == 15);
+  CHECK(Counted::flops == 3);
+  CHECK(select(max(abs(-a), b) < sum, a, b).value == 2);
+  CHECK(Counted::flops == 3);
+  CHECK((sqrt(b * b) / a).value == 1.5f);
+  CHECK(Counted::flops == 6);
+}
+
+TEST_CASE("all fifteen overlaps of a pair take 246 operations, counted by hand", "[box_chart]")
+{
+  // B as A sees it: C has 9 entries of 3 products and 2 sums, the offset 3 differences, and along
+  // either box's axes 3 entries like those of C.
+  constexpr std::size_t seen = 9 * 5 + 3 + 2 * 3 * 5;
+  // A face: 3 products, 2 sums, and two more to add the half extent and take the distance away.
+  constexpr std::size_t faces = 6 * 7;
+  // An edge axis: four times two products and a sum or difference, for the cofactor, both reaches
+  // and the distance, and two to put them together.
+  constexpr std::size_t edges = 9 * (4 * 3 + 2);
+  static_assert(seen + faces + edges == 246);
+  const Obb<float> a = cube_at(0, 0, 0);
+  CHECK(box_flops(a, cube_at(0, 5, 0)).overlaps == 246);
+  CHECK(box_flops(a, cube_at(0, 5, 0)).all == 246);
+  CHECK(box_flops(a, cube_at(0, 1.9f, 0)).overlaps == 246);
+  CHECK(box_flops(a, cube_at(0, 1.9f, 0)).all > 2 * 246);
+}
+// [flops]
+
+TEST_CASE("a core's peak is asked for by lanes that there are", "[box_chart]")
+{
+  const measure::Timed peak = measure::peak_flops(4);
+  CHECK(peak.calls > 0);
+  peak.run();
+  CHECK_THROWS_AS(measure::peak_flops(5), std::invalid_argument);
+}
+
+// [contenders]
+TEST_CASE("the batch and the recipe with a memory answer as box_box does", "[box_chart]")
+{
+  const BoxPairLists lists = box_pair_lists(box_workload("random", 50).pairs);
+  const std::vector<BoxCheck> right = own_contenders()[0].checks(lists);
+  std::vector<BoxContender> same{memory_contender<float>("memory")};
+  for (const InstructionSet set : instruction_sets())
+  {
+    same.push_back(batch_contender(set));
+  }
+  for (const BoxContender& each : same)
+  {
+    CAPTURE(each.name);
+    const std::vector<BoxCheck> found = each.checks(lists);
+    for (std::size_t i = 0; i < right.size(); ++i)
+    {
+      CHECK(found[i].depth_error == right[i].depth_error);
+    }
+    each.prepare(lists)();
+  }
+}
+
+TEST_CASE("other libraries find that two cubes overlap, and how deep", "[box_chart]")
+{
+  const BoxPairLists lists = box_pair_lists(
+      {{cube_at(0, 0, 0), cube_at(0.5f, 1.75f, 0)}, {cube_at(0, 0, 0), cube_at(3, 0, 0)}});
+  for (const BoxContender& peer : box_peers())
+  {
+    CAPTURE(peer.name);
+    CHECK(peer.peer);
+    const BoxAccuracy accuracy = box_accuracy(peer.checks(lists));
+    CHECK(accuracy.wrong == 0);
+    CHECK(accuracy.not_finite == 0);
+    CHECK(accuracy.compared == 1);
+    CHECK(accuracy.depth_max <= 1e-6);
+    peer.prepare(lists)();
+  }
+}
+// [contenders]
