@@ -181,7 +181,7 @@ template <class Real>
 {
   const BoxesInRows<Real> boxes = boxes_in_rows(a, b);
   const Tolerances<Real> tolerances = tolerances_of(a, b);
-  if (!squares_fit(tolerances.size))
+  if (!has_moderate_size(tolerances.size))
   {
     return box_box_at_unit_size(a, b);
   }

@@ -34,9 +34,9 @@ Tolerances<Real> tolerances_of(const Obb<Real>& a, const Obb<Real>& b)
   return {size, size * Real(4 * Limits::epsilon()), min(of_a, of_b) * Real(0.01f)};
 }
 
-/// Whether the squares of boxes of this size [m] fit into numbers, neither too large nor too small.
+/// Whether boxes of this size [m] have squares that fit into numbers, not too large, not too small.
 template <class Real>
-auto squares_fit(const Real& size)
+auto has_moderate_size(const Real& size)
 {
   return (Real(0x1p-40f) < size) & (size < Real(0x1p40f));
 }

@@ -213,7 +213,7 @@ void answer_faces(
     store(answer.kept, out.kept + at);
     store(answer.feature, out.feature + at);
     const Words without_point = choice.on_face.lanes & (answer.kept == 0);
-    left |= ~squares_fit(tolerances.size).lanes | without_point;
+    left |= ~has_moderate_size(tolerances.size).lanes | without_point;
   }
   return !any(Lanes::Mask{left});
 }
@@ -231,7 +231,7 @@ void answer_faces(
     {
       const Obb<Lanes> box_a = boxes_at(a[block], at), box_b = boxes_at(b[block], at);
       word |= bits_of(Overlaps(boxes_in_rows(box_a, box_b)).touching()) << at;
-      answered = answered & squares_fit(tolerances_of(box_a, box_b).size);
+      answered = answered & has_moderate_size(tolerances_of(box_a, box_b).size);
     }
     touching[block] = word;
   }
