@@ -4,6 +4,7 @@
 #include "04_obb_manifolds/box_chart.hpp"
 #include "04_obb_manifolds/box_chart_measure.hpp"
 #include "04_obb_manifolds/box_chart_shares.hpp"
+#include "04_obb_manifolds/box_chart_steps.hpp"
 #include "common/program/program.hpp"
 
 #include <iostream>
@@ -94,7 +95,9 @@ void run(const Arguments& given)
   save_figure(given, "box_chart.svg", depth_chart(methods));
   save_figure(given, "box_chart_jumps.svg", jump_chart(methods));
   save_figure(given, "box_chart.html", html);
-  std::cout << html;
+  const std::string steps = steps_html(measured_steps(extent.in_cache, extent.cache));
+  save_figure(given, "box_chart_steps.html", steps);
+  std::cout << html << steps;
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "04_obb_manifolds/box_chart.hpp"
 #include "04_obb_manifolds/box_chart_contenders.hpp"
 #include "04_obb_manifolds/box_chart_peers.hpp"
+#include "04_obb_manifolds/box_chart_steps.hpp"
 #include "04_obb_manifolds/box_flops.hpp"
 #include "common/measure/peak.hpp"
 
@@ -172,3 +173,24 @@ TEST_CASE("other libraries find that two cubes overlap, and how deep", "[box_cha
   }
 }
 // [contenders]
+
+TEST_CASE("a step is told beside the row that it is the faster form of", "[box_chart]")
+{
+  const std::string html = steps_html({{"plain", 120, 0}, {"quick", 40, 0}, {"other", 90, 2}});
+  CHECK(has(html, "<td>quick</td><td>40</td><td>plain</td><td>3</td>"));
+  CHECK(has(html, "<td>other</td><td>90</td><td></td><td></td>"));
+}
+
+TEST_CASE("the depth without the contact is that of the manifold", "[box_chart]")
+{
+  for (const char* const name : {"random", "resting", "edge-edge"})
+  {
+    for (const auto& [a, b] : box_workload(name, 500).pairs)
+    {
+      if (const auto manifold = box_box(a, b))
+      {
+        CHECK(depth_in_rows(a, b) == manifold->depth);
+      }
+    }
+  }
+}

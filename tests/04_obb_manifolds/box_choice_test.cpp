@@ -226,6 +226,27 @@ TEMPLATE_TEST_CASE(
 }
 // [sizes]
 
+// [unit]
+TEMPLATE_TEST_CASE("every normal is a unit vector, every depth zero or more", "[O9]", float, double)
+{
+  using Real = TestType;
+  const Real rounding = 16 * std::numeric_limits<Real>::epsilon();
+  for (const std::string& name : box_workload_names())
+  {
+    CAPTURE(name);
+    for (const BoxPair<float>& given : box_workload(name, 2000).pairs)
+    {
+      const BoxPair<Real> pair = pair_in<Real>(given);
+      if (const auto manifold = box_box(pair.first, pair.second))
+      {
+        CHECK(std::abs(manifold->normal.norm() - 1) <= rounding);
+        CHECK(manifold->depth >= 0);
+      }
+    }
+  }
+}
+// [unit]
+
 // [no_corner]
 TEMPLATE_TEST_CASE(
     "where two faces have no corner in common, the deepest corner is the contact", "[O14]", float,
