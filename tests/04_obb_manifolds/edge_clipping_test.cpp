@@ -1,6 +1,7 @@
 /// \file
 /// What holds for the points of edge_clipping(), formula O11.
 
+#include "03_sphere_manifolds/any_size.hpp"
 #include "04_obb_manifolds/box_cases.hpp"
 #include "04_obb_manifolds/box_pitfalls.hpp"
 #include "04_obb_manifolds/boxes_file.hpp"
