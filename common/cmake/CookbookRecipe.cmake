@@ -79,6 +79,13 @@ function(cookbook_batch name)
   cookbook_install_target(${library})
 endfunction()
 
+# cookbook_helper(NAME [LIBRARY…]): NAME.cpp, compiled once for several programs and tests.
+function(cookbook_helper name)
+  add_library(${name} STATIC EXCLUDE_FROM_ALL ${name}.cpp)
+  target_link_libraries(${name} PUBLIC ${COOKBOOK_CHAPTER_TARGET} ${ARGN})
+  cookbook_warnings(${name})
+endfunction()
+
 # cookbook_precompiled(NAME HEADER [LIBRARY…]): headers that every program, or every test, reads first
 # anyway, compiled once. Nothing relies on them: each file includes what it needs.
 function(cookbook_precompiled name header)
@@ -114,10 +121,10 @@ function(cookbook_recipe name)
   cookbook_test(${name} ${ARGN})
 endfunction()
 
-# cookbook_chart(NAME [LIBRARY…]): a program that measures time; its chart belongs to the book, and
-# only its unit tests run in ctest.
+# cookbook_chart(NAME [LIBRARY…]): a program that measures time; its chart belongs to the book and is
+# built with it. Only its unit tests run in ctest.
 function(cookbook_chart name)
-  if(COOKBOOK_RECIPES)
+  if(COOKBOOK_RECIPES AND COOKBOOK_BOOK)
     cookbook_program(${name} ${ARGN})
     set(charts ${CMAKE_BINARY_DIR}/charts)
     add_custom_command(OUTPUT ${charts}/${name}.measured

@@ -5,7 +5,6 @@
 #include "04_obb_manifolds/box_box.hpp"
 #include "04_obb_manifolds/box_box_figures.hpp"
 #include "04_obb_manifolds/box_compare.hpp"
-#include "04_obb_manifolds/box_every_method.hpp"
 #include "04_obb_manifolds/feature_memory.hpp"
 #include "common/program/program.hpp"
 #include "common/program/table.hpp"
@@ -59,27 +58,6 @@ void print_manifolds()
 }
 // [print_manifolds]
 
-// [print_own]
-/// The manifolds of the reader's pairs by the method that --method names.
-void print_own(const Arguments& arguments)
-{
-  for_every_box_method(
-      [&](const std::string& name, const auto& method)
-      {
-        if (name == arguments.value("method"))
-        {
-          print_pairs(
-              arguments,
-              [&](const PairsRow& row, auto zero)
-              {
-                const auto [a, b] = box_pair_at<decltype(zero)>(row);
-                return method(a, b);
-              });
-        }
-      });
-}
-// [print_own]
-
 void run(const Arguments& given)
 {
   const bool compares = !given.value("compare").empty();
@@ -89,7 +67,7 @@ void run(const Arguments& given)
   }
   if (!given.pairs.empty())
   {
-    return compares ? compare_box_methods(given) : print_own(given);
+    return compares ? compare_box_methods(given) : print_own_manifolds(given);
   }
   print_manifolds();
   save_figure(given, "box_box.svg", manifolds_figure());

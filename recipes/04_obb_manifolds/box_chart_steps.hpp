@@ -5,6 +5,7 @@
 
 #include "04_obb_manifolds/box_chart.hpp"
 #include "04_obb_manifolds/box_chart_measure.hpp"
+#include "04_obb_manifolds/face_clipping.hpp"
 
 #include <string>
 #include <vector>

@@ -4,8 +4,8 @@
 /// \brief The methods that give a whole manifold of two boxes, made ready to be checked and timed.
 
 #include "04_obb_manifolds/box_check.hpp"
-#include "04_obb_manifolds/box_every_method.hpp"
 #include "common/measure/timing.hpp"
+#include "common/program/program.hpp"
 
 #include <functional>
 #include <string>
@@ -86,37 +86,15 @@ box_contender(const std::string& name, bool peer, const Method& method, const Pr
   };
   return {name, peer, prepare, checks, steadiness};
 }
+// [box_contender]
 
-/// A method of this book: its pairs lie in a list, its answers are forgotten one by one.
-template <class Real, class Method>
-BoxContender own_contender(const std::string& name, const Method& method)
-{
-  const auto prepare = [method](const BoxPairLists& lists) -> std::function<void()>
-  {
-    return [method, pairs = lists.in<Real>()]
-    {
-      for (const auto& [a, b] : pairs)
-      {
-        const auto manifold = method(a, b);
-        measure::keep(manifold);
-      }
-    };
-  };
-  return box_contender<Real>(name, false, method, prepare);
-}
+/// The names of the functions that for_every_box_method() visits.
+std::vector<std::string> box_manifold_names();
 
 /// Every method in float and in double, box_box in float first.
-inline std::vector<BoxContender> own_contenders()
-{
-  std::vector<BoxContender> all;
-  for_every_box_method(
-      [&](const std::string& name, const auto& method)
-      {
-        all.push_back(own_contender<float>(name + ", float", method));
-        all.push_back(own_contender<double>(name + ", double", method));
-      });
-  return all;
-}
-// [box_contender]
+std::vector<BoxContender> own_contenders();
+
+/// Prints the manifolds of --pairs by the method that --method names.
+void print_own_manifolds(const Arguments& arguments);
 
 } // namespace cookbook

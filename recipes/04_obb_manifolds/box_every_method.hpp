@@ -11,8 +11,6 @@
 #include "04_obb_manifolds/gjk_epa.hpp"
 
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace cookbook
 {
@@ -36,14 +34,6 @@ void for_every_box_method(const Visit& visit)
   visit("edge_clipping", [](const auto& a, const auto& b) { return edge_clipping(a, b); });
   visit("gjk_epa", [](const auto& a, const auto& b) { return gjk_epa(a, b); });
   visit("box_as_published", [](const auto& a, const auto& b) { return box_as_published(a, b); });
-}
-
-/// The names of all of them.
-inline std::vector<std::string> box_manifold_names()
-{
-  std::vector<std::string> names;
-  for_every_box_method([&](const std::string& name, const auto&) { names.push_back(name); });
-  return names;
 }
 // [every_method]
 
