@@ -17,6 +17,12 @@ function(cookbook_warnings target)
   endif()
 endfunction()
 
+# cookbook_lightly(TARGET): optimised a little only, to be compiled sooner. For all that is not timed
+# and does not ask what optimisation makes of numbers.
+function(cookbook_lightly target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # cookbook_chapter(NAME [NEEDS CHAPTER]): the headers in this folder as the target cookbook::NAME.
 #
 # The folder's number and name are the chapter's label in ctest.
@@ -137,7 +143,8 @@ function(cookbook_chart name)
   cookbook_test(${name} ${ARGN})
 endfunction()
 
-# cookbook_test(NAME [LIBRARY…]): every tests/CHAPTER/NAME_test.cpp and NAME_*_test.cpp.
+# cookbook_test(NAME [LIBRARY…]): tests/CHAPTER/NAME_test.cpp and NAME_accuracy_test.cpp, if there is
+# one; the latter is optimised like a program.
 function(cookbook_test name)
   if(NOT COOKBOOK_TESTS)
     return()
@@ -153,7 +160,10 @@ function(cookbook_test name)
     target_link_libraries(${stem} PRIVATE
       ${COOKBOOK_CHAPTER_TARGET} cookbook_exact cookbook_tools cookbook_test_main ${ARGN})
     cookbook_warnings(${stem})
-    target_precompile_headers(${stem} REUSE_FROM cookbook_test_headers)
+    if(NOT stem MATCHES "_accuracy_test$")
+      cookbook_lightly(${stem})
+      target_precompile_headers(${stem} REUSE_FROM cookbook_test_headers)
+    endif()
     string(REGEX REPLACE "_test$" "" short ${stem})
     add_test(NAME ${short}.unit COMMAND ${stem})
     set_tests_properties(${short}.unit PROPERTIES

@@ -9,8 +9,10 @@ else()
   find_package(Catch2 2.13 CONFIG REQUIRED)
   add_library(cookbook_catch_main STATIC ${PROJECT_SOURCE_DIR}/tests/catch_main.cpp)
   target_link_libraries(cookbook_catch_main PUBLIC Catch2::Catch2)
+  cookbook_lightly(cookbook_catch_main)
   target_link_libraries(cookbook_test_main INTERFACE cookbook_catch_main)
 endif()
 
 cookbook_precompiled(cookbook_test_headers ${PROJECT_SOURCE_DIR}/tests/precompiled.hpp
   cookbook_common cookbook_exact cookbook_tools cookbook_test_main)
+cookbook_lightly(cookbook_test_headers)
