@@ -137,6 +137,7 @@ endfunction()
 function(cookbook_chart name)
   if(COOKBOOK_RECIPES AND COOKBOOK_BOOK)
     cookbook_program(${name} ${ARGN})
+    set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL TRUE)
     set(charts ${CMAKE_BINARY_DIR}/charts)
     add_custom_command(OUTPUT ${charts}/${name}.measured
       COMMAND ${CMAKE_COMMAND} -E make_directory ${charts}
