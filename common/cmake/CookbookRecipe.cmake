@@ -133,7 +133,8 @@ function(cookbook_recipe name)
 endfunction()
 
 # cookbook_chart(NAME [LIBRARY…]): a program that measures time; its chart belongs to the book and is
-# built with it. Only its unit tests run in ctest.
+# built with it. Only its unit tests run in ctest; sanitizers leave them out, for what they link is
+# large.
 function(cookbook_chart name)
   if(COOKBOOK_RECIPES AND COOKBOOK_BOOK)
     cookbook_program(${name} ${ARGN})
@@ -146,7 +147,9 @@ function(cookbook_chart name)
     add_custom_target(${name}.chart DEPENDS ${charts}/${name}.measured)
     set_property(GLOBAL APPEND PROPERTY COOKBOOK_CHART_TARGETS ${name}.chart)
   endif()
-  cookbook_test(${name} ${ARGN})
+  if(NOT COOKBOOK_SANITIZE)
+    cookbook_test(${name} ${ARGN})
+  endif()
 endfunction()
 
 # cookbook_test(NAME [LIBRARY…]): tests/CHAPTER/NAME_test.cpp and NAME_accuracy_test.cpp, if there is
