@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,7 @@ namespace cookbook
 {
 
 /// 45° [rad].
-inline const double eighth_turn = std::atan(1.0);
+inline constexpr double eighth_turn = std::numbers::pi / 4;
 
 /// Two bars with a ridge each: one seen along x, the other turned away from z.
 inline const Obb<double> ridge_a{{0, 0, 0}, turned(eighth_turn, {1, 0, 0}), {1.2, 0.6, 0.6}};
