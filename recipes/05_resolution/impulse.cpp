@@ -6,39 +6,21 @@
 #include "05_resolution/impulse_figures.hpp"
 #include "05_resolution/impulse_scenes.hpp"
 #include "05_resolution/impulse_tables.hpp"
+#include "05_resolution/number_option.hpp"
 #include "05_resolution/response_cases.hpp"
-#include "common/program/csv.hpp"
 #include "common/program/program.hpp"
 
-#include <charconv>
 #include <iostream>
-#include <stdexcept>
 
 namespace
 {
 
 using namespace cookbook;
 
-/// The number that an option was given, if it is one from `least` to `most`.
-double number_option(const Arguments& given, const std::string& name, double least, double most)
-{
-  const std::string& text = given.value(name);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !(value >= least) ||
-      !(value <= most))
-  {
-    throw std::invalid_argument(
-        "--" + name + " must be a number from " + round_trip(least) + " to " + round_trip(most) +
-        ", got '" + text + "'");
-  }
-  return value;
-}
-
 void run(const Arguments& given)
 {
-  const double restitution = number_option(given, "restitution", 0, 1);
-  const TwoBalls balls = two_balls(number_option(given, "mass", 0.001, 1000));
+  const double restitution = number_option(given, "restitution", 0.0, 1.0);
+  const TwoBalls balls = two_balls(number_option(given, "mass", 0.001, 1000.0));
   const ContactPoint<double>& contact = balls.manifold.points[0];
   const BodyPair<double> after =
       collide(balls.bodies, balls.manifold.normal, contact.position, restitution);
