@@ -91,13 +91,6 @@ void draw(const Arguments& arguments, const std::vector<Counted>& all)
   save_figure(arguments, "box_as_published.svg", chart.svg());
 }
 
-template <class Real>
-std::optional<Manifold<Real, most_published_points>> of_row(const PairsRow& row, Real)
-{
-  const auto [a, b] = box_pair_at<Real>(row);
-  return box_as_published(a, b);
-}
-
 } // namespace
 
 int main(int argc, char** argv)
@@ -113,8 +106,8 @@ int main(int argc, char** argv)
       {
         if (!given.pairs.empty())
         {
-          return print_pairs(
-              given, [](const PairsRow& row, auto real) { return of_row(row, real); });
+          return print_box_pairs(
+              given, [](const auto& a, const auto& b) { return box_as_published(a, b); });
         }
         const std::vector<Counted> all = count_all();
         print(all);

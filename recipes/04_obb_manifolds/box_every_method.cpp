@@ -57,13 +57,7 @@ void print_own_manifolds(const Arguments& arguments)
       {
         if (name == arguments.value("method"))
         {
-          print_pairs(
-              arguments,
-              [&](const PairsRow& row, auto zero)
-              {
-                const auto [a, b] = box_pair_at<decltype(zero)>(row);
-                return method(a, b);
-              });
+          print_box_pairs(arguments, method);
         }
       });
 }

@@ -3,6 +3,7 @@
 
 #include "04_obb_manifolds/box_pairs.hpp"
 #include "04_obb_manifolds/box_box.hpp"
+#include "04_obb_manifolds/box_error.hpp"
 #include "04_obb_manifolds/box_pairs_scenes.hpp"
 #include "04_obb_manifolds/boxes_file.hpp"
 #include "common/plot/figure3d.hpp"
@@ -106,10 +107,7 @@ void draw(const Arguments& arguments, const std::vector<Lane>& lanes)
   const auto manifolds = manifolds_of(pairs_of(lanes));
   for (std::size_t i = 0; i < lanes.size(); ++i)
   {
-    const auto wide = [](const Obb<float>& box) -> Obb<double> {
-      return {box.center.cast<double>(), box.axes.cast<double>(), box.half_extents.cast<double>()};
-    };
-    const BoxPair<double> pair{wide(lanes[i].pair.first), wide(lanes[i].pair.second)};
+    const BoxPair<double> pair = pair_in<double>(lanes[i].pair);
     const Manifold<float>* const manifold = manifolds[i] ? &*manifolds[i] : nullptr;
     grid.add(lane_figure(std::to_string(i) + ": " + lanes[i].name, pair, manifold));
   }

@@ -90,13 +90,6 @@ void draw(const Arguments& arguments)
   save_figure(arguments, "edge_clipping.svg", figure.svg());
 }
 
-template <class Real>
-std::optional<Manifold<Real, most_crossings>> of_row(const PairsRow& row, Real)
-{
-  const auto [a, b] = box_pair_at<Real>(row);
-  return edge_clipping(a, b);
-}
-
 } // namespace
 
 int main(int argc, char** argv)
@@ -112,8 +105,8 @@ int main(int argc, char** argv)
       {
         if (!given.pairs.empty())
         {
-          return print_pairs(
-              given, [](const PairsRow& row, auto real) { return of_row(row, real); });
+          return print_box_pairs(
+              given, [](const auto& a, const auto& b) { return edge_clipping(a, b); });
         }
         print_points();
         print_counts();

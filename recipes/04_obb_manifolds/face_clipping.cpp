@@ -3,8 +3,8 @@
 /// another, the three ways in which two boxes meet, and the points of other methods.
 
 #include "04_obb_manifolds/face_clipping.hpp"
-#include "03_sphere_manifolds/pairs_file.hpp"
 #include "04_obb_manifolds/box_cases.hpp"
+#include "04_obb_manifolds/boxes_file.hpp"
 #include "04_obb_manifolds/face_clipping_figures.hpp"
 #include "04_obb_manifolds/same_pair_figures.hpp"
 #include "common/program/program.hpp"
@@ -98,12 +98,6 @@ void print_tilts()
 }
 // [print_tilts]
 
-template <class Real>
-std::optional<Manifold<Real>> of_row(const PairsRow& row, Real)
-{
-  return face_clipping(obb_at<Real>(row, 0), obb_at<Real>(row, 10));
-}
-
 } // namespace
 
 int main(int argc, char** argv)
@@ -111,7 +105,7 @@ int main(int argc, char** argv)
   const Arguments arguments{
       .name = "face_clipping",
       .summary = "The full manifold of two boxes: a face cut out by a face, or two edges.",
-      .pairs_header = "ax,ay,az,aqw,aqx,aqy,aqz,ahx,ahy,ahz,bx,by,bz,bqw,bqx,bqy,bqz,bhx,bhy,bhz",
+      .pairs_header = box_pairs_header,
       .options = {scalar_option()}};
   return run_program(
       argc, argv, arguments,
@@ -119,8 +113,9 @@ int main(int argc, char** argv)
       {
         if (!given.pairs.empty())
         {
-          return print_pairs(
-              given, [](const PairsRow& row, auto real) { return of_row(row, real); });
+          return print_box_pairs(
+              given, [](const auto& a, const auto& b) { return face_clipping(a, b); },
+              BoxLengths::any);
         }
         print_points();
         print_cases();

@@ -3,7 +3,7 @@
 /// and tries all ways to run them at all cases.
 
 #include "04_obb_manifolds/gjk_epa.hpp"
-#include "03_sphere_manifolds/pairs_file.hpp"
+#include "04_obb_manifolds/boxes_file.hpp"
 #include "04_obb_manifolds/gjk_epa_figures.hpp"
 #include "04_obb_manifolds/gjk_epa_verdicts.hpp"
 #include "common/program/program.hpp"
@@ -72,12 +72,6 @@ void print_cases()
 }
 // [print_cases]
 
-template <class Real>
-std::optional<Manifold<Real>> of_row(const PairsRow& row, Real)
-{
-  return gjk_epa(obb_at<Real>(row, 0), obb_at<Real>(row, 10));
-}
-
 } // namespace
 
 int main(int argc, char** argv)
@@ -85,7 +79,7 @@ int main(int argc, char** argv)
   const Arguments arguments{
       .name = "gjk_epa",
       .summary = "The manifold of two boxes by GJK and EPA: normal, depth, one point.",
-      .pairs_header = "ax,ay,az,aqw,aqx,aqy,aqz,ahx,ahy,ahz,bx,by,bz,bqw,bqx,bqy,bqz,bhx,bhy,bhz",
+      .pairs_header = box_pairs_header,
       .options = {scalar_option()}};
   return run_program(
       argc, argv, arguments,
@@ -93,8 +87,8 @@ int main(int argc, char** argv)
       {
         if (!given.pairs.empty())
         {
-          return print_pairs(
-              given, [](const PairsRow& row, auto real) { return of_row(row, real); });
+          return print_box_pairs(
+              given, [](const auto& a, const auto& b) { return gjk_epa(a, b); }, BoxLengths::any);
         }
         print_steps();
         print_cases();

@@ -4,6 +4,7 @@
 /// \brief Solids at which one or another way of running GJK and EPA fails, with the right depths.
 
 #include "04_obb_manifolds/box_cases.hpp"
+#include "04_obb_manifolds/box_workloads.hpp"
 #include "04_obb_manifolds/gjk_epa.hpp"
 
 #include <functional>
@@ -101,12 +102,6 @@ inline constexpr double two_spheres_depth = 2 - 0.3;
 inline Matrix3<double> cube_rotation()
 {
   return rational_rotation<double>(1, 2, 3, 3);
-}
-
-/// A box with its numbers rounded to float.
-inline Obb<float> in_float(const Obb<double>& box)
-{
-  return {box.center.cast<float>(), box.axes.cast<float>(), box.half_extents.cast<float>()};
 }
 
 /// Two equal cubes, the second above the first and sunk in by a depth [m], or apart where negative.

@@ -61,7 +61,7 @@ inline Verdict verdict_on_cubes(const ConvexMethod& method, int pairs)
   {
     const Obb<double> a = draw.next(), b = draw.next();
     const double gap = largest_gap(a, b);
-    const auto answer = method.in_float(convex_pair(in_float(a), in_float(b)));
+    const auto answer = method.in_float(convex_pair(to_float(a), to_float(b)));
     const bool right = gap > 0 ? !answer : answer && std::abs(double(*answer) + gap) <= 1e-4;
     wrong += !right && std::abs(gap) > 1e-4 ? 1 : 0;
   }

@@ -44,9 +44,8 @@ void print_cases()
 
 /// The least overlap as a manifold without points.
 template <class Real>
-std::optional<Manifold<Real>> of_row(const PairsRow& row, Real)
+std::optional<Manifold<Real>> without_points(const Obb<Real>& a, const Obb<Real>& b)
 {
-  const auto [a, b] = box_pair_at<Real>(row);
   const auto least = separating_axes(a, b);
   return least ? std::optional(Manifold<Real>{least->normal, least->depth, {}}) : std::nullopt;
 }
@@ -66,8 +65,8 @@ int main(int argc, char** argv)
       {
         if (!given.pairs.empty())
         {
-          return print_pairs(
-              given, [](const PairsRow& row, auto real) { return of_row(row, real); });
+          return print_box_pairs(
+              given, [](const auto& a, const auto& b) { return without_points(a, b); });
         }
         print_cases();
         save_figure(given, "separating_axes.svg", axes_chart().svg());

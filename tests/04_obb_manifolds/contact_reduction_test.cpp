@@ -2,6 +2,7 @@
 /// What holds for four points of many, formula O15, and for the four deepest instead.
 
 #include "04_obb_manifolds/box_box.hpp"
+#include "04_obb_manifolds/box_draws.hpp"
 #include "04_obb_manifolds/box_steadiness.hpp"
 #include "04_obb_manifolds/contact_reduction.hpp"
 #include "04_obb_manifolds/contact_reduction_pitfalls.hpp"
@@ -9,8 +10,6 @@
 #include "04_obb_manifolds/contact_support.hpp"
 
 #include "tests/catch.hpp"
-
-#include <random>
 
 using namespace cookbook;
 
@@ -50,14 +49,10 @@ Features features(const Manifold<Real, Capacity>& manifold)
 }
 
 /// Numbers that every compiler draws alike.
-class Draw
+class Draw : public BoxDraw
 {
 public:
-  explicit Draw(unsigned seed) : engine_(seed) {}
-  double between(double low, double high)
-  {
-    return low + (high - low) * (static_cast<double>(engine_()) * 0x1p-32);
-  }
+  using BoxDraw::BoxDraw;
 
   /// Five to eight points around an ellipse, in order, with depths up to 0.01.
   Manifold<double> around()
@@ -73,9 +68,6 @@ public:
     }
     return manifold;
   }
-
-private:
-  std::mt19937 engine_;
 };
 
 /// The feature of the deepest point.

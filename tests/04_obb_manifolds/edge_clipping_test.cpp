@@ -3,6 +3,7 @@
 
 #include "03_sphere_manifolds/any_size.hpp"
 #include "04_obb_manifolds/box_cases.hpp"
+#include "04_obb_manifolds/box_draws.hpp"
 #include "04_obb_manifolds/box_pitfalls.hpp"
 #include "04_obb_manifolds/boxes_file.hpp"
 #include "04_obb_manifolds/edge_clipping.hpp"
@@ -10,7 +11,6 @@
 #include "tests/catch.hpp"
 
 #include <algorithm>
-#include <random>
 #include <set>
 
 using namespace cookbook;
@@ -48,27 +48,16 @@ std::vector<Vector3<double>> sorted_points(const Obb<double>& a, const Obb<doubl
 }
 
 /// Numbers that every compiler draws alike.
-class Draw
+class Draw : public BoxDraw
 {
 public:
-  explicit Draw(unsigned seed) : engine_(seed) {}
-  double between(double low, double high)
-  {
-    return low + (high - low) * (static_cast<double>(engine_()) * 0x1p-32);
-  }
+  using BoxDraw::BoxDraw;
+
   Obb<double> box()
   {
-    const auto vector = [&](double low, double high) -> Vector3<double>
-    {
-      const double x = between(low, high), y = between(low, high);
-      return {x, y, between(low, high)};
-    };
     const Vector3<double> axis = vector(-1, 1), center = vector(-1.5, 1.5);
     return {center, turned(between(-3, 3), axis), vector(0.2, 2)};
   }
-
-private:
-  std::mt19937 engine_;
 };
 
 } // namespace

@@ -4,6 +4,8 @@
 
 #include "02_primitives/closest_point_box.hpp"
 #include "04_obb_manifolds/box_cases.hpp"
+#include "04_obb_manifolds/box_draws.hpp"
+#include "04_obb_manifolds/box_truth.hpp"
 #include "04_obb_manifolds/face_clipping.hpp"
 #include "common/math/rational.hpp"
 
@@ -11,7 +13,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <random>
 #include <set>
 
 using namespace cookbook;
@@ -30,23 +31,12 @@ constexpr double rounding = 2e-15;
 const Obb<double> unit_cube = upright({0, 0, 0}, {1, 1, 1});
 
 /// Numbers that every compiler draws alike.
-class Draw
+class Draw : public BoxDraw
 {
 public:
-  explicit Draw(unsigned seed) : engine_(seed) {}
-  double between(double low, double high)
-  {
-    return low + (high - low) * (static_cast<double>(engine_()) * 0x1p-32);
-  }
-  int whole(int low, int high)
-  {
-    return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1));
-  }
-  Vector3<double> vector(double low, double high)
-  {
-    const double x = between(low, high), y = between(low, high);
-    return {x, y, between(low, high)};
-  }
+  using BoxDraw::BoxDraw;
+
+  int whole(int low, int high) { return low + BoxDraw::whole(high - low + 1); }
   Matrix3<double> rotation()
   {
     const double angle = between(-3, 3);
@@ -70,9 +60,6 @@ public:
     const Vector3<Rational> center = vector(-3, 3);
     return {center, rational_rotation<Rational>(w, x, y, z), vector(1, 6)};
   }
-
-private:
-  std::mt19937 engine_;
 };
 
 BoxCase case_named(const std::string& id)
@@ -85,12 +72,6 @@ BoxCase case_named(const std::string& id)
     }
   }
   throw std::logic_error("no case " + id);
-}
-
-template <class To>
-Obb<To> as(const Obb<double>& box)
-{
-  return {box.center.cast<To>(), box.axes.cast<To>(), box.half_extents.cast<To>()};
 }
 
 /// The distance [m] of a point from a box; zero inside.
@@ -680,7 +661,7 @@ TEMPLATE_TEST_CASE(
   double farthest = -1, shallower = 0;
   for (int i = 0; i < random_pairs; ++i)
   {
-    const Obb<TestType> a = as<TestType>(draw.box()), b = as<TestType>(draw.box());
+    const Obb<TestType> a = box_in<TestType>(draw.box()), b = box_in<TestType>(draw.box());
     const auto manifold = face_clipping(a, b);
     if (!manifold)
     {
@@ -883,7 +864,7 @@ TEMPLATE_TEST_CASE(
   {
     const auto sized = [&](const Obb<double>& box)
     {
-      Obb<TestType> made = as<TestType>(box);
+      Obb<TestType> made = box_in<TestType>(box);
       made.center *= scale;
       made.half_extents *= scale;
       return made;

@@ -2,12 +2,11 @@
 /// GJK and EPA against the fifteen axes, which are held against fractions elsewhere: a million
 /// pairs of random cubes, and pairs that stand as boxes stand in practice.
 
+#include "04_obb_manifolds/box_draws.hpp"
 #include "04_obb_manifolds/gjk_epa_cases.hpp"
 #include "04_obb_manifolds/gjk_epa_pitfalls.hpp"
 
 #include "tests/catch.hpp"
-
-#include <random>
 
 using namespace cookbook;
 
@@ -52,23 +51,12 @@ struct Difference
 };
 
 /// Numbers that every compiler draws alike.
-class Draw
+class Draw : public BoxDraw
 {
 public:
-  explicit Draw(unsigned seed) : engine_(seed) {}
-  double between(double low, double high)
-  {
-    return low + (high - low) * (static_cast<double>(engine_()) * 0x1p-32);
-  }
-  int whole(int low, int high)
-  {
-    return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1));
-  }
-  Vector3<double> vector(double low, double high)
-  {
-    const double x = between(low, high), y = between(low, high);
-    return {x, y, between(low, high)};
-  }
+  using BoxDraw::BoxDraw;
+
+  int whole(int low, int high) { return low + BoxDraw::whole(high - low + 1); }
   Vector3<double> whole_vector(int low, int high)
   {
     const double x = whole(low, high), y = whole(low, high);
@@ -79,9 +67,6 @@ public:
     const Vector3<double> v = vector(-1, 1);
     return Quaternion<double>(between(-1, 1), v.x(), v.y(), v.z()).normalized().toRotationMatrix();
   }
-
-private:
-  std::mt19937 engine_;
 };
 
 } // namespace
@@ -97,7 +82,7 @@ TEST_CASE(
   {
     const Obb<double> a = draw.next(), b = draw.next();
     in_doubles.compare(a, b);
-    in_floats.compare(in_float(a), in_float(b));
+    in_floats.compare(to_float(a), to_float(b));
   }
   CHECK(in_doubles.compared == pairs);
   CHECK(in_doubles.hits > pairs / 5);
@@ -118,7 +103,7 @@ TEST_CASE("without the rebuild, contacts of random cubes in float get lost", "[c
   {
     const Obb<double> a = draw.next(), b = draw.next();
     const double gap = largest_gap(a, b);
-    const ConvexPair<float> pair = convex_pair(in_float(a), in_float(b));
+    const ConvexPair<float> pair = convex_pair(to_float(a), to_float(b));
     if (gap < -1e-4)
     {
       lost += no_rebuild(pair.support, pair.start, slack_of(pair)) ? 0 : 1;

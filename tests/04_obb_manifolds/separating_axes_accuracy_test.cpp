@@ -1,6 +1,7 @@
 /// \file
 /// The fifteen axes against exact truth: O1, O5 and O18, in fractions, without a tolerance.
 
+#include "04_obb_manifolds/box_draws.hpp"
 #include "04_obb_manifolds/box_truth.hpp"
 #include "04_obb_manifolds/separating_axes.hpp"
 #include "common/math/rational.hpp"
@@ -9,7 +10,6 @@
 #include "tests/catch.hpp"
 
 #include <algorithm>
-#include <random>
 #include <vector>
 
 using namespace cookbook;
@@ -26,30 +26,24 @@ struct WholeBox
 };
 
 /// Whole-number boxes that every compiler draws alike.
-class Draw
+class Draw : public BoxDraw
 {
 public:
-  explicit Draw(unsigned seed) : engine_(seed) {}
-  int between(int low, int high)
-  {
-    return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1));
-  }
-  double part() { return static_cast<double>(engine_()) * 0x1p-31 - 1; }
+  using BoxDraw::BoxDraw;
+
   WholeBox box(int reach)
   {
+    const auto number = [&](int low, int high) { return low + whole(high - low + 1); };
     const auto vector = [&](int low, int high) -> Eigen::Vector3i
     {
-      const int x = between(low, high), y = between(low, high);
-      return {x, y, between(low, high)};
+      const int x = number(low, high), y = number(low, high);
+      return {x, y, number(low, high)};
     };
     const Eigen::Vector3i axis = vector(-2, 2);
-    const Eigen::Vector4i quaternion(between(1, 2), axis.x(), axis.y(), axis.z());
+    const Eigen::Vector4i quaternion(number(1, 2), axis.x(), axis.y(), axis.z());
     const Eigen::Vector3i center = vector(-reach, reach);
     return {center, quaternion, vector(1, 6)};
   }
-
-private:
-  std::mt19937 engine_;
 };
 
 template <class Real>
@@ -229,11 +223,10 @@ TEMPLATE_TEST_CASE(
 TEST_CASE("no direction has less overlap than the depth, or more gap than the distance", "[O5]")
 {
   Draw draw(4);
-  const auto any_direction = [&]
-  { return Vector3<double>(draw.part(), draw.part(), draw.part()).normalized().eval(); };
+  const auto any_direction = [&] { return draw.vector(-1, 1).normalized().eval(); };
   const auto any_point = [&](const Obb<double>& box) -> Vector3<double>
   {
-    const Vector3<double> parts(draw.part(), draw.part(), draw.part());
+    const Vector3<double> parts = draw.vector(-1, 1);
     return box.center + box.axes * box.half_extents.cwiseProduct(parts);
   };
   const auto reach = [](const Obb<double>& box, const Vector3<double>& axis)

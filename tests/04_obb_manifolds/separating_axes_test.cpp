@@ -1,14 +1,13 @@
 /// \file
 /// What holds for the fifteen axes of two boxes: formulas O2 to O9 and O16, by hand.
 
+#include "04_obb_manifolds/box_draws.hpp"
 #include "04_obb_manifolds/box_pitfalls.hpp"
 #include "04_obb_manifolds/separating_axes.hpp"
 #include "common/math/rational.hpp"
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"
-
-#include <random>
 
 using namespace cookbook;
 
@@ -32,27 +31,16 @@ Obb<double> three_four_five(const Vector3<double>& center, const Vector3<double>
 }
 
 /// Numbers that every compiler draws alike.
-class Draw
+class Draw : public BoxDraw
 {
 public:
-  explicit Draw(unsigned seed) : engine_(seed) {}
-  double between(double low, double high)
-  {
-    return low + (high - low) * (static_cast<double>(engine_()) * 0x1p-32);
-  }
-  Vector3<double> vector(double low, double high)
-  {
-    const double x = between(low, high), y = between(low, high);
-    return {x, y, between(low, high)};
-  }
+  using BoxDraw::BoxDraw;
+
   Matrix3<double> rotation()
   {
     const Vector3<double> v = vector(-1, 1);
     return Quaternion<double>(between(0.1, 1), v.x(), v.y(), v.z()).normalized().toRotationMatrix();
   }
-
-private:
-  std::mt19937 engine_;
 };
 
 } // namespace
