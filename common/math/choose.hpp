@@ -99,6 +99,13 @@ Real chosen(const Pack<Real, 4>& numbers, int i)
 {
   return numbers[i];
 }
+
+/// The i-th of three numbers in two registers.
+template <class Real>
+Real chosen(const Halves<Real>& numbers, int i)
+{
+  return numbers[i];
+}
 // [which]
 
 /// An index divided by three, without the rest.

@@ -3,8 +3,10 @@
 /// \file
 /// \brief Groups: three or four numbers that belong to one pair, computed with at once.
 
+#include "common/math/halves.hpp"
 #include "common/math/several.hpp"
 
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 
@@ -18,12 +20,37 @@ namespace cookbook
 inline namespace COOKBOOK_INSTRUCTION_SET
 {
 
+/// The bytes of a register that every processor has for which this is compiled.
+#if defined(__AVX__)
+inline constexpr std::size_t register_size = 32;
+#else
+inline constexpr std::size_t register_size = 16;
+#endif
+
+/// Four plain numbers in a register, or in two where one is too small.
+template <class Real>
+using Four = std::conditional_t<(4 * sizeof(Real) > register_size), Halves<Real>, Pack<Real, 4>>;
+
+/// Four plain numbers, side by side.
+template <class Real>
+Four<Real> four(const Real& x, const Real& y, const Real& z, const Real& w)
+{
+  if constexpr (std::is_same_v<Four<Real>, Halves<Real>>)
+  {
+    using Half = Pack<Real, 2>;
+    return {Half::of(typename Half::Lanes{x, y}), Half::of(typename Half::Lanes{z, w})};
+  }
+  else
+  {
+    return Pack<Real, 4>::of(typename Pack<Real, 4>::Lanes{x, y, z, w});
+  }
+}
+
 // [group]
-/// Three or four numbers of a pair side by side: for plain numbers the lanes of one register, of
+/// Three or four numbers of a pair side by side: for plain numbers the lanes of a register, of
 /// which the fourth may be idle; for packs, with a pair in every lane, as many packs.
 template <class Real, int Size>
-using Group =
-    std::conditional_t<std::is_floating_point_v<Real>, Pack<Real, 4>, Several<Real, Size>>;
+using Group = std::conditional_t<std::is_floating_point_v<Real>, Four<Real>, Several<Real, Size>>;
 
 /// A group of given numbers; an idle fourth lane holds the third again.
 template <class Real>
@@ -32,7 +59,7 @@ Group<Real, 3> group(const Real& x, const Real& y, const Real& z)
   Group<Real, 3> result;
   if constexpr (std::is_floating_point_v<Real>)
   {
-    result.lanes = typename Group<Real, 3>::Lanes{x, y, z, z};
+    result = four(x, y, z, z);
   }
   else
   {
@@ -50,7 +77,7 @@ Group<Real, 4> group(const Real& x, const Real& y, const Real& z, const Real& w)
   Group<Real, 4> result;
   if constexpr (std::is_floating_point_v<Real>)
   {
-    result.lanes = typename Group<Real, 4>::Lanes{x, y, z, w};
+    result = four(x, y, z, w);
   }
   else
   {
@@ -102,6 +129,14 @@ template <class Real>
 void transpose(Pack<Real, 4> (&rows)[3])
 {
   Pack<Real, 4> idle = rows[2];
+  transpose(rows[0], rows[1], rows[2], idle);
+}
+
+/// Three rows of three made columns.
+template <class Real>
+void transpose(Halves<Real> (&rows)[3])
+{
+  Halves<Real> idle = rows[2];
   transpose(rows[0], rows[1], rows[2], idle);
 }
 

@@ -68,12 +68,12 @@ template <class Real>
 // [deepest_point]
 
 // [face_manifold]
-/// Writes a contact point from its x, y, z and depth in one register.
+/// Writes a contact point from its x, y, z and depth in one group.
 template <class Real>
-void write_point(ContactPoint<Real>& point, const Pack<Real, 4>& numbers, std::uint32_t feature)
+void write_point(ContactPoint<Real>& point, const Group<Real, 4>& numbers, std::uint32_t feature)
 {
   static_assert(offsetof(ContactPoint<Real>, depth) == 3 * sizeof(Real));
-  std::memcpy(static_cast<void*>(&point), &numbers.lanes, sizeof(numbers.lanes));
+  std::memcpy(static_cast<void*>(&point), &numbers, sizeof(numbers));
   point.feature = feature;
 }
 
@@ -97,7 +97,7 @@ std::optional<Manifold<Real>> face_manifold(
     const auto feature = static_cast<std::uint32_t>(64 * face.index + 8 * contact.incident);
     for (std::uint32_t part = 0; part < 2; ++part)
     {
-      Pack<Real, 4> rows[] = {
+      Group<Real, 4> rows[] = {
           contact.position[part][0], contact.position[part][1], contact.position[part][2],
           contact.depth[part]};
       transpose(rows[0], rows[1], rows[2], rows[3]);

@@ -51,7 +51,7 @@ BoxColumns<Real> columns_of(const Obb<Real>& box)
     static_assert(sizeof(Obb<Real>) == 15 * sizeof(Real));
     const auto four_from = [&](std::size_t k)
     {
-      Pack<Real, 4> four;
+      Group<Real, 4> four;
       std::memcpy(&four, reinterpret_cast<const char*>(&box) + k * sizeof(Real), sizeof(four));
       return four;
     };

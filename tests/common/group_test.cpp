@@ -19,21 +19,24 @@ using Plain = Group<float, 3>;
 using Many = Group<Lanes, 3>;
 
 /// What pair number k holds: its three numbers, all different from pair to pair, of both signs.
-std::array<float, 3> numbers_of(std::size_t k, float shift)
+template <class Real>
+std::array<Real, 3> numbers_of(std::size_t k, Real shift)
 {
-  const float first = shift + static_cast<float>(k);
-  return {first, 1.5f - 2 * first, first * first - 3};
+  const Real first = shift + static_cast<Real>(k);
+  return {first, Real(1.5) - 2 * first, first * first - 3};
 }
 
-Plain plain(std::size_t k, float shift)
+template <class Real>
+Group<Real, 3> plain(std::size_t k, Real shift)
 {
   const auto [x, y, z] = numbers_of(k, shift);
-  return group<float>(x, y, z);
+  return group<Real>(x, y, z);
 }
 
-Many many(float shift)
+template <class Real>
+Group<Pack<Real, width>, 3> many(Real shift)
 {
-  std::array<std::array<float, width>, 3> rows;
+  std::array<std::array<Real, width>, 3> rows;
   for (std::size_t k = 0; k < width; ++k)
   {
     for (std::size_t i = 0; i < 3; ++i)
@@ -41,13 +44,15 @@ Many many(float shift)
       rows[i][k] = numbers_of(k, shift)[i];
     }
   }
-  return group<Lanes>(
-      load_pack<Lanes>(rows[0].data()), load_pack<Lanes>(rows[1].data()),
-      load_pack<Lanes>(rows[2].data()));
+  using Row = Pack<Real, width>;
+  return group<Row>(
+      load_pack<Row>(rows[0].data()), load_pack<Row>(rows[1].data()),
+      load_pack<Row>(rows[2].data()));
 }
 
 /// Whether lane k of a group of packs holds what the group of one pair holds.
-void check_same(const Many& of_many, std::size_t k, const Plain& of_one)
+template <class OfMany, class OfOne>
+void check_same(const OfMany& of_many, std::size_t k, const OfOne& of_one)
 {
   for (int i = 0; i < 3; ++i)
   {
@@ -58,13 +63,16 @@ void check_same(const Many& of_many, std::size_t k, const Plain& of_one)
 
 } // namespace
 
-TEST_CASE("arithmetic on a group of packs is that on the group of each pair", "[group]")
+TEMPLATE_TEST_CASE(
+    "arithmetic on a group of packs is that on the group of each pair", "[group]", float, double)
 {
-  const Many a = many(0.5f), b = many(-2.25f);
-  const Many half(Lanes(0.5f));
+  using Real = TestType;
+  using OfOne = Group<Real, 3>;
+  const auto a = many<Real>(0.5f), b = many<Real>(-2.25f);
+  const Group<Pack<Real, width>, 3> half(Pack<Real, width>(0.5f));
   for (std::size_t k = 0; k < width; ++k)
   {
-    const Plain x = plain(k, 0.5f), y = plain(k, -2.25f);
+    const OfOne x = plain<Real>(k, 0.5f), y = plain<Real>(k, -2.25f), x_half(Real(0.5f));
     check_same(a + b, k, x + y);
     check_same(a - b, k, x - y);
     check_same(a * b, k, x * y);
@@ -73,44 +81,85 @@ TEST_CASE("arithmetic on a group of packs is that on the group of each pair", "[
     check_same(abs(a), k, abs(x));
     check_same(min(a, b), k, min(x, y));
     check_same(max(a, b), k, max(x, y));
-    check_same(a * half, k, x * Plain(0.5f));
-    check_same(select(a < b, a, half), k, select(x < y, x, Plain(0.5f)));
-    check_same(select(a <= b, half, a), k, select(x <= y, Plain(0.5f), x));
+    check_same(a * half, k, x * x_half);
+    check_same(select(a < b, a, half), k, select(x < y, x, x_half));
+    check_same(select(a <= b, half, a), k, select(x <= y, x_half, x));
     check_same(turned_once(a), k, turned_once(x));
     check_same(turned_twice(a), k, turned_twice(x));
   }
 }
 
-TEST_CASE("a group of one pair has its numbers in order, and the third again", "[group]")
+TEMPLATE_TEST_CASE(
+    "a group of one pair has its numbers in order, and the third again", "[group]", float, double)
 {
-  const Plain three = group<float>(1, 2, 3);
-  CHECK(three[0] == 1);
-  CHECK(three[1] == 2);
-  CHECK(three[2] == 3);
-  CHECK(three[3] == 3);
-  CHECK(turned_once(three)[0] == 2);
-  CHECK(turned_once(three)[2] == 1);
-  CHECK(turned_twice(three)[0] == 3);
-  CHECK(turned_twice(three)[1] == 1);
-  const Group<float, 4> four = group<float>(1, 2, 3, 4);
-  CHECK(four[3] == 4);
-  CHECK(last_three(four)[0] == 2);
-  CHECK(last_three(four)[2] == 4);
+  const Group<TestType, 3> three = group<TestType>(1, 2, 3);
+  const Group<TestType, 4> four = group<TestType>(1, 2, 3, 4);
+  const auto check = [](const auto& numbers, const std::array<TestType, 4>& right)
+  {
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      CHECK(numbers[i] == right[i]);
+    }
+  };
+  check(three, {1, 2, 3, 3});
+  check(turned_once(three), {2, 3, 1, 1});
+  check(turned_twice(three), {3, 1, 2, 2});
+  check(four, {1, 2, 3, 4});
+  check(last_three(four), {2, 3, 4, 4});
+  check(max(four, group<TestType>(4, 3, 2, 1)), {4, 3, 3, 4});
+  check(-four, {-1, -2, -3, -4});
 }
 
-TEST_CASE("rows become columns, of one pair and of many", "[group]")
+TEMPLATE_TEST_CASE("each of four lanes has its bit in a mask", "[group]", float, double)
 {
-  Plain rows[] = {plain(0, 1), plain(1, 1), plain(2, 1)};
-  Many many_rows[] = {many(1), many(2), many(3)}; // of pair k: numbers of 1 + k, 2 + k, 3 + k
+  using Row = Group<TestType, 4>;
+  for (unsigned set = 0; set < 16; ++set)
+  {
+    const auto at = [&](unsigned i) { return TestType((set >> i & 1) != 0 ? -1 : 1); };
+    const Row numbers = group<TestType>(at(0), at(1), at(2), at(3));
+    const Row zero(TestType(0)), one(TestType(1));
+    CHECK(bits_of(numbers < zero) == set);
+    CHECK(bits_of((numbers <= one) & (numbers < zero)) == set);
+    CHECK(bits_of((one < zero) | (numbers < zero)) == set);
+    CHECK(any(numbers < zero) == (set != 0));
+    CHECK(all(numbers < zero) == (set == 15));
+    for (unsigned i = 0; i < 4; ++i)
+    {
+      CHECK(select(numbers < zero, one, zero)[i] == (at(i) < 0 ? 1 : 0));
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("rows become columns, of one pair and of many", "[group]", float, double)
+{
+  using Real = TestType;
+  Group<Real, 3> rows[] = {plain<Real>(0, 1), plain<Real>(1, 1), plain<Real>(2, 1)};
+  // Of pair k: numbers of 1 + k, 2 + k, 3 + k.
+  Group<Pack<Real, width>, 3> many_rows[] = {many<Real>(1), many<Real>(2), many<Real>(3)};
   transpose(rows);
   transpose(many_rows);
   for (std::size_t i = 0; i < 3; ++i)
   {
     for (std::size_t j = 0; j < 3; ++j)
     {
-      CHECK(rows[i][j] == numbers_of(j, 1)[i]);
-      CHECK(many_rows[i][static_cast<int>(j)][0] == numbers_of(j, 1)[i]);
-      CHECK(many_rows[i][static_cast<int>(j)][3] == numbers_of(j, 4)[i]);
+      CHECK(rows[i][j] == numbers_of<Real>(j, 1)[i]);
+      CHECK(many_rows[i][static_cast<int>(j)][0] == numbers_of<Real>(j, 1)[i]);
+      CHECK(many_rows[i][static_cast<int>(j)][3] == numbers_of<Real>(j, 4)[i]);
+    }
+  }
+  using Row = Group<Real, 4>;
+  Row square[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    const Real first = Real(4 * i);
+    square[i] = group<Real>(first, first + 1, first + 2, first + 3);
+  }
+  transpose(square[0], square[1], square[2], square[3]);
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      CHECK(square[i][j] == Real(4 * j + i));
     }
   }
 }
@@ -127,6 +176,10 @@ TEST_CASE("the lane that is meant differs from pair to pair", "[group]")
     CHECK(chosen(a, lane)[k] == chosen(x, i));
     CHECK(chosen(a, next(lane))[k] == chosen(x, next(i)));
     CHECK(chosen(a, next(next(lane)))[k] == chosen(x, next(next(i))));
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    CHECK(chosen(group<double>(3, 4, 5), i) == 3 + i);
   }
   CHECK(next(0) == 1);
   CHECK(next(1) == 2);
