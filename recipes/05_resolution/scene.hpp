@@ -1,0 +1,60 @@
+#pragma once
+
+/// \file
+/// \brief A scene as plain data: bodies with shapes, gravity, the time step.
+
+#include "common/math/vector.hpp"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace cookbook
+{
+
+// [scene]
+/// A solid box about the body's centre of mass.
+struct BoxShape
+{
+  Vector3<double> half_extents; ///< [m], greater than zero
+};
+
+/// A solid ball about the body's centre of mass.
+struct SphereShape
+{
+  double radius; ///< [m], greater than zero
+};
+
+/// All that lies below a plane; only a fixed body can have this shape.
+struct PlaneShape
+{
+  Vector3<double> normal; ///< [1], unit, world, out of the solid
+  double offset;          ///< [m], of the plane from the origin, along the normal
+};
+
+/// What a body is, and how it starts.
+struct SceneBody
+{
+  std::string name;                                           ///< by which results name it
+  std::variant<BoxShape, SphereShape, PlaneShape> shape;      ///< how it collides
+  double mass = 0;                                            ///< [kg]; 0: fixed
+  Vector3<double> position = Vector3<double>::Zero();         ///< [m], world, centre of mass
+  Quaternion<double> orientation{1, 0, 0, 0};                 ///< unit, body to world
+  Vector3<double> velocity = Vector3<double>::Zero();         ///< [m/s], world
+  Vector3<double> angular_velocity = Vector3<double>::Zero(); ///< [rad/s], world
+  double friction = 0.6;                                      ///< [1], of its surface
+  double restitution = 0;                                     ///< [1], of its surface, 0 to 1
+};
+
+/// Bodies and the world they are in.
+struct Scene
+{
+  std::string name{};                   ///< such as tower_20, or of the file it was read from
+  Vector3<double> gravity{0, -9.81, 0}; ///< [m/s²], world
+  double step = 1.0 / 60;               ///< [s], one frame
+  double duration = 10;                 ///< [s]
+  std::vector<SceneBody> bodies{};      ///< results have them in this order
+};
+// [scene]
+
+} // namespace cookbook
