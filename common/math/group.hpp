@@ -29,13 +29,14 @@ inline constexpr std::size_t register_size = 16;
 
 /// Four plain numbers in a register, or in two where one is too small.
 template <class Real>
-using Four = std::conditional_t<(4 * sizeof(Real) > register_size), Halves<Real>, Pack<Real, 4>>;
+using FourNumbers =
+    std::conditional_t<(4 * sizeof(Real) > register_size), Halves<Real>, Pack<Real, 4>>;
 
 /// Four plain numbers, side by side.
 template <class Real>
-Four<Real> four(const Real& x, const Real& y, const Real& z, const Real& w)
+FourNumbers<Real> four(const Real& x, const Real& y, const Real& z, const Real& w)
 {
-  if constexpr (std::is_same_v<Four<Real>, Halves<Real>>)
+  if constexpr (std::is_same_v<FourNumbers<Real>, Halves<Real>>)
   {
     using Half = Pack<Real, 2>;
     return {Half::of(typename Half::Lanes{x, y}), Half::of(typename Half::Lanes{z, w})};
@@ -50,7 +51,8 @@ Four<Real> four(const Real& x, const Real& y, const Real& z, const Real& w)
 /// Three or four numbers of a pair side by side: for plain numbers the lanes of a register, of
 /// which the fourth may be idle; for packs, with a pair in every lane, as many packs.
 template <class Real, int Size>
-using Group = std::conditional_t<std::is_floating_point_v<Real>, Four<Real>, Several<Real, Size>>;
+using Group =
+    std::conditional_t<std::is_floating_point_v<Real>, FourNumbers<Real>, Several<Real, Size>>;
 
 /// A group of given numbers; an idle fourth lane holds the third again.
 template <class Real>
