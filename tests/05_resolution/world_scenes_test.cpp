@@ -142,7 +142,7 @@ TEST_CASE("cards of a house stand on an edge and lean together, two levels of se
   const Scene scene = named_scene("card_house");
   REQUIRE(scene.bodies.size() == 8);
   CHECK(scene.bodies[5].name == "level_1_2_flat");
-  for (const std::size_t foot : {1, 2, 3, 4})
+  for (std::size_t foot = 1; foot <= 4; ++foot)
   {
     CHECK(lowest(scene.bodies[foot]) == Catch::Approx(0).margin(rounding));
   }
