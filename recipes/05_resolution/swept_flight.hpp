@@ -13,7 +13,7 @@ namespace cookbook
 // [flight]
 /// A ball that flies straight on between bounces.
 template <class Real>
-struct Flight
+struct FlyingBall
 {
   Sphere<Real> ball;
   Vector3<Real> velocity; ///< [m/s], world
@@ -21,7 +21,7 @@ struct Flight
 
 /// The flight after a time [s] in which nothing is in the way.
 template <class Real>
-Flight<Real> moved(Flight<Real> flight, const Real& time)
+FlyingBall<Real> moved(FlyingBall<Real> flight, const Real& time)
 {
   flight.ball.center += time * flight.velocity;
   return flight;
@@ -63,8 +63,8 @@ inline constexpr int most_bounces = 32;
 /// Moves the ball to where it first touches, lets it bounce there, and goes on with the rest of the
 /// step. After `most_bounces` it waits for the next step where it is.
 template <class Real>
-Flight<Real> swept_step(
-    Flight<Real> flight, std::span<const Obb<Real>> walls, const Real& restitution, Real step)
+FlyingBall<Real> swept_step(
+    FlyingBall<Real> flight, std::span<const Obb<Real>> walls, const Real& restitution, Real step)
 {
   for (int i = 0; i < most_bounces; ++i)
   {
