@@ -1,38 +1,42 @@
 #pragma once
 
 /// \file
-/// \brief Bodies that can be pushed and turned: mass, moments of inertia, motion.
+/// \brief Bodies that can be pushed and turned: motion, inverse mass, inverse inertia.
 
 #include "03_sphere_manifolds/collision.hpp"
+#include "05_resolution/mass_properties.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace cookbook
 {
 
 // [inertia]
-/// How hard a solid is to push, and to turn about each of its own axes.
+/// One over a mass [kg] or a moment [kg m²], as far as products of such numbers stay finite.
+///
+/// A mass too small for that, even zero, counts as the smallest that is not, 5e-20 in float and
+/// 7e-155 in double; one too large as immovable.
 template <class Real>
-struct MassProperties
+Real inverse_of(const Real& resistance)
 {
-  Real mass;             ///< [kg], greater than zero
-  Vector3<Real> moments; ///< [kg m²], about the centre of mass, along the body's axes; above zero
-};
-
-/// A solid ball of even density: mass [kg], radius [m]; R26.
-template <class Real>
-MassProperties<Real> solid_sphere(Real mass, Real radius)
-{
-  const Real moment = Real(2) / Real(5) * mass * radius * radius;
-  return {mass, Vector3<Real>::Constant(moment)};
+  using std::sqrt;
+  const Real inverse = Real(1) / resistance;
+  if constexpr (std::numeric_limits<Real>::has_infinity)
+  {
+    const Real most = sqrt(std::numeric_limits<Real>::max());
+    return inverse < Real(1) / most ? Real(0) : std::min(inverse, most);
+  }
+  return inverse;
 }
 
-/// A solid box of even density: mass [kg], half extents [m]; R26.
+/// The inverse inertia [1/(kg m²)] in the world of a body whose axes are the columns of a matrix.
 template <class Real>
-MassProperties<Real> solid_box(Real mass, const Vector3<Real>& half_extents)
+Matrix3<Real> world_inverse_inertia(const Vector3<Real>& moments, const Matrix3<Real>& axes)
 {
-  const Vector3<Real> squares = half_extents.cwiseProduct(half_extents);
-  const Vector3<Real> others(
-      squares.y() + squares.z(), squares.z() + squares.x(), squares.x() + squares.y());
-  return {mass, others * (mass / Real(3))};
+  const Vector3<Real> inverses = moments.unaryExpr(&inverse_of<Real>);
+  return axes * inverses.asDiagonal() * axes.transpose();
 }
 // [inertia]
 
@@ -46,19 +50,12 @@ struct Body
   Matrix3<Real> inverse_inertia; ///< [1/(kg m²)], world; zero where no push turns it
 };
 
-/// The inverse inertia [1/(kg m²)] in the world of a body whose axes are the columns of a matrix.
-template <class Real>
-Matrix3<Real> world_inverse_inertia(const Vector3<Real>& moments, const Matrix3<Real>& axes)
-{
-  return axes * moments.cwiseInverse().asDiagonal() * axes.transpose();
-}
-
 /// A body with these mass properties, turned so that its axes are the columns of a matrix.
 template <class Real>
 Body<Real> movable(
     const Motion<Real>& motion, const MassProperties<Real>& properties, const Matrix3<Real>& axes)
 {
-  return {motion, Real(1) / properties.mass, world_inverse_inertia(properties.moments, axes)};
+  return {motion, inverse_of(properties.mass), world_inverse_inertia(properties.moments, axes)};
 }
 
 /// A body at rest that nothing moves, such as the ground.

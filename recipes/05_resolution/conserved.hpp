@@ -9,13 +9,6 @@ namespace cookbook
 {
 
 // [conserved]
-/// The inertia [kg m²] in the world of a body whose axes are the columns of a matrix.
-template <class Real>
-Matrix3<Real> world_inertia(const Vector3<Real>& moments, const Matrix3<Real>& axes)
-{
-  return axes * moments.asDiagonal() * axes.transpose();
-}
-
 /// What two bodies have in common: their sums.
 template <class Real>
 struct Conserved
