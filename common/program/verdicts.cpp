@@ -25,7 +25,9 @@ std::string row_html(const VerdictRow& row, const std::string& mark)
       "<tr" + id + "><th>" + escaped(row.id) + "</th><td>" + escaped(row.what) + "</td>";
   for (const Verdict& verdict : row.verdicts)
   {
-    const std::string kind = verdict.holds ? "verdict-holds" : "verdict-fails";
+    const std::string kind = !verdict.applies ? "verdict-none"
+                             : verdict.holds  ? "verdict-holds"
+                                              : "verdict-fails";
     html += "<td class=\"" + kind + "\">" + escaped(verdict.what) + "</td>";
   }
   return html + "</tr>\n";

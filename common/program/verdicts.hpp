@@ -12,9 +12,16 @@ namespace cookbook
 /// What became of a method in a case.
 struct Verdict
 {
-  bool holds;       ///< whether the answer is right
-  std::string what; ///< in a few words: how it holds or fails
+  bool holds;          ///< whether the answer is right
+  std::string what;    ///< in a few words: how it holds or fails
+  bool applies = true; ///< whether the method can be asked; neither holds nor fails otherwise
 };
+
+/// Of a method that cannot be asked, and why not.
+inline Verdict does_not_apply(const std::string& why)
+{
+  return {false, "n/a: " + why, false};
+}
 
 /// One case: its id in the book, what is set up, and a verdict for each method.
 struct VerdictRow

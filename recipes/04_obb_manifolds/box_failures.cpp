@@ -20,17 +20,19 @@ void print(const VerdictPart& part)
   Table table({part.caption, "holds", "of", "fails at"});
   for (std::size_t i = 0; i < part.methods.size(); ++i)
   {
-    std::size_t holds = 0;
+    std::size_t holds = 0, asked = 0;
     std::string fails, last;
     for (const VerdictRow& row : rows)
     {
+      const Verdict& verdict = row.verdicts[i];
       last = row.id.empty() ? last : row.id;
-      holds += row.verdicts[i].holds ? 1 : 0;
+      asked += verdict.applies ? 1 : 0;
+      holds += verdict.holds ? 1 : 0;
       const bool told =
           fails.size() >= last.size() && fails.substr(fails.size() - last.size()) == last;
-      fails += row.verdicts[i].holds || told ? "" : (fails.empty() ? "" : " ") + last;
+      fails += verdict.holds || !verdict.applies || told ? "" : (fails.empty() ? "" : " ") + last;
     }
-    table.row({part.methods[i].name, std::to_string(holds), std::to_string(rows.size()), fails});
+    table.row({part.methods[i].name, std::to_string(holds), std::to_string(asked), fails});
   }
   std::cout << table.text() << "\n";
 }

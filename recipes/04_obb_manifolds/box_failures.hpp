@@ -4,6 +4,7 @@
 /// \brief All pairs of boxes of the table of failing cases: sizes, places and published faults too.
 
 #include "04_obb_manifolds/box_cases.hpp"
+#include "04_obb_manifolds/box_general_cases.hpp"
 #include "04_obb_manifolds/box_size_cases.hpp"
 
 #include <algorithm>
@@ -104,7 +105,8 @@ inline std::vector<BoxCase> all_box_cases()
 {
   std::vector<BoxCase> cases = box_cases();
   for (const std::vector<BoxCase>& more :
-       {size_cases(), fault_cases(), std::vector<BoxCase>{bars_case(0.01), bars_case(-0.01)}})
+       {size_cases(), level_cases(), fault_cases(),
+        std::vector<BoxCase>{bars_case(0.01), bars_case(-0.01)}})
   {
     cases.insert(cases.end(), more.begin(), more.end());
   }

@@ -5,7 +5,10 @@
 #include "04_obb_manifolds/box_methods.hpp"
 #include "04_obb_manifolds/box_as_published.hpp"
 #include "04_obb_manifolds/box_box.hpp"
+#include "04_obb_manifolds/box_pairs.hpp"
 #include "04_obb_manifolds/box_pitfalls.hpp"
+#include "04_obb_manifolds/box_truth.hpp"
+#include "04_obb_manifolds/face_clipping.hpp"
 #include "04_obb_manifolds/gjk_epa.hpp"
 
 #include <limits>
@@ -32,6 +35,26 @@ std::vector<BoxMethod> axis_methods()
       box_method("union_depth", [](const auto& a, const auto& b) { return union_depth(a, b); })};
 }
 
+/// The manifold of a batch of one pair; always in float.
+template <class Real>
+std::optional<Manifold<float>> as_batch(const Obb<Real>& a, const Obb<Real>& b)
+{
+  const std::pair<Obb<float>, Obb<float>> pair(box_in<float>(a), box_in<float>(b));
+  const BoxBlocks blocks = blocks_of({&pair, 1});
+  std::vector<SixteenManifolds> manifolds(1);
+  box_pairs(blocks.a, blocks.b, manifolds);
+  return manifold_at(manifolds, 0);
+}
+
+/// The batch, a pair at a time.
+BoxMethod batch_method()
+{
+  BoxMethod method =
+      box_method("box_pairs", [](const auto& a, const auto& b) { return as_batch(a, b); });
+  method.in_float = true;
+  return method;
+}
+
 /// Whole answers, by their decision, depth and normal.
 std::vector<BoxMethod> manifold_methods()
 {
@@ -46,7 +69,10 @@ std::vector<BoxMethod> manifold_methods()
       box_method(
           "box_as_published", [](const auto& a, const auto& b) { return box_as_published(a, b); }),
       box_method("gjk_epa", [](const auto& a, const auto& b) { return gjk_epa(a, b); }),
-      box_method("box_box", [](const auto& a, const auto& b) { return box_box(a, b); })};
+      box_method("edge_clipping", [](const auto& a, const auto& b) { return edge_clipping(a, b); }),
+      box_method("face_clipping", [](const auto& a, const auto& b) { return face_clipping(a, b); }),
+      box_method("box_box", [](const auto& a, const auto& b) { return box_box(a, b); }),
+      batch_method()};
 }
 
 /// Ways to find points.
@@ -68,11 +94,69 @@ std::vector<BoxMethod> point_methods()
           "box_as_published", [](const auto& a, const auto& b) { return box_as_published(a, b); }),
       box_method("edge_clipping", [](const auto& a, const auto& b) { return edge_clipping(a, b); }),
       box_method("gjk_epa", [](const auto& a, const auto& b) { return gjk_epa(a, b); }),
-      box_method("box_box", [](const auto& a, const auto& b) { return box_box(a, b); })};
+      box_method("face_clipping", [](const auto& a, const auto& b) { return face_clipping(a, b); }),
+      box_method("box_box", [](const auto& a, const auto& b) { return box_box(a, b); }),
+      batch_method()};
 }
 // [box_methods]
 
+/// A row of the verdicts that `judge` passes on each method.
+template <class Judge>
+VerdictRow
+row_of(const VerdictPart& part, const std::string& id, const std::string& scene, const Judge& judge)
+{
+  VerdictRow row{id, scene, {}};
+  for (const BoxMethod& method : part.methods)
+  {
+    row.verdicts.push_back(judge(method));
+  }
+  return row;
+}
+
+/// A pair of boxes; a neighbour such as G9b has no id of its own.
+VerdictRow pair_row(const VerdictPart& part, const BoxCase& pair)
+{
+  return row_of(
+      part, pair.id.back() == 'b' ? "" : pair.id, pair.scene,
+      [&](const BoxMethod& method) { return verdict_of(part, method, pair); });
+}
+
+/// K1: no pair of boxes at all.
+VerdictRow capsule_row(const VerdictPart& part)
+{
+  return row_of(
+      part, "K1", "a capsule deep in a box",
+      [](const BoxMethod&) { return does_not_apply("takes boxes only"); });
+}
+
+/// K4: many pairs.
+VerdictRow cubes_row(const VerdictPart& part)
+{
+  return row_of(
+      part, "K4", "hit or not: " + std::to_string(decided_cubes) + " pairs of cubes, float",
+      [&](const BoxMethod& method)
+      { return verdict_on_decisions(method, part.verdict == verdict_on_points); });
+}
+
 } // namespace
+
+std::vector<VerdictRow> verdict_rows(const VerdictPart& part)
+{
+  std::vector<VerdictRow> rows;
+  for (const BoxCase& pair : all_box_cases())
+  {
+    if (pair.id == "K2")
+    {
+      rows.push_back(capsule_row(part));
+    }
+    rows.push_back(pair_row(part, pair));
+    if (pair.id == "K3-b")
+    {
+      rows.push_back(cubes_row(part));
+    }
+  }
+  return rows;
+}
 
 std::vector<VerdictPart> verdict_parts()
 {

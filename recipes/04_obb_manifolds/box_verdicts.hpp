@@ -61,6 +61,7 @@ struct BoxMethod
 {
   std::string name;                                               ///< of its function
   std::function<std::optional<BoxAnswer>(const BoxCase&)> answer; ///< on a case
+  bool in_float = false; ///< whether it answers in float, whatever it is given
 };
 
 /// A method that is called with two boxes of either number type.

@@ -5,6 +5,7 @@
 #include "04_obb_manifolds/box_box.hpp"
 #include "04_obb_manifolds/box_steadiness.hpp"
 #include "04_obb_manifolds/contact_reduction_figures.hpp"
+#include "04_obb_manifolds/contact_reduction_verdicts.hpp"
 #include "common/program/program.hpp"
 
 #include <iostream>
@@ -86,5 +87,8 @@ int main(int argc, char** argv)
         print_resting();
         draw_octagons(given);
         save_figure(given, "contact_reduction_yaw.svg", yaw_chart().svg());
+        save_figure(
+            given, "contact_reduction_verdicts.html",
+            verdict_table("Four points of eight", reduction_method_names(), reduction_verdicts()));
       });
 }

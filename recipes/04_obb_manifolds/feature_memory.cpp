@@ -3,6 +3,7 @@
 
 #include "04_obb_manifolds/feature_memory.hpp"
 #include "04_obb_manifolds/feature_memory_scenes.hpp"
+#include "04_obb_manifolds/feature_memory_verdicts.hpp"
 #include "common/plot/chart.hpp"
 #include "common/program/program.hpp"
 #include "common/program/table.hpp"
@@ -94,5 +95,8 @@ int main(int argc, char** argv)
         print_flips();
         print_persistence();
         draw(given);
+        save_figure(
+            given, "feature_memory_verdicts.html",
+            verdict_table("From frame to frame", frame_method_names(), frame_verdicts()));
       });
 }

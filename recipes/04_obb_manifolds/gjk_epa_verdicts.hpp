@@ -3,6 +3,7 @@
 /// \file
 /// \brief The verdict on each way to run GJK and EPA at each case, and their table.
 
+#include "04_obb_manifolds/box_general_cases.hpp"
 #include "04_obb_manifolds/gjk_epa_cases.hpp"
 #include "04_obb_manifolds/gjk_epa_pitfalls.hpp"
 #include "common/program/table.hpp"
@@ -78,19 +79,18 @@ struct ConvexCase
   std::function<Verdict(const ConvexMethod&)> verdict; ///< on a method
 };
 
-/// Two cubes in line, in double.
-inline ConvexCase
-cubes_case(const std::string& id, const std::string& scene, double half_extent, double depth)
+/// Two boxes, in double.
+inline ConvexCase boxes_case(const BoxCase& pair)
 {
   const auto verdict = [=](const ConvexMethod& method)
   {
-    const auto [a, b] = cubes_in_line(half_extent, cube_rotation(), depth);
-    return verdict_on_depth(method.in_double(convex_pair(a, b)), depth, 1e-9);
+    return verdict_on_depth(
+        method.in_double(convex_pair(pair.a, pair.b)), pair.depth, pair.tolerance);
   };
-  return {id, scene, verdict};
+  return {pair.id, pair.scene, verdict};
 }
 
-/// All cases; a neighbour such as K2b has no id of its own in the table.
+/// All cases; a neighbour such as K2-b has no id of its own in the table.
 inline std::vector<ConvexCase> convex_cases()
 {
   const auto capsule = [](const ConvexMethod& method)
@@ -99,14 +99,17 @@ inline std::vector<ConvexCase> convex_cases()
   { return verdict_on_depth(method.in_double(two_spheres()), two_spheres_depth, 1e-3); };
   const auto cubes = [](const ConvexMethod& method)
   { return verdict_on_cubes(method, random_cubes); };
-  return {
+  std::vector<ConvexCase> cases{
+      boxes_case(case_of(size_cases(), "G14")),
+      boxes_case(case_of(face_cases(), "G15")),
       {"K1", "a capsule deep in a box, in float", capsule},
-      {"K1b", "two spheres, deep", spheres},
-      cubes_case("K2", "two equal cubes in one place", 1, 2),
-      cubes_case("K2b", "two cubes in line, 0.25 mm deep", 1, 2.5e-4),
-      cubes_case("K3", "two cubes in line, 0.1 µm apart", 0.125, -1e-7),
-      cubes_case("K3b", "two cubes in line, 0.1 µm deep", 0.125, 1e-7),
-      {"K4", "random cubes, in float", cubes}};
+      {"K1-b", "two spheres, deep", spheres}};
+  for (const BoxCase& pair : level_cases())
+  {
+    cases.push_back(boxes_case(pair));
+  }
+  cases.push_back({"K4", "random cubes, in float", cubes});
+  return cases;
 }
 // [convex_case]
 

@@ -7,9 +7,14 @@
 #include "04_obb_manifolds/contact_reduction.hpp"
 #include "04_obb_manifolds/contact_reduction_pitfalls.hpp"
 #include "04_obb_manifolds/contact_reduction_truth.hpp"
+#include "04_obb_manifolds/contact_reduction_verdicts.hpp"
 #include "04_obb_manifolds/contact_support.hpp"
 
 #include "tests/catch.hpp"
+
+#include <array>
+#include <set>
+#include <string>
 
 using namespace cookbook;
 
@@ -250,6 +255,52 @@ TEST_CASE(
   }
 }
 // [four_deepest]
+
+// [reduction_verdicts]
+TEST_CASE(
+    "eight points of two cubes: reduced() keeps the best four, the others fail as the table says",
+    "[case:G19]")
+{
+  using Names = std::set<std::string>;
+  const std::vector<std::string> names = reduction_method_names();
+  const std::vector<VerdictRow> rows = reduction_verdicts();
+  const std::array<Names, 2> fails{Names{"reduced_over"}, Names{"four_deepest", "reduced_over"}};
+  REQUIRE(rows.size() == fails.size());
+  for (std::size_t row = 0; row < rows.size(); ++row)
+  {
+    for (std::size_t i = 0; i < names.size(); ++i)
+    {
+      INFO(names[i] << ": " << rows[row].verdicts[i].what);
+      CHECK(rows[row].verdicts[i].holds == (fails[row].count(names[i]) == 0));
+    }
+  }
+  const Manifold<double> level = octagon_of_cubes(0);
+  REQUIRE(level.points.size() == 8);
+  CHECK(area(support(level)) == Catch::Approx(8 * (root - 1)).margin(1e-12));
+  CHECK(area(support(reduced(level))) == Catch::Approx(8 - 4 * root).margin(1e-12));
+}
+
+TEST_CASE("four of eight that have lost the deepest point are no good, whatever they span", "[O15]")
+{
+  const Manifold<double> octagon = octagon_of_cubes(1e-3);
+  const ReductionMethod without_deepest{
+      "", [](const Manifold<double>& all)
+      {
+        Manifold<double> rest{all.normal, all.depth, {}};
+        for (const ContactPoint<double>& point : all.points)
+        {
+          if (point.depth < all.depth - 1e-6)
+          {
+            rest.points.push_back(point);
+          }
+        }
+        return best_four(rest);
+      }};
+  const Verdict verdict = verdict_on_reduction(without_deepest, octagon);
+  CHECK_FALSE(verdict.holds);
+  CHECK(verdict.what.find("deepest lost") != std::string::npos);
+}
+// [reduction_verdicts]
 
 // [reduced_over]
 TEST_CASE("the rim of a triangle is over it, and nothing is over one without an area", "[O15]")
