@@ -5,6 +5,8 @@
 
 #include "05_resolution/scene_bodies.hpp"
 
+#include <algorithm>
+
 namespace cookbook::scenes
 {
 
@@ -19,7 +21,7 @@ inline Scene incline(double sine, double friction)
   SceneBody block = cube_body("block", 0.5 * normal);
   block.orientation = turn_about_z(-sine, cosine);
   block.friction = friction;
-  return {.duration = 10, .bodies = {slope, block}};
+  return {.duration = 4, .bodies = {slope, block}};
 }
 
 /// A ball of 25 cm that slides at 7 m/s, with friction 0.2, until it rolls at 5 m/s: row S28.
@@ -64,7 +66,7 @@ inline Scene bounce()
 /// with restitution 1, the other passes 3 cm above the wall's edge: row J1.
 inline Scene thin_wall(int speed)
 {
-  Scene scene{.gravity = {0, 0, 0}, .duration = 0.5};
+  Scene scene{.gravity = {0, 0, 0}, .duration = std::max(0.1, 6.0 / speed)};
   scene.bodies.push_back(box_body("wall", {0.01, 1, 1}, {0, 0, 0}, 0));
   for (const bool hits : {true, false})
   {
