@@ -1,0 +1,356 @@
+/// \file
+/// What holds for friction at a contact point: formulas R6, R27, R28 and R29, and the rules that
+/// fail.
+
+#include "05_resolution/friction.hpp"
+#include "05_resolution/friction_pitfalls.hpp"
+#include "05_resolution/friction_scenes.hpp"
+#include "05_resolution/friction_verdicts.hpp"
+
+#include "tests/05_resolution/meetings.hpp"
+#include "tests/catch.hpp"
+
+#include <cmath>
+#include <limits>
+
+using namespace cookbook;
+
+namespace
+{
+
+using V = Vector3<double>;
+
+const V up(0, 1, 0);
+
+/// A vector of fractions, rounded.
+V rounded(const Vector3<Rational>& v)
+{
+  return {v.x().convert_to<double>(), v.y().convert_to<double>(), v.z().convert_to<double>()};
+}
+
+Body<double> rounded(const Body<Rational>& body)
+{
+  Body<double> result;
+  result.motion = {
+      rounded(body.motion.center), rounded(body.motion.velocity),
+      rounded(body.motion.angular_velocity)};
+  result.inverse_mass = body.inverse_mass.convert_to<double>();
+  for (int column = 0; column < 3; ++column)
+  {
+    result.inverse_inertia.col(column) =
+        rounded(Vector3<Rational>(body.inverse_inertia.col(column)));
+  }
+  return result;
+}
+
+double energy(const Body<double>& body)
+{
+  const V& w = body.motion.angular_velocity;
+  return body.motion.velocity.squaredNorm() / (2 * body.inverse_mass) +
+         w.dot(body.inverse_inertia.inverse() * w) / 2;
+}
+
+/// A ball of 1 kg, its lowest point at the origin, that moves over the ground without spin.
+BodyPair<double> over_ground(const V& velocity)
+{
+  const Solid ball = ball_at({0, 0.5, 0}, 1, 0.5);
+  BodyPair<double> bodies{immovable<double>({0, 0, 0}), ball.body};
+  bodies.b.motion.velocity = velocity;
+  return bodies;
+}
+
+/// Friction after one more visit to the lowest point of a ball of K = 1 + r²/I = 7/2.
+V visited(const BodyPair<double>& ball, const V& so_far, double most)
+{
+  return friction_impulse<double>(ball, up, {0, 0, 0}, so_far, 3.5, most);
+}
+
+FrictionRule cone()
+{
+  return friction_rules().back();
+}
+
+} // namespace
+
+// [R6]
+TEMPLATE_TEST_CASE("an impulse (3, 0, 4) within 2.5 is (1.5, 0, 2)", "[R6]", float, double)
+{
+  using Vector = Vector3<TestType>;
+  const Vector impulse(3, 0, 4);
+  CHECK(within_cone<TestType>(impulse, 10) == impulse);
+  CHECK(within_cone<TestType>(impulse, 5) == impulse);
+  CHECK(within_cone<TestType>(impulse, TestType(2.5)) == Vector(TestType(1.5), 0, 2));
+  CHECK(within_cone<TestType>(impulse, 0) == Vector(0, 0, 0));
+  CHECK(within_cone<TestType>(impulse, -1) == Vector(0, 0, 0));
+  CHECK(within_cone<TestType>(Vector::Zero(), 0) == Vector(0, 0, 0));
+}
+
+TEST_CASE("a ball that slides at (3, 0, 4) feels 2/7 of its mass: 10/7 N s make it roll", "[R6]")
+{
+  const BodyPair<double> bodies = over_ground({3, 0, 4});
+  CHECK(
+      sliding_inverse_mass<double>(bodies, up, {0, 0, 0}) == Catch::Approx(3.5).epsilon(rounding));
+  const V enough = visited(bodies, {0, 0, 0}, 5);
+  CHECK((enough + V(3, 0, 4) * 2 / 7).norm() <= rounding);
+  const BodyPair<double> rolls = rubbed<double>(bodies, {0, 0, 0}, enough);
+  CHECK(sliding_velocity<double>(rolls, up, {0, 0, 0}).norm() <= 4 * rounding);
+  CHECK((rolls.b.motion.velocity - V(3, 0, 4) * 5 / 7).norm() <= 4 * rounding);
+  // No more than 1/2, straight against the sliding.
+  const V little = visited(bodies, {0, 0, 0}, 0.5);
+  CHECK((little + V(0.3, 0, 0.4)).norm() <= rounding);
+}
+
+TEST_CASE("when the normal impulse shrinks, friction hands back what it may not have given", "[R6]")
+{
+  const BodyPair<double> still = over_ground({0, 0, 0});
+  const V given(0.3, 0, 0.4);
+  CHECK(visited(still, given, 0.5) == given);
+  CHECK((visited(still, given, 0.25) - given / 2).norm() <= rounding);
+  CHECK(visited(still, given, 0) == V(0, 0, 0));
+}
+
+TEST_CASE("friction keeps momenta and takes energy, for 100 random pairs", "[R6][R3]")
+{
+  RandomMeetings random;
+  for (int i = 0; i < 100; ++i)
+  {
+    const RandomMeeting meeting = random.next();
+    const V normal = rounded(meeting.normal), point = rounded(meeting.point);
+    const BodyPair<double> before{rounded(meeting.bodies.a), rounded(meeting.bodies.b)};
+    const double k = sliding_inverse_mass(before, normal, point);
+    const V impulse = friction_impulse<double>(before, normal, point, {0, 0, 0}, k, 0.5);
+    const BodyPair<double> after = rubbed(before, point, impulse);
+    CHECK(impulse.norm() <= 0.5 + rounding);
+    CHECK(std::abs(impulse.dot(normal)) <= 100 * rounding);
+    CHECK(energy(after.a) + energy(after.b) <= energy(before.a) + energy(before.b) + 1e-12);
+    const V gained_a = (after.a.motion.velocity - before.a.motion.velocity) / before.a.inverse_mass;
+    const V gained_b = (after.b.motion.velocity - before.b.motion.velocity) / before.b.inverse_mass;
+    CHECK((gained_a + gained_b).norm() <= 1e-13);
+  }
+}
+
+TEST_CASE("visited often, 100 points either stick or rub straight against their sliding", "[R6]")
+{
+  RandomMeetings random;
+  int sliding = 0;
+  for (int i = 0; i < 100; ++i)
+  {
+    const RandomMeeting meeting = random.next();
+    const V normal = rounded(meeting.normal), point = rounded(meeting.point);
+    BodyPair<double> bodies{rounded(meeting.bodies.a), rounded(meeting.bodies.b)};
+    const double k = sliding_inverse_mass(bodies, normal, point);
+    V sum = V::Zero();
+    for (int visit = 0; visit < 400; ++visit)
+    {
+      const V next = friction_impulse<double>(bodies, normal, point, sum, k, 0.2);
+      bodies = rubbed<double>(bodies, point, next - sum);
+      sum = next;
+    }
+    const V slides = sliding_velocity(bodies, normal, point);
+    if (slides.norm() > 1e-9)
+    {
+      ++sliding;
+      CHECK(sum.norm() == Catch::Approx(0.2).epsilon(1e-12));
+      CHECK(sum.normalized().dot(slides.normalized()) == Catch::Approx(-1).epsilon(1e-12));
+    }
+    CHECK(sum.norm() <= 0.2 + rounding);
+  }
+  CHECK((sliding > 20 && sliding < 100));
+}
+
+TEST_CASE(
+    "a unit cube at a corner: K along the floor is 5.5 across its diagonal, 2.5 along it", "[R6]")
+{
+  // The corner is (1/2, −1/2, 1/2) from the centre and the moment 1/6. Along (1, 0, 1)/√2 the
+  // lever is 1/2, across it √3/2: 1 + 6/4 and 1 + 6 · 3/4.
+  const Solid cube = box_on_floor(1, {0.5, 0.5, 0.5});
+  const BodyPair<double> bodies{immovable<double>({0, 0, 0}), cube.body};
+  const V corner(0.5, 0, 0.5);
+  CHECK(inverse_mass_at(bodies, heading(45), corner) == Catch::Approx(2.5).epsilon(4 * rounding));
+  CHECK(sliding_inverse_mass(bodies, up, corner) == Catch::Approx(5.5).epsilon(4 * rounding));
+}
+
+TEST_CASE("nothing rubs where nothing moves, and where no push moves it", "[R6]")
+{
+  const BodyPair<double> still = over_ground({0, -3, 0});
+  CHECK(visited(still, {0, 0, 0}, 1) == V(0, 0, 0));
+  BodyPair<double> driven = over_ground({1, 0, 0});
+  driven.b.inverse_mass = 0;
+  driven.b.inverse_inertia.setZero();
+  CHECK(sliding_inverse_mass<double>(driven, up, {0, 0, 0}) == 0);
+  CHECK(friction_impulse<double>(driven, up, {0, 0, 0}, {0, 0, 0}, 0, 1) == V(0, 0, 0));
+}
+// [R6]
+
+// [R27]
+TEST_CASE("a ball at 7 m/s, μ = 0.2, slides for 1.0194 s, then rolls at 5 m/s", "[R27][case:S28]")
+{
+  const double right = 2 * 7 / (7 * 0.2 * 9.81);
+  OneContactScene scene = sliding_ball();
+  const Rolling rolling = begins_to_roll(scene, cone(), 5);
+  CHECK(rolling.time >= right);
+  CHECK(rolling.time <= right + scene.step + rounding);
+  CHECK(rolling.speed == Catch::Approx(5).epsilon(1e-12));
+  const Motion<double> half_way = mover(advanced(scene, cone(), 0.5));
+  CHECK(half_way.velocity.x() == Catch::Approx(7 - 0.2 * 9.81 * 0.5).epsilon(1e-12));
+  const Motion<double> later = mover(advanced(scene, cone(), 3));
+  CHECK(later.velocity.x() == Catch::Approx(5).epsilon(1e-12));
+  CHECK(later.angular_velocity.z() == Catch::Approx(-10).epsilon(1e-12));
+}
+// [R27]
+
+// [R28]
+TEST_CASE("0.1° below tan θ = μ a cube holds for 10 s, 0.1° above it slides", "[R28][case:S10]")
+{
+  for (const double friction : {0.2, 0.6})
+  {
+    const double limit = std::atan(friction) * 180 / std::numbers::pi;
+    for (const double towards : {0.0, 45.0})
+    {
+      CHECK(way(advanced(cube_on_slope(friction, limit - 0.1, towards), cone(), 10)) <= 1e-3);
+      CHECK(way(advanced(cube_on_slope(friction, limit + 0.1, towards), cone(), 10)) > 0.5);
+    }
+  }
+}
+
+TEST_CASE("on 10° with μ = 0.6 a cube stays where it is, to a nanometre in 10 s", "[R28][case:S9]")
+{
+  CHECK(way(advanced(cube_on_slope(0.6, 10), cone(), 10)) <= 1e-9);
+}
+
+TEST_CASE("down 30° with μ = 0.5 it gains 0.65715 m/s a second, whichever way", "[R28][case:S11]")
+{
+  const double right = 9.81 * (0.5 - 0.5 * std::sqrt(0.75));
+  CHECK(right == Catch::Approx(0.65715).epsilon(1e-5));
+  for (const double towards : {0.0, 20.0, 45.0})
+  {
+    const OneContactScene early = advanced(cube_on_slope(0.5, 30, towards), cone(), 0.5);
+    const OneContactScene late = advanced(early, cone(), 0.5);
+    const double gained = mover(late).velocity.norm() - mover(early).velocity.norm();
+    CHECK(gained == Catch::Approx(right / 2).epsilon(1e-9));
+  }
+}
+
+TEST_CASE(
+    "a box of width to height 1/2 stands on 26.5° and topples on 26.6°, tan⁻¹ 1/2 between", "[R28]")
+{
+  CHECK(topples(cone(), 26.5, false).holds);
+  CHECK(topples(cone(), 26.6, true).holds);
+}
+// [R28]
+
+// [R29]
+TEST_CASE(
+    "a block at 5 m/s, μ = 0.4, goes 3.186 m, less half a step, any heading", "[R29][case:S13]")
+{
+  const OneContactScene scene = sliding_block({0, 0, 0});
+  // Each step takes μ g h from the speed before it moves the block.
+  const double loss = 0.4 * 9.81 * scene.step;
+  double right = 0;
+  for (double speed = 5 - loss; speed > 0; speed -= loss)
+  {
+    right += speed * scene.step;
+  }
+  CHECK(right == Catch::Approx(25 / (2 * 0.4 * 9.81) - 5 * scene.step / 2).epsilon(1e-5));
+  const auto [shortest, longest] = stopping_ways(cone());
+  CHECK(shortest == Catch::Approx(right).epsilon(1e-5));
+  CHECK(longest == Catch::Approx(right).epsilon(1e-5));
+}
+
+TEST_CASE("it stops on the line it started along, and the pyramid bends 30° to 18°", "[case:S13]")
+{
+  const auto turned = [](const FrictionRule& rule)
+  {
+    const V end = mover(advanced(sliding_block(5 * heading(30)), rule, 2)).center;
+    return std::atan2(end.z(), end.x()) * 180 / std::numbers::pi;
+  };
+  CHECK(turned(cone()) == Catch::Approx(30).epsilon(1e-6));
+  CHECK((turned(friction_rules()[2]) > 18 && turned(friction_rules()[2]) < 19));
+}
+// [R29]
+
+// [S12]
+TEST_CASE("25 balls on a pushed box: 12.66 N over 10 + 25 · 2/7 kg, and 2/7 of it", "[case:S12]")
+{
+  // A ball on a plate that speeds up rolls after it with 2/7 of its acceleration.
+  const double right = (150 - 0.4 * 35 * 9.81) / (10 + 50 / 7.0);
+  CHECK(right == Catch::Approx(0.7385).epsilon(1e-4));
+  const auto [box, ball] = accelerations(cone());
+  CHECK(box == Catch::Approx(right).epsilon(1e-4));
+  CHECK(ball == Catch::Approx(right * 2 / 7).epsilon(1e-4));
+  // 150 N on the diagonal are 106 along each axis, and the pyramid holds up to 137 there.
+  CHECK(accelerations(friction_rules()[2]).first <= 1e-9);
+}
+// [S12]
+
+// [friction_pitfalls]
+TEST_CASE("along the diagonal a pyramid holds √2 times as much, a polygon 1/cos(90°/n)", "[R6]")
+{
+  CHECK(within_pyramid<double>({5, 0, 5}, 1) == V(1, 0, 1));
+  CHECK(within_pyramid<double>({-5, 0, 0.5}, 1) == V(-1, 0, 0.5));
+  for (const int axes : {2, 4, 8})
+  {
+    const double corner = 90.0 / axes;
+    const double held = within_polygon<double>(5 * heading(corner), 1, axes).norm();
+    CHECK(held == Catch::Approx(1 / std::cos(corner * std::numbers::pi / 180)).epsilon(1e-14));
+    CHECK(within_polygon<double>(5 * heading(2 * corner), 1, axes).norm() == Catch::Approx(1));
+    CHECK(within_polygon<double>({0.5, 0, 0.1}, 1, axes) == V(0.5, 0, 0.1));
+  }
+}
+
+TEST_CASE("as published, 7 cm/s or 0.005 N s of friction pass for zero", "[case:X21]")
+{
+  const auto slides_on = [](double speed, int count)
+  {
+    const BodyPair<double> bodies = over_ground({speed, -1, 0});
+    return answered_as_published<double>(bodies, up, {0, 0, 0}, count, 0, 0.6)
+        .b.motion.velocity.x();
+  };
+  CHECK(slides_on(0.05, 1) == 0.05);
+  CHECK(slides_on(0.0707, 1) == 0.0707);
+  // 0.08 m/s ask for 0.08 · 2/7 = 0.0229 N s at one point, for 0.0046 at each of five.
+  CHECK(slides_on(0.08, 1) == Catch::Approx(0.08 * 5 / 7).epsilon(1e-14));
+  CHECK(slides_on(0.08, 5) == 0.08);
+  // Without an impulse there is nothing to do at all.
+  const BodyPair<double> parting = over_ground({3, 1, 0});
+  const BodyPair<double> after = answered_as_published<double>(parting, up, {0, 0, 0}, 1, 0, 0.6);
+  CHECK(after.b.motion.velocity == V(3, 1, 0));
+}
+
+TEST_CASE("as published, a cube creeps down 10° by most of a metre in 10 s", "[case:S9][case:X21]")
+{
+  for (const double rate : {60.0, 240.0})
+  {
+    OneContactScene scene = cube_on_slope(0.6, 10);
+    scene.step = 1 / rate;
+    const double crept = way(advanced(scene, friction_rules().front(), 10));
+    INFO(crept);
+    CHECK((crept > 0.7 && crept < 1.2));
+  }
+}
+// [friction_pitfalls]
+
+// [verdicts]
+TEST_CASE(
+    "who holds and who fails at friction",
+    "[case:S9][case:S10][case:S11][case:S12][case:S13][case:S28]")
+{
+  const std::vector<VerdictRow> rows = friction_verdicts();
+  // As published, box, pyramid, cone.
+  const std::vector<std::vector<bool>> expected{
+      {false, true, true, true},   {false, true, true, true},   {false, false, true, true},
+      {false, false, false, true}, {true, false, true, true},   {false, true, true, true},
+      {true, true, true, true},    {true, false, false, true},  {false, false, false, true},
+      {false, true, true, true},   {false, false, false, false}};
+  REQUIRE(rows.size() == expected.size());
+  for (std::size_t row = 0; row < rows.size(); ++row)
+  {
+    REQUIRE(rows[row].verdicts.size() == expected[row].size());
+    for (std::size_t method = 0; method < expected[row].size(); ++method)
+    {
+      INFO(rows[row].what << ": " << rows[row].verdicts[method].what);
+      CHECK(rows[row].verdicts[method].holds == expected[row][method]);
+    }
+  }
+}
+// [verdicts]
