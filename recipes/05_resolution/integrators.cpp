@@ -20,10 +20,12 @@ void run(const Arguments& given)
   const double rate = number_option<double>(given, "rate", 4, 1000);
   std::cout << motions_table(rate) << "\n"
             << needs_table("oscillator", oscillator()) << "\n"
-            << needs_table("pendulum", pendulum());
+            << needs_table("pendulum", pendulum()) << "\n"
+            << needs_table("springy floor", springy_floor());
   save_figure(given, "integrators.svg", phase_figure().svg());
   save_figure(given, "integrators_energy.svg", energy_figure().svg());
   save_figure(given, "integrators_cost.svg", cost_figure().svg());
+  save_figure(given, "integrators_kink.svg", kink_figure().svg());
   save_figure(
       given, "integrators_cases.html",
       verdict_table(

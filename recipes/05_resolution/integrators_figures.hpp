@@ -21,7 +21,7 @@ inline plot::Figure2d phase_panel(const Integrator<double>& method)
 {
   plot::Figure2d figure("phase", method.name, {{-2.8, -2.8}, {2.8, 2.8}, 212});
   figure.axes(1, "x", "v/ω").circle({0, 0}, 1, plot::Ink::muted, plot::Fill::none);
-  const double omega = oscillator().small_angular;
+  const double omega = oscillator().pace;
   std::vector<Eigen::Vector2d> points;
   for (const PhasePoint<double>& at : oscillating(method, 1, 24))
   {
@@ -77,12 +77,13 @@ inline plot::Chart energy_figure()
 // [energy_figure]
 
 // [cost_figure]
-/// Cost against error for one swing, with the Pareto front.
-inline plot::Chart cost_panel(const std::string& title, const Swing& swing)
+/// Cost against error for one swing, with the Pareto front; errors down to `least`.
+inline plot::Chart
+cost_panel(const std::string& name, const std::string& title, const Swing& swing, double least)
 {
   plot::Chart chart(
-      "cost", title, {"evaluations a period", plot::Scale::log, 8, 4000},
-      {"error after 10¼ periods", plot::Scale::log, 1e-9, 10});
+      name, title, {"evaluations a period", plot::Scale::log, 8, 4000},
+      {"error after 10¼ periods", plot::Scale::log, least, 10});
   for (const Integrator<double>& method : integrators<double>())
   {
     std::vector<Eigen::Vector2d> points;
@@ -103,14 +104,22 @@ inline plot::Chart cost_panel(const std::string& title, const Swing& swing)
   return chart.front(front).legend(plot::Legend::below).size(480, 460);
 }
 
-/// Both swings side by side.
+/// Both smooth swings side by side.
 inline plot::Grid cost_figure()
 {
   plot::Grid grid("integrators_cost", "", 2);
   grid.describe("Evaluations of the force against error, for six integrators and two swings.")
-      .add(cost_panel("oscillator", oscillator()))
-      .add(cost_panel("pendulum from 90°", pendulum()));
+      .add(cost_panel("cost", "oscillator", oscillator(), 1e-9))
+      .add(cost_panel("cost", "pendulum from 90°", pendulum(), 1e-9));
   return grid;
+}
+
+/// The ball on the springy floor.
+inline plot::Chart kink_figure()
+{
+  plot::Chart chart = cost_panel("integrators_kink", "", springy_floor(), 1e-6);
+  chart.describe("Evaluations against error, for a ball that bounces on a springy floor.");
+  return chart.size(640, 460);
 }
 // [cost_figure]
 

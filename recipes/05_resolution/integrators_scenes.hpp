@@ -3,61 +3,20 @@
 /// \file
 /// \brief Motions whose answer is known: an oscillator, free fall, a pendulum, a mass on a spring.
 
-#include "05_resolution/integrators_methods.hpp"
-#include "05_resolution/pendulum.hpp"
+#include "05_resolution/integrators_swing_scenes.hpp"
 #include "05_resolution/spring.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <stdexcept>
+#include <vector>
 
 namespace cookbook
 {
-
-// [motions]
-/// The steps a second that games take unless they say otherwise.
-inline constexpr double game_rate = 60;
-
-/// The gravity [m/s²] of these motions.
-inline constexpr double falling = 9.81;
-
-/// Something that swings about zero in one dimension, let go at rest.
-struct Swing
-{
-  AccelerationAt<double> acceleration;
-  PhasePoint<double> start;
-  double period;        ///< [s], exact
-  double lowest_speed;  ///< where it passes through zero
-  double small_angular; ///< [rad/s], of small swings
-};
-
-/// The oscillator: 1 Hz, let go at 1.
-inline Swing oscillator()
-{
-  const double omega = 2 * std::numbers::pi;
-  return {[omega](double x, double) { return -omega * omega * x; }, {1, 0}, 1, omega, omega};
-}
-
-/// The pendulum of 1 m, let go at 90°; the energy of its height is that of its speed below.
-inline Swing pendulum()
-{
-  const Pendulum<double> shape{falling, 1};
-  const double level = std::numbers::pi / 2;
-  return {
-      [shape](double angle, double) { return pendulum_acceleration(shape, angle); },
-      {level, 0},
-      pendulum_period(shape, level),
-      std::sqrt(2 * falling),
-      std::sqrt(falling)};
-}
-// [motions]
 
 // [energy]
 /// The energy of the oscillator as a part of what it began with.
 inline double energy_share(const PhasePoint<double>& at)
 {
-  const double speed = at.velocity / oscillator().small_angular;
+  const double speed = at.velocity / oscillator().pace;
   return at.position * at.position + speed * speed;
 }
 
