@@ -136,6 +136,20 @@ TEST_CASE("eight substeps are as good as an eighth of the speed", "[R18]")
   CHECK(share_passed(exact_shots(96), eight) == 0);
   CHECK(share_passed(exact_shots(192), eight) == 0.5);
 }
+
+TEST_CASE("a ball that moves by its radius a step at most is turned back by any wall", "[R18]")
+{
+  const FlightMethod discrete = flight_methods()[0];
+  for (const double thickness : {0x1p-40, 0x1p-20, 0x1p-7, 1.0, 64.0})
+  {
+    for (const double speed : {4.0, 1.0, 0.25})
+    {
+      Shots shots = exact_shots(speed);
+      shots.wall = wide_wall(thickness);
+      CHECK(share_passed(shots, discrete) == 0);
+    }
+  }
+}
 // [R18]
 
 // [never_passes]
@@ -195,6 +209,21 @@ TEST_CASE("a ball of 5 cm stays in a room of 1 m for 10 s, at 1,000 m/s or what 
     // About 11,000 bounces, each rounded a few times.
     CHECK((restitution > 0 || flight.velocity.norm() == 0));
     CHECK((restitution < 1 || std::abs(flight.velocity.norm() - 1000) <= 1000 * 11000 * 4e-16));
+  }
+}
+
+TEST_CASE("a ball that slides along a turned wall with e = 0 goes on")
+{
+  const Matrix3<double> axes = rational_rotation<double>(1, 2, 3, 4);
+  const Obb<double> wall{{0.3, 0.2, 0.1}, axes, {0.01, 500, 500}};
+  const Vector3<double> normal = axes.col(0), along = axes.col(1);
+  FlyingBall<double> flight{{wall.center - 0.07 * normal, 0.05}, 100 * along + 60 * normal};
+  for (int step = 1; step <= 60; ++step)
+  {
+    flight = swept_step<double>(flight, {&wall, 1}, 0, 1.0 / 60);
+    REQUIRE(along.dot(flight.ball.center - wall.center) == Catch::Approx(100 * step / 60.0));
+    // Coordinates of up to 100 m are rounded in every step.
+    REQUIRE(normal.dot(flight.ball.center - wall.center) <= -0.06 + 100 * step * rounding);
   }
 }
 
