@@ -28,8 +28,8 @@ auto inner(const Place& a, const Place& b)
 template <class Place>
 struct Guess
 {
-  Place acceleration;
-  Place missing;
+  Place acceleration; ///< [m/s²]
+  Place missing;      ///< [m/s²]
 };
 
 /// The guess at which nothing would be missing if it changed evenly from `before` to `now`.

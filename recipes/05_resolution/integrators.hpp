@@ -68,8 +68,8 @@ symplectic_euler(const PhasePoint<Place>& from, const Real& step, const Accelera
 template <class Place>
 struct VerletPoint
 {
-  PhasePoint<Place> at;
-  Place acceleration; ///< [m/s²]
+  PhasePoint<Place> at; ///< where, and how fast
+  Place acceleration;   ///< [m/s²]
 };
 
 /// One step by velocity Verlet: the position along a parabola, the velocity by the mean of the
