@@ -40,6 +40,15 @@ void print_contents()
 }
 // [print_contents]
 
+/// The shortest turn that brings a unit vector upwards.
+Matrix3<double> turned_up(const Vector3<double>& way)
+{
+  const Vector3<double> up(0, 1, 0);
+  const double cosine = way.dot(up);
+  return cosine > -1 ? quaternion_rotation(1 + cosine, way.cross(up))
+                     : quaternion_rotation(0, Vector3<double>(1, 0, 0));
+}
+
 /// The first pair of a workload that overlaps, as large as the others', B above A.
 BoxPair<double> shown(const BoxWorkload& workload)
 {
@@ -50,9 +59,7 @@ BoxPair<double> shown(const BoxWorkload& workload)
     if (true_depth(least) > 0)
     {
       const double side = least.axis.dot(b.center - a.center) < 0 ? -1 : 1;
-      const Matrix3<double> turn =
-          Quaternion<double>::FromTwoVectors(side * least.axis, Vector3<double>(0, 1, 0))
-              .toRotationMatrix();
+      const Matrix3<double> turn = turned_up(normalize<double>(side * least.axis).unit);
       const double scale = 1 / pair_size(a, b);
       const auto turned = [&](const Obb<double>& box) -> Obb<double> {
         return {
