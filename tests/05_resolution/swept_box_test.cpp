@@ -142,4 +142,21 @@ TEST_CASE("the gap of two boxes is 1 m face to face, √2 m edge to edge along 4
   const Direction<double> corner = box_gap(unit, standing(3, 0, std::atan(1.0), 1, 1).box);
   CHECK(corner.length == Catch::Approx(2 - std::sqrt(2.0)).epsilon(rounding));
 }
+
+TEST_CASE("the gap of two edges that cross 1 m apart is 1 m, though their cross product is short")
+{
+  // Unit cubes that stand on an edge along x, and along (24, 0, 7) / 25: the sine is 0.28.
+  const Vector3<double> x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  const Vector3<double> u(0.96, 0, 0.28), v(-0.28, 0, 0.96);
+  Matrix3<double> along_x, along_u;
+  along_x << x, (y + z).normalized(), (z - y).normalized();
+  along_u << u, (y + v).normalized(), (v - y).normalized();
+  const double half_diagonal = std::sqrt(2.0);
+  const Obb<double> a{{0, 0, 0}, along_x, {1, 1, 1}};
+  const Obb<double> b{{0, 2 * half_diagonal + 1, 0}, along_u, {1, 1, 1}};
+  const Direction<double> gap = box_gap(a, b);
+  CHECK(gap.length == Catch::Approx(1).epsilon(rounding));
+  CHECK((gap.unit - y).norm() <= rounding);
+  CHECK((box_gap(b, a).unit + y).norm() <= rounding);
+}
 // [swept_box_degenerate]

@@ -174,7 +174,19 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("nor a wall of a tenth of a millimetre, turned, a hundred kilometres out")
+TEST_CASE("a ball of 1/16 at 50 to 5,000 units a step stops in front of a wall of 1/4", "[case:J2]")
+{
+  for (int speed = 50; speed <= 5000; speed += 50)
+  {
+    const Shots shots = sixteenth(speed);
+    REQUIRE(share_passed(shots, swept_method()) == 0);
+    // Places of up to 10,000 units, each rounded.
+    const FlyingBall<double> after = flown(shots, swept_method(), speed % 97);
+    REQUIRE(std::abs(after.ball.center.x() + 0.125 + 0.0625) <= 1e4 * rounding);
+  }
+}
+
+TEST_CASE("swept, none passes a wall of a tenth of a millimetre, turned, a hundred kilometres out")
 {
   const Matrix3<double> axes = rational_rotation<double>(1, 2, 3, 4);
   const Vector3<double> far(1e5, -1e5, 1e5);
