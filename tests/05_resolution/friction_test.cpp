@@ -170,6 +170,29 @@ TEST_CASE(
   CHECK(sliding_inverse_mass(bodies, up, corner) == Catch::Approx(5.5).epsilon(4 * rounding));
 }
 
+TEST_CASE("no direction of 360 along the surface has a larger K, for 100 random pairs", "[R6]")
+{
+  RandomMeetings random;
+  for (int i = 0; i < 100; ++i)
+  {
+    const RandomMeeting meeting = random.next();
+    const V normal = rounded(meeting.normal), point = rounded(meeting.point);
+    const BodyPair<double> bodies{rounded(meeting.bodies.a), rounded(meeting.bodies.b)};
+    const V along = normal.unitOrthogonal(), across = normal.cross(along);
+    double largest = 0;
+    for (int degrees = 0; degrees < 360; ++degrees)
+    {
+      const V unit = heading(degrees);
+      const V direction = unit.x() * along + unit.z() * across;
+      largest = std::max(largest, inverse_mass_at(bodies, direction, point));
+    }
+    // Half a degree off, a cosine squared is short of one by 7.6e-5.
+    const double k = sliding_inverse_mass(bodies, normal, point);
+    CHECK(k >= largest * (1 - 10 * rounding));
+    CHECK(k <= largest * (1 + 8e-5));
+  }
+}
+
 TEST_CASE("nothing rubs where nothing moves, and where no push moves it", "[R6]")
 {
   const BodyPair<double> still = over_ground({0, -3, 0});
@@ -268,6 +291,26 @@ TEST_CASE("it stops on the line it started along, and the pyramid bends 30° to 
   CHECK((turned(friction_rules()[2]) > 18 && turned(friction_rules()[2]) < 19));
 }
 // [R29]
+
+// [spin]
+TEST_CASE("without spin a block stops where it stops with it, to a millimetre", "[R29]")
+{
+  OneContactScene scene = sliding_block(5 * heading(30));
+  const V right = mover(advanced(scene, cone(), 2)).center;
+  scene.solids[1].body.inverse_inertia.setZero();
+  CHECK((mover(advanced(scene, cone(), 2)).center - right).norm() <= 1e-3);
+}
+
+TEST_CASE(
+    "without spin a ball at 7 m/s, μ = 0.2, stops after 3.57 s; with it, it rolls on", "[R27]")
+{
+  OneContactScene scene = sliding_ball();
+  CHECK(mover(advanced(scene, cone(), 4)).velocity.norm() == Catch::Approx(5).epsilon(1e-12));
+  scene.solids[1].body.inverse_inertia.setZero();
+  CHECK(mover(advanced(scene, cone(), 3.5)).velocity.norm() > 0.1);
+  CHECK(mover(advanced(scene, cone(), 4)).velocity.norm() <= 1e-12);
+}
+// [spin]
 
 // [S12]
 TEST_CASE("25 balls on a pushed box: 12.66 N over 10 + 25 · 2/7 kg, and 2/7 of it", "[case:S12]")
