@@ -20,13 +20,6 @@ namespace cookbook
 inline namespace COOKBOOK_INSTRUCTION_SET
 {
 
-/// The bytes of a register that every processor has for which this is compiled.
-#if defined(__AVX__)
-inline constexpr std::size_t register_size = 32;
-#else
-inline constexpr std::size_t register_size = 16;
-#endif
-
 /// Four plain numbers in a register, or in two where one is too small.
 template <class Real>
 using FourNumbers =

@@ -22,6 +22,15 @@ namespace cookbook
 inline namespace COOKBOOK_INSTRUCTION_SET
 {
 
+/// The bytes of the widest register that each processor has for which this is compiled.
+#if defined(__AVX512F__)
+inline constexpr std::size_t register_size = 64;
+#elif defined(__AVX__)
+inline constexpr std::size_t register_size = 32;
+#else
+inline constexpr std::size_t register_size = 16;
+#endif
+
 /// A bit for each lane of a mask, that of the first lane lowest: one instruction where there is
 /// one.
 template <class Mask>

@@ -74,4 +74,20 @@ std::string Table::text() const
   return all;
 }
 
+std::string html_table(const Cells& rows)
+{
+  std::string html = "<table class=\"doxtable\">";
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    const std::string tag = i == 0 ? "th>" : "td>";
+    html += "<tr>";
+    for (const std::string& cell : rows[i])
+    {
+      html.append("<").append(tag).append(cell).append("</").append(tag);
+    }
+    html += "</tr>\n";
+  }
+  return html + "</table>\n";
+}
+
 } // namespace cookbook

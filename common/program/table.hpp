@@ -30,4 +30,10 @@ private:
   std::vector<std::vector<std::string>> rows_;
 };
 
+/// Rows of cells, the first of them a head.
+using Cells = std::vector<std::vector<std::string>>;
+
+/// A table in HTML.
+std::string html_table(const Cells& rows);
+
 } // namespace cookbook

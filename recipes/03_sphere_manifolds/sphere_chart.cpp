@@ -157,10 +157,9 @@ std::vector<Contender> contenders()
       one_by_one<double>(
           "sphere_sphere, double", [](const Sphere<double>& a, const Sphere<double>& b)
           { return sphere_sphere<double>(a, b); })};
-  const char* const names[] = {"portable", "AVX2", "AVX-512"};
   for (const InstructionSet set : instruction_sets())
   {
-    all.push_back(batch(std::string("sphere_pairs, ") + names[static_cast<int>(set)], set));
+    all.push_back(batch("sphere_pairs, " + name_of(set), set));
   }
 #if defined(COOKBOOK_HAS_ODE)
   all.push_back(peer<OdePairs>("ODE"));
@@ -234,12 +233,9 @@ std::vector<MeasuredStream> measured_streams(const Extent& extent)
   const double count = static_cast<double>(pairs.size());
   constexpr double bytes = 15 * sizeof(float);
   std::vector<measure::Timed> timed;
-  const char* const names[] = {"portable", "AVX2", "AVX-512"};
   for (const InstructionSet set : instruction_sets())
   {
-    timed.push_back(
-        {std::string("sphere_pairs, ") + names[static_cast<int>(set)], batch_on(pairs, set),
-         count});
+    timed.push_back({"sphere_pairs, " + name_of(set), batch_on(pairs, set), count});
   }
   // A copy reads as much as it writes: half of what the batch moves in all.
   std::vector<char> from(pairs.size() * 30, 1), to(pairs.size() * 30);

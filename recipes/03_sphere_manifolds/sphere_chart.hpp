@@ -44,10 +44,11 @@ inline bool method_fails(const MeasuredMethod& method)
 // [method_fails]
 
 /// The least time that any peer takes on a workload [ns]; infinite without peers.
-inline double fastest_peer(const std::vector<MeasuredMethod>& methods, std::size_t workload)
+template <class Measured>
+double fastest_peer(const std::vector<Measured>& methods, std::size_t workload)
 {
   double least = std::numeric_limits<double>::infinity();
-  for (const MeasuredMethod& method : methods)
+  for (const Measured& method : methods)
   {
     least = method.peer ? std::min(least, method.ns[workload]) : least;
   }
@@ -102,37 +103,37 @@ inline std::string knee_sentence(const std::vector<MeasuredMethod>& methods)
 /// The times in cache as a table in HTML, each beside the ratio to the fastest peer.
 inline std::string times_html(const std::vector<MeasuredMethod>& methods)
 {
-  std::string html = "<table class=\"doxtable\"><tr><th>method</th><th>mixed [ns]</th><th>× peer"
-                     "</th><th>touching [ns]</th><th>× peer</th><th>apart [ns]</th><th>× peer</th>"
-                     "<th>99 % of errors [ulp]</th><th>largest error [ulp]</th></tr>\n";
+  Cells cells{
+      {"method", "mixed [ns]", "× peer", "touching [ns]", "× peer", "apart [ns]", "× peer",
+       "99 % of errors [ulp]", "largest error [ulp]"}};
   for (const MeasuredMethod& method : methods)
   {
-    html += "<tr><td>" + method.name + "</td>";
+    std::vector<std::string> row{method.name};
     for (std::size_t w = 0; w < 3; ++w)
     {
-      html += "<td>" + rounded(method.ns[w]) + "</td><td>" +
-              rounded(fastest_peer(methods, w) / method.ns[w]) + "</td>";
+      row.push_back(rounded(method.ns[w]));
+      row.push_back(rounded(fastest_peer(methods, w) / method.ns[w]));
     }
-    html += "<td>" + rounded(method.errors.p99) + "</td><td>" +
-            (method_fails(method) ? "fails" : rounded(method.errors.maximum)) + "</td></tr>\n";
+    row.push_back(rounded(method.errors.p99));
+    row.push_back(method_fails(method) ? "fails" : rounded(method.errors.maximum));
+    cells.push_back(row);
   }
-  return html + "</table>\n";
+  return html_table(cells);
 }
 
 /// The times from memory as a table in HTML; the last stream is the plain copy.
 inline std::string streams_html(const std::vector<MeasuredStream>& streams)
 {
-  std::string html = "<table class=\"doxtable\"><tr><th>from memory</th><th>[ns a pair]</th>"
-                     "<th>[GB/s]</th><th>of a plain copy</th></tr>\n";
+  Cells cells{{"from memory", "[ns a pair]", "[GB/s]", "of a plain copy"}};
   const MeasuredStream& copy = streams.back();
   for (const MeasuredStream& stream : streams)
   {
     const double rate = stream.bytes / stream.ns;
-    html += "<tr><td>" + stream.name + "</td><td>" + rounded(stream.ns) + "</td><td>" +
-            rounded(rate) + "</td><td>" + rounded(100 * rate / (copy.bytes / copy.ns)) +
-            " %</td></tr>\n";
+    cells.push_back(
+        {stream.name, rounded(stream.ns), rounded(rate),
+         rounded(100 * rate / (copy.bytes / copy.ns)) + " %"});
   }
-  return html + "</table>\n";
+  return html_table(cells);
 }
 
 } // namespace cookbook

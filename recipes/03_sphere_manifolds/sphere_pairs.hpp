@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -38,6 +39,14 @@ enum class InstructionSet
   avx2,     ///< 8 pairs at once
   avx512    ///< 16 pairs at once
 };
+
+/// An instruction set in words.
+inline std::string name_of(InstructionSet set)
+{
+  return set == InstructionSet::avx512 ? "AVX-512"
+         : set == InstructionSet::avx2 ? "AVX2"
+                                       : "portable";
+}
 
 /// The instruction sets that this processor and this build have; the last is the widest.
 std::vector<InstructionSet> instruction_sets();

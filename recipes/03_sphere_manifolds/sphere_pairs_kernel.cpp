@@ -6,24 +6,12 @@
 
 #include "03_sphere_manifolds/sphere_pairs_kernel.hpp"
 #include "03_sphere_manifolds/sphere_sphere.hpp"
-
-#define COOKBOOK_JOIN(a, b) a##b
-#define COOKBOOK_NAMED(a, b) COOKBOOK_JOIN(a, b)
+#include "common/math/lanes.hpp"
 
 namespace cookbook
 {
 
 // [sphere_pairs_kernel]
-/// One pair in every lane; as many lanes as the widest register has.
-#if defined(__AVX512F__)
-using Lanes = Pack<float, 16>;
-#elif defined(__AVX2__)
-using Lanes = Pack<float, 8>;
-#else
-using Lanes = Pack<float, 4>;
-#endif
-constexpr std::size_t width = sizeof(Lanes) / sizeof(float);
-
 bool COOKBOOK_NAMED(sphere_pairs_, COOKBOOK_INSTRUCTION_SET)(
     const PairsBegin& pairs, const OverlapsBegin& overlaps, std::size_t count)
 {

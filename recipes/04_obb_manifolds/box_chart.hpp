@@ -5,47 +5,14 @@
 
 #include "04_obb_manifolds/box_measured.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace cookbook
 {
 
-/// Rows of cells, the first of them a head.
-using Cells = std::vector<std::vector<std::string>>;
-
-/// A table in HTML.
-inline std::string html_table(const Cells& rows)
-{
-  std::string html = "<table class=\"doxtable\">";
-  for (std::size_t i = 0; i < rows.size(); ++i)
-  {
-    const std::string tag = i == 0 ? "th>" : "td>";
-    html += "<tr>";
-    for (const std::string& cell : rows[i])
-    {
-      html.append("<").append(tag).append(cell).append("</").append(tag);
-    }
-    html += "</tr>\n";
-  }
-  return html + "</table>\n";
-}
-
 // [box_times_html]
-/// The least time that any peer takes on a workload [ns]; infinite without peers.
-inline double fastest_box_peer(const std::vector<MeasuredTimes>& all, std::size_t workload)
-{
-  double least = std::numeric_limits<double>::infinity();
-  for (const MeasuredTimes& times : all)
-  {
-    least = times.peer ? std::min(least, times.ns[workload]) : least;
-  }
-  return least;
-}
-
 /// Times on several workloads, each beside how many times as fast as the fastest peer that is.
 inline std::string box_times_html(
     const std::string& what, const std::vector<std::string>& workloads,
@@ -62,7 +29,7 @@ inline std::string box_times_html(
     for (std::size_t w = 0; w < workloads.size(); ++w)
     {
       cells.back().push_back(rounded(times.ns[w]));
-      cells.back().push_back(rounded(fastest_box_peer(all, w) / times.ns[w]));
+      cells.back().push_back(rounded(fastest_peer(all, w) / times.ns[w]));
     }
   }
   return html_table(cells);

@@ -15,14 +15,6 @@
 namespace cookbook
 {
 
-/// An instruction set in words.
-inline std::string name_of(InstructionSet set)
-{
-  return set == InstructionSet::avx512 ? "AVX-512"
-         : set == InstructionSet::avx2 ? "AVX2"
-                                       : "portable";
-}
-
 // [batch]
 /// Pairs in blocks, and room for their answers.
 struct BoxBatch

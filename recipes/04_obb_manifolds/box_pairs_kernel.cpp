@@ -7,24 +7,12 @@
 #include "04_obb_manifolds/box_pairs_kernel.hpp"
 #include "04_obb_manifolds/box_choice.hpp"
 #include "04_obb_manifolds/box_contacts.hpp"
-
-#define COOKBOOK_JOIN(a, b) a##b
-#define COOKBOOK_NAMED(a, b) COOKBOOK_JOIN(a, b)
+#include "common/math/lanes.hpp"
 
 namespace cookbook
 {
 inline namespace COOKBOOK_INSTRUCTION_SET
 {
-
-/// One pair in every lane; as many lanes as the widest register has.
-#if defined(__AVX512F__)
-using Lanes = Pack<float, 16>;
-#elif defined(__AVX2__)
-using Lanes = Pack<float, 8>;
-#else
-using Lanes = Pack<float, 4>;
-#endif
-constexpr std::size_t width = sizeof(Lanes) / sizeof(float);
 
 using Three = Group<Lanes, 3>;
 using Four = Group<Lanes, 4>;

@@ -170,6 +170,19 @@ TEST_CASE("finite pairs never give NaN", "[sphere_pairs]")
   }
 }
 
+TEST_CASE(
+    "instruction sets are portable, AVX2 and AVX-512, the first of them everywhere",
+    "[sphere_pairs]")
+{
+  const std::vector<std::string> names{"portable", "AVX2", "AVX-512"};
+  const std::vector<InstructionSet> sets = instruction_sets();
+  REQUIRE((!sets.empty() && sets.size() <= names.size()));
+  for (std::size_t i = 0; i < sets.size(); ++i)
+  {
+    CHECK(name_of(sets[i]) == names[i]);
+  }
+}
+
 TEST_CASE("0 to 17 pairs are answered, and nothing beside them is written", "[sphere_pairs]")
 {
   const std::vector<Pair> pairs = random_pairs(17);

@@ -97,6 +97,14 @@ TEST_CASE("columns are as wide as their widest cell, numbers at the right", "[ta
   CHECK_THROWS_AS(table.row({"one"}), std::logic_error);
 }
 
+TEST_CASE("a table in HTML has its first row as its head", "[table]")
+{
+  CHECK(
+      html_table({{"way", "ns"}, {"a", "1"}}) ==
+      "<table class=\"doxtable\"><tr><th>way</th><th>ns</th></tr>\n<tr><td>a</td><td>1</td></tr>\n"
+      "</table>\n");
+}
+
 TEST_CASE("a program's failure is one sentence and status 1, wrong words are status 2", "[program]")
 {
   const Run failed =
