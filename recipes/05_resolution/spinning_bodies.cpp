@@ -6,6 +6,7 @@
 #include "05_resolution/spinning_bodies_cases.hpp"
 #include "05_resolution/spinning_bodies_figures.hpp"
 #include "05_resolution/spinning_bodies_tables.hpp"
+#include "05_resolution/steady_spin_cases.hpp"
 #include "common/program/program.hpp"
 
 #include <iostream>

@@ -5,6 +5,7 @@
 /// right orientation costs.
 
 #include "05_resolution/spinning_bodies_cases.hpp"
+#include "05_resolution/steady_spin_cases.hpp"
 #include "common/plot/chart.hpp"
 #include "common/plot/figure3d.hpp"
 

@@ -4,6 +4,7 @@
 
 #include "05_resolution/spinning_bodies.hpp"
 #include "05_resolution/spinning_bodies_cases.hpp"
+#include "05_resolution/steady_spin_cases.hpp"
 #include "common/math/rational.hpp"
 
 #include "tests/catch.hpp"
