@@ -108,6 +108,22 @@ TEST_CASE("every value of a scene file is read as it is written", "[scene_file]"
 }
 
 TEST_CASE(
+    "the example has a pivot turned by 45 degrees, and on it a plank and a crate", "[scene_file]")
+{
+  const Scene scene = read_scene(std::filesystem::path(COOKBOOK_SEESAW));
+  CHECK((scene.name == "seesaw" && scene.duration == 4));
+  REQUIRE(scene.bodies.size() == 5);
+  CHECK(
+      std::acos(scene.bodies[1].orientation.w()) == Catch::Approx(std::atan(1) / 2).epsilon(1e-3));
+  // The plank lies on the pivot's upper edge, 0.2 √2 m above its centre, and the crate on the
+  // plank.
+  const double edge = 0.2 + 0.2 * std::sqrt(2.0);
+  CHECK(scene.bodies[2].position.y() - 0.05 == Catch::Approx(edge).margin(1e-4));
+  CHECK(scene.bodies[3].position.y() - scene.bodies[2].position.y() == Catch::Approx(0.25));
+  CHECK((scene.bodies[4].name == "ball" && scene.bodies[4].restitution == 0.2));
+}
+
+TEST_CASE(
     "what a file leaves out is as scene.hpp has it: 60 Hz, 10 s, friction 0.6", "[scene_file]")
 {
   const Scene scene = scene_of(
