@@ -1,0 +1,207 @@
+#pragma once
+
+/// \file
+/// \brief A world of bodies that fall, meet, bounce and rest: everything in this book, in one step.
+
+#include "05_resolution/free_flight.hpp"
+#include "05_resolution/impacts.hpp"
+#include "05_resolution/sleeping.hpp"
+#include "05_resolution/world_checks.hpp"
+#include "05_resolution/world_contacts.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace cookbook
+{
+
+/// Moves the bodies of one island on by a step [s], and sets the impulses of its contacts.
+using IslandSolver = std::function<void(IslandView, const Island&, double)>;
+
+// [world]
+/// Bodies in motion, from a scene that makes sense. No body of it becomes NaN or infinite.
+class World
+{
+public:
+  /// The scene as it starts; InvalidScene if it makes no sense.
+  World(const Scene& scene, IslandSolver solver, bool may_sleep = false)
+      : scene_(checked(scene)),
+        solver_(std::move(solver)),
+        may_sleep_(may_sleep),
+        forces_(scene.bodies.size(), Vector3<double>::Zero()),
+        sleep_(scene.bodies.size())
+  {
+    for (const SceneBody& body : scene_.bodies)
+    {
+      bounds_.push_back({{}, static_cast<int>(bodies_.size())});
+      bodies_.push_back(rigid_body(body));
+    }
+  }
+
+  const Scene& scene() const { return scene_; }                           ///< as it started
+  const std::vector<RigidBody>& bodies() const { return bodies_; }        ///< in its order
+  const std::vector<WorldContact>& contacts() const { return contacts_; } ///< of the last step
+  /// As they were when the last step began.
+  const std::vector<RigidBody>& bodies_before() const { return before_; }
+  double time() const
+  {
+    return static_cast<double>(steps_) * scene_.step;
+  }                                                                   ///< [s], since the start
+  bool sleeps(std::size_t body) const { return sleep_[body].asleep; } ///< whether a body does
+
+  /// How far apart [m] two bodies may be and still be in contact: what a fall from rest covers in
+  /// two steps, so that a solver knows of a touch before there is an overlap.
+  double margin() const { return 2 * scene_.gravity.norm() * scene_.step * scene_.step; }
+
+  /// Adds a force [N], world, on a body's centre, in the next step only; std::invalid_argument, and
+  /// nothing changes, if it is not finite.
+  void push(std::size_t body, const Vector3<double>& force)
+  {
+    if (!force.allFinite())
+    {
+      throw std::invalid_argument("the force on " + scene_.bodies.at(body).name + " is not finite");
+    }
+    forces_.at(body) += force;
+    wake(sleep_, island_numbers(bodies_, contacts_), static_cast<int>(body));
+  }
+
+  /// Goes on by one step of the scene.
+  void step()
+  {
+    find_contacts();
+    before_ = bodies_;
+    if (may_sleep_)
+    {
+      settle(sleep_, island_numbers(bodies_, contacts_), SleepLimits<double>{});
+    }
+    for (const Island& island : islands_of(bodies_, contacts_))
+    {
+      if (!sleep_[index(island.bodies.front())].asleep)
+      {
+        advance(island);
+      }
+    }
+    finish();
+    ++steps_;
+  }
+  // [world]
+
+private:
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+  void find_contacts()
+  {
+    for (Bounds& bound : bounds_)
+    {
+      const std::size_t i = index(bound.body);
+      bound.box = bounds_of(bodies_[i], scene_.bodies[i].shape, margin() / 2);
+    }
+    contacts_ = next_contacts(
+        scene_, bodies_, contacts_, overlapping_pairs(bounds_), margin(),
+        [this](int body) { return is_fixed(bodies_[index(body)]) || sleeps(index(body)); });
+  }
+
+  // [advance]
+  /// Moves an island: forces, bounces, contacts; and what no contact has pushed flies on.
+  void advance(const Island& island)
+  {
+    const IslandView view{bodies_, contacts_, scene_.gravity};
+    for (const int i : island.bodies)
+    {
+      RigidBody& body = bodies_[index(i)];
+      body.velocity += scene_.step * body.inverse_mass * forces_[index(i)];
+    }
+    if (!island.contacts.empty())
+    {
+      impacts(view, island, scene_.step);
+      remember(island);
+      solver_(view, island, scene_.step);
+    }
+    for (const int i : island.bodies)
+    {
+      move(index(i), !island.contacts.empty());
+    }
+  }
+
+  void remember(const Island& island)
+  {
+    start_.resize(bodies_.size());
+    for (const int i : island.bodies)
+    {
+      start_[index(i)] = bodies_[index(i)];
+    }
+  }
+
+  /// Whether a solver has done anything but add gravity to a body's velocity.
+  bool was_pushed(std::size_t i) const
+  {
+    const RigidBody &now = bodies_[i], &start = start_[i];
+    const Vector3<double> fallen = start.velocity + scene_.step * scene_.gravity;
+    const double turned = (now.angular_velocity - start.angular_velocity).norm();
+    return (now.velocity - fallen).norm() > 1e-9 * fallen.norm() ||
+           turned > 1e-9 * start.angular_velocity.norm();
+  }
+
+  /// Has a body fly that nothing has pushed; a ball stops at what would be in its way.
+  void move(std::size_t i, bool solved)
+  {
+    if (solved && was_pushed(i))
+    {
+      return;
+    }
+    if (solved)
+    {
+      bodies_[i] = start_[i];
+    }
+    if (std::holds_alternative<SphereShape>(scene_.bodies[i].shape))
+    {
+      fly_ball(scene_, bodies_, i, scene_.step);
+    }
+    else
+    {
+      bodies_[i] = flown(bodies_[i], scene_.gravity, scene_.step);
+    }
+  }
+  // [advance]
+
+  // [finish]
+  /// Watches who rests, and keeps bodies whose numbers have overflowed where they were, fixed.
+  void finish()
+  {
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+    {
+      RigidBody& body = bodies_[i];
+      if (!is_finite(body))
+      {
+        body = before_[i];
+        fix(body);
+      }
+      if (may_sleep_ && !is_fixed(body) && !sleeps(i))
+      {
+        const double radius = bounds_of(body, scene_.bodies[i].shape, 0).sizes().norm() / 2;
+        sleep_[i] = watched(
+            sleep_[i], body.velocity, body.angular_velocity, radius, scene_.step,
+            SleepLimits<double>{});
+      }
+      forces_[i].setZero();
+    }
+  }
+  // [finish]
+
+  Scene scene_;
+  IslandSolver solver_;
+  bool may_sleep_;
+  long steps_ = 0;
+  std::vector<RigidBody> bodies_, before_, start_;
+  std::vector<Vector3<double>> forces_;
+  std::vector<SleepState<double>> sleep_;
+  std::vector<Bounds> bounds_;
+  std::vector<WorldContact> contacts_;
+};
+
+} // namespace cookbook

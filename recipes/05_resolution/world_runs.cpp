@@ -1,0 +1,109 @@
+/// \file
+/// \brief Runs scenes: every solver is compiled here, and nowhere else.
+
+#include "05_resolution/world_runs.hpp"
+#include "05_resolution/solvers.hpp"
+#include "05_resolution/world_measures.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace cookbook
+{
+namespace
+{
+
+Frame frame_of(const World& world)
+{
+  Frame frame{world.time(), {}};
+  for (const RigidBody& body : world.bodies())
+  {
+    frame.bodies.push_back({body.position, body.orientation, body.velocity, body.angular_velocity});
+  }
+  return frame;
+}
+
+double seconds_of(const std::function<void()>& work)
+{
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double movable_bodies(const Scene& scene)
+{
+  return std::max(
+      1.0, static_cast<double>(std::count_if(
+               scene.bodies.begin(), scene.bodies.end(),
+               [](const SceneBody& body) { return body.mass > 0; })));
+}
+
+} // namespace
+
+std::size_t steps_of(const Scene& scene, double duration)
+{
+  return static_cast<std::size_t>(
+      std::llround((duration < 0 ? scene.duration : duration) / scene.step));
+}
+
+WorldRun run_world(
+    const Scene& scene, const RunSettings& settings, const std::function<void(std::size_t)>& watch)
+{
+  World world(scene, solver_named(settings.solver, settings.substeps), settings.may_sleep);
+  const Vector3<double>& gravity = scene.gravity;
+  WorldRun run;
+  run.frames.push_back(frame_of(world));
+  run.energy_start = run.energy_most = energy(world.bodies(), gravity);
+  const std::size_t steps = steps_of(scene, settings.duration);
+  const double bodies = movable_bodies(scene);
+  for (std::size_t i = 1; i <= steps; ++i)
+  {
+    const double seconds = seconds_of([&] { world.step(); });
+    run.time += seconds / (bodies * static_cast<double>(steps));
+    run.longest_step = std::max(run.longest_step, seconds / bodies);
+    run.deepest = std::max(run.deepest, deepest_overlap(world));
+    run.energy_most = std::max(run.energy_most, energy(world.bodies(), gravity));
+    if (settings.keeps_frames || i == steps)
+    {
+      run.frames.push_back(frame_of(world));
+    }
+    if (watch)
+    {
+      watch(i);
+    }
+  }
+  run.overlap = deepest_overlap(world);
+  run.drift = farthest_move(world).sideways;
+  run.sink = farthest_move(world).along;
+  run.energy_end = energy(world.bodies(), gravity);
+  run.momentum = momentum(world.bodies());
+  run.residual = residual(world);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+  {
+    run.asleep += world.sleeps(i) ? 1 : 0;
+  }
+  return run;
+}
+
+std::vector<double> carried(const Scene& scene, const std::string& solver, int steps)
+{
+  World world(scene, solver_named(solver));
+  for (int i = 0; i < steps; ++i)
+  {
+    world.step();
+  }
+  std::vector<double> sums(scene.bodies.size(), 0.0);
+  for (const WorldContact& contact : world.contacts())
+  {
+    for (const WorldPoint& point : contact.points())
+    {
+      const Vector3<double> impulse = point.impulse * contact.normal() + point.friction;
+      sums[static_cast<std::size_t>(contact.b)] -=
+          impulse.dot(scene.gravity) / std::max(scene.gravity.norm(), 1e-300);
+    }
+  }
+  return sums;
+}
+
+} // namespace cookbook

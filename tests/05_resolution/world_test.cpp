@@ -1,0 +1,271 @@
+/// \file
+/// The world: energy, momentum, bounces, walls, the same bits again, and scenes that make no sense.
+
+#include "05_resolution/solvers.hpp"
+#include "05_resolution/world_measures.hpp"
+#include "05_resolution/world_runs.hpp"
+#include "05_resolution/world_scenes.hpp"
+
+#include "tests/catch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace
+{
+
+using namespace cookbook;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// A ball of 1 kg and radius 0.5 m, its lowest point 1 m above the ground.
+Scene falling_ball(double restitution)
+{
+  Scene scene;
+  scene.bodies.push_back({"ground", PlaneShape{{0, 1, 0}, 0}});
+  scene.bodies.push_back({"ball", SphereShape{0.5}, 1});
+  scene.bodies.back().position = {0, 1.5, 0};
+  scene.bodies.back().restitution = restitution;
+  return scene;
+}
+
+/// The highest places that the last body reaches between touches of the ground, one a bounce.
+std::vector<double> apexes(const std::vector<Frame>& frames)
+{
+  std::vector<double> tops;
+  for (std::size_t i = 1; i + 1 < frames.size(); ++i)
+  {
+    const double before = frames[i - 1].bodies.back().position.y();
+    const double now = frames[i].bodies.back().position.y();
+    const double after = frames[i + 1].bodies.back().position.y();
+    if (now >= before && now > after)
+    {
+      tops.push_back(now);
+    }
+  }
+  return tops;
+}
+
+bool same_bits(const BodyState& a, const BodyState& b)
+{
+  return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs() &&
+         a.velocity == b.velocity && a.angular_velocity == b.angular_velocity;
+}
+
+} // namespace
+
+// [bounce]
+TEST_CASE("a ball with e = 1 keeps its energy to 1e-6 for 20 s", "[S16]")
+{
+  const WorldRun run = run_world(falling_ball(1), {.duration = 20});
+  CHECK(std::abs(run.energy_end / run.energy_start - 1) <= 1e-6);
+  CHECK(run.energy_most <= run.energy_start * (1 + 1e-12));
+}
+
+TEST_CASE("a ball with e = 0.5 comes up to a quarter and a sixteenth of its height", "[S15]")
+{
+  const WorldRun run = run_world(falling_ball(0.5), {.duration = 3, .keeps_frames = true});
+  const std::vector<double> tops = apexes(run.frames);
+  REQUIRE(tops.size() >= 2);
+  // A frame may miss the top by half a step: g (h/2)² / 2.
+  const double missed = 9.81 / 8 / 3600;
+  CHECK(tops[0] - 0.5 == Catch::Approx(0.25).margin(missed));
+  CHECK(tops[1] - 0.5 == Catch::Approx(0.0625).margin(missed));
+}
+
+TEST_CASE("a cube with e = 1 that lands flat comes up as fast, and does not turn", "[S14]")
+{
+  Scene scene = falling_ball(1);
+  scene.bodies.back().shape = BoxShape{{0.5, 0.5, 0.5}};
+  const WorldRun run = run_world(scene, {.duration = 5});
+  CHECK(std::abs(run.energy_end / run.energy_start - 1) <= 1e-6);
+  CHECK(run.frames.back().bodies.back().angular_velocity.norm() <= 1e-6);
+}
+// [bounce]
+
+// [passive]
+TEST_CASE("towers, slopes, dominoes and heaps never gain energy", "[R4]")
+{
+  for (const char* const scene : {"tower", "incline", "rolling", "domino_8", "pile_12", "plates"})
+  {
+    CAPTURE(scene);
+    const WorldRun run = run_world(named_scene(scene), {.duration = 3});
+    CHECK(run.energy_most <= run.energy_start * (1 + 1e-9));
+  }
+}
+
+TEST_CASE("two free boxes that collide keep their momentum to rounding", "[R3]")
+{
+  Scene scene;
+  scene.gravity.setZero();
+  for (const double side : {-1.0, 1.0})
+  {
+    SceneBody box{side < 0 ? "left" : "right", BoxShape{{0.5, 0.3, 0.4}}, 2 + side};
+    box.position = {1.2 * side, 0.1 * side, 0};
+    box.velocity = {-2 * side, 0.3, 0.1 * side};
+    box.restitution = 0.4;
+    scene.bodies.push_back(box);
+  }
+  const World start(scene, solver_named("direct"));
+  const Vector3<double> before = momentum(start.bodies());
+  const WorldRun run = run_world(scene, {.duration = 2});
+  CHECK(run.frames.back().bodies[0].velocity != scene.bodies[0].velocity);
+  CHECK((run.momentum - before).norm() <= 1e-12);
+}
+// [passive]
+
+// [walls]
+TEST_CASE("a ball of 5 cm never passes a wall of 2 cm, at 1 to 1,000 m/s, and comes back", "[J1]")
+{
+  for (const char* const scene : {"thin_wall_1", "thin_wall_10", "thin_wall_100", "thin_wall_1000"})
+  {
+    CAPTURE(scene);
+    const Scene at_wall = named_scene(scene);
+    const double speed = at_wall.bodies[1].velocity.x();
+    const std::vector<BodyState> end = run_world(at_wall).frames.back().bodies;
+    CHECK(end[1].position.x() < 0);
+    CHECK(end[1].velocity.x() == Catch::Approx(-speed).epsilon(1e-12));
+    // The other ball passes 3 cm beside the edge of the wall.
+    CHECK(end[2].position.x() > 1);
+    CHECK(end[2].velocity == Vector3<double>(speed, 0, 0));
+  }
+}
+// [walls]
+
+// [same]
+TEST_CASE("a run gives the same bits twice, and a body far away changes none of them", "[S20]")
+{
+  for (const char* const name : {"domino_6", "pile_10", "tower"})
+  {
+    CAPTURE(name);
+    const Scene scene = named_scene(name);
+    Scene with_other = scene;
+    with_other.bodies.push_back({"other", BoxShape{{1, 1, 1}}, 3});
+    with_other.bodies.back().position = {500, 2, 0};
+    const Frame once = run_world(scene, {.duration = 3}).frames.back();
+    const Frame again = run_world(scene, {.duration = 3}).frames.back();
+    const Frame other = run_world(with_other, {.duration = 3}).frames.back();
+    for (std::size_t i = 0; i < once.bodies.size(); ++i)
+    {
+      CHECK(same_bits(once.bodies[i], again.bodies[i]));
+      CHECK(same_bits(once.bodies[i], other.bodies[i]));
+    }
+  }
+}
+
+TEST_CASE("a tower of five stands in the same place in whatever order it is listed", "[S19]")
+{
+  const Scene scene = named_scene("tower_5");
+  std::mt19937 random(3);
+  for (int round = 0; round < 20; ++round)
+  {
+    Scene shuffled = scene;
+    for (std::size_t left = shuffled.bodies.size(); left > 1; --left)
+    {
+      std::swap(shuffled.bodies[left - 1], shuffled.bodies[random() % left]);
+    }
+    const WorldRun run = run_world(shuffled, {.duration = 2});
+    CHECK(std::hypot(run.sink, run.drift) < 0.01);
+  }
+}
+// [same]
+
+// [bad]
+TEST_CASE("a scene that makes no sense is answered with the body, the member and the value", "[L3]")
+{
+  const auto reason = [](const SceneBody& body) -> std::string
+  {
+    Scene scene;
+    scene.bodies.push_back(body);
+    try
+    {
+      run_world(scene, {.duration = 0});
+    }
+    catch (const InvalidScene& wrong)
+    {
+      return wrong.what();
+    }
+    return "none";
+  };
+  SceneBody crate{"crate", BoxShape{{1, 1, 1}}, 1};
+  CHECK(reason(crate) == "none");
+  crate.mass = not_a_number;
+  CHECK(reason(crate) == "crate: mass must be finite, got nan");
+  crate.mass = -2;
+  CHECK(reason(crate) == "crate: mass must be zero or more, got -2");
+  crate.mass = 1;
+  crate.shape = BoxShape{{1, 0, 1}};
+  CHECK(reason(crate) == "crate: half_extents.y must be greater than zero, got 0");
+  crate.shape = SphereShape{-1};
+  CHECK(reason(crate) == "crate: radius must be greater than zero, got -1");
+  crate.shape = PlaneShape{{0, 1, 0}, 0};
+  CHECK(reason(crate) == "crate: mass must be 0 for a plane, got 1");
+  crate = {"crate", BoxShape{{1, 1, 1}}, 1};
+  crate.position.z() = infinity;
+  CHECK(reason(crate) == "crate: position.z must be finite, got inf");
+}
+
+TEST_CASE("a force that is not finite is refused, and nothing else moves differently", "[L3]")
+{
+  World pushed(named_scene("pile_10"), solver_named("direct"));
+  World left_alone(named_scene("pile_10"), solver_named("direct"));
+  for (int i = 0; i < 60; ++i)
+  {
+    CHECK_THROWS_AS(pushed.push(3, {not_a_number, 0, 0}), std::invalid_argument);
+    pushed.step();
+    left_alone.step();
+  }
+  for (std::size_t i = 0; i < pushed.bodies().size(); ++i)
+  {
+    CHECK(pushed.bodies()[i].position == left_alone.bodies()[i].position);
+  }
+}
+
+TEST_CASE("a force of 1e308 N leaves all numbers finite", "[L3]")
+{
+  World world(named_scene("pile_10"), solver_named("direct"));
+  for (int i = 0; i < 30; ++i)
+  {
+    world.push(3, {1e308, -1e308, 0});
+    world.step();
+  }
+  for (const RigidBody& body : world.bodies())
+  {
+    CHECK(is_finite(body));
+  }
+}
+
+TEST_CASE("ten thousand bodies in one place are refused, with a sentence", "[L3]")
+{
+  Scene scene;
+  scene.bodies.assign(10'000, {"box", BoxShape{{0.5, 0.5, 0.5}}, 1});
+  CHECK_THROWS_AS(run_world(scene, {.duration = 1}), TooManyContacts);
+}
+
+TEST_CASE("a solver that there is not is answered with those there are")
+{
+  CHECK_THROWS_WITH(
+      run_world(named_scene("tower_1"), {.solver = "magic", .duration = 0}),
+      Catch::Contains("there is no solver 'magic'; there are direct,"));
+}
+// [bad]
+
+// [sleep]
+TEST_CASE("a tower falls asleep within 2 s, and wakes when it is pushed", "[L2]")
+{
+  World world(named_scene("tower_5"), solver_named("direct"), true);
+  for (int i = 0; i < 120; ++i)
+  {
+    world.step();
+  }
+  CHECK(world.sleeps(1));
+  CHECK(world.sleeps(5));
+  world.push(5, {200, 0, 0});
+  world.step();
+  CHECK_FALSE(world.sleeps(1));
+  CHECK(world.bodies()[5].velocity.x() > 1);
+}
+// [sleep]
