@@ -55,8 +55,24 @@ BoxMethod batch_method()
   return method;
 }
 
+/// The methods that are judged by their depth and by their points, compiled once for both.
+struct WholeAnswers
+{
+  BoxMethod as_published = box_method(
+      "box_as_published", [](const auto& a, const auto& b) { return box_as_published(a, b); });
+  BoxMethod general =
+      box_method("gjk_epa", [](const auto& a, const auto& b) { return gjk_epa(a, b); });
+  BoxMethod edges =
+      box_method("edge_clipping", [](const auto& a, const auto& b) { return edge_clipping(a, b); });
+  BoxMethod faces =
+      box_method("face_clipping", [](const auto& a, const auto& b) { return face_clipping(a, b); });
+  BoxMethod recommended =
+      box_method("box_box", [](const auto& a, const auto& b) { return box_box(a, b); });
+  BoxMethod batch = batch_method();
+};
+
 /// Whole answers, by their decision, depth and normal.
-std::vector<BoxMethod> manifold_methods()
+std::vector<BoxMethod> manifold_methods(const WholeAnswers& whole)
 {
   const auto yes_or_no = [](const auto& a, const auto& b)
   {
@@ -66,17 +82,16 @@ std::vector<BoxMethod> manifold_methods()
   };
   return {
       box_method("overlap_as_published", yes_or_no),
-      box_method(
-          "box_as_published", [](const auto& a, const auto& b) { return box_as_published(a, b); }),
-      box_method("gjk_epa", [](const auto& a, const auto& b) { return gjk_epa(a, b); }),
-      box_method("edge_clipping", [](const auto& a, const auto& b) { return edge_clipping(a, b); }),
-      box_method("face_clipping", [](const auto& a, const auto& b) { return face_clipping(a, b); }),
-      box_method("box_box", [](const auto& a, const auto& b) { return box_box(a, b); }),
-      batch_method()};
+      whole.as_published,
+      whole.general,
+      whole.edges,
+      whole.faces,
+      whole.recommended,
+      whole.batch};
 }
 
 /// Ways to find points.
-std::vector<BoxMethod> point_methods()
+std::vector<BoxMethod> point_methods(const WholeAnswers& whole)
 {
   const auto untolerant = [](const auto& a, const auto& b)
   {
@@ -90,13 +105,12 @@ std::vector<BoxMethod> point_methods()
   };
   return {
       box_method("untolerant_points", untolerant),
-      box_method(
-          "box_as_published", [](const auto& a, const auto& b) { return box_as_published(a, b); }),
-      box_method("edge_clipping", [](const auto& a, const auto& b) { return edge_clipping(a, b); }),
-      box_method("gjk_epa", [](const auto& a, const auto& b) { return gjk_epa(a, b); }),
-      box_method("face_clipping", [](const auto& a, const auto& b) { return face_clipping(a, b); }),
-      box_method("box_box", [](const auto& a, const auto& b) { return box_box(a, b); }),
-      batch_method()};
+      whole.as_published,
+      whole.edges,
+      whole.general,
+      whole.faces,
+      whole.recommended,
+      whole.batch};
 }
 // [box_methods]
 
@@ -160,11 +174,13 @@ std::vector<VerdictRow> verdict_rows(const VerdictPart& part)
 
 std::vector<VerdictPart> verdict_parts()
 {
+  const WholeAnswers whole;
   return {
       {"box_failures", "Ways to find the least overlap", axis_methods(), verdict_on_overlap},
-      {"box_failures_manifolds", "Whole answers: decision, depth and normal", manifold_methods(),
-       verdict_on_overlap},
-      {"box_failures_points", "Ways to find contact points", point_methods(), verdict_on_points}};
+      {"box_failures_manifolds", "Whole answers: decision, depth and normal",
+       manifold_methods(whole), verdict_on_overlap},
+      {"box_failures_points", "Ways to find contact points", point_methods(whole),
+       verdict_on_points}};
 }
 
 } // namespace cookbook
