@@ -43,16 +43,20 @@ inline std::vector<FrictionRule> friction_rules()
 // [friction_rules]
 
 // [visit]
+/// How far [m] over a surface a corner may be to be asked at all: farther than a step takes it.
+inline constexpr double far_off = 0.1;
+
 /// One visit to a touch: a push so that the step does not close more than its gap, then friction.
 inline void visit(OneContactScene& scene, Touch& touch, const FrictionCut& cut)
 {
+  if (touch.gap > far_off)
+  {
+    return;
+  }
   const Vector3<double> up = Vector3<double>::UnitY();
-  Solid& a = scene.solids[touch.a];
-  Solid& b = scene.solids[touch.b];
-  BodyPair<double> bodies{a.body, b.body};
+  BodyPair<double> bodies{scene.solids[touch.a].body, scene.solids[touch.b].body};
   const double missing = -touch.gap / scene.step - parting_speed(bodies, up, touch.point);
-  const double sum =
-      std::max(0.0, touch.pushed + missing / inverse_mass_at(bodies, up, touch.point));
+  const double sum = std::max(0.0, touch.pushed + missing / touch.inverse_mass);
   if (sum == 0 && touch.pushed == 0)
   {
     return;
@@ -65,8 +69,8 @@ inline void visit(OneContactScene& scene, Touch& touch, const FrictionCut& cut)
   const Vector3<double> rub = cut(wanted, touch.friction * sum, planned);
   bodies = rubbed<double>(bodies, touch.point, rub - touch.rubbed);
   touch.rubbed = rub;
-  a.body = bodies.a;
-  b.body = bodies.b;
+  scene.solids[touch.a].body = bodies.a;
+  scene.solids[touch.b].body = bodies.b;
 }
 
 /// Prepares a touch for a step, and gives once more what it gave in the step before.
@@ -74,7 +78,14 @@ inline void begin(OneContactScene& scene, Touch& touch)
 {
   const Vector3<double> up = Vector3<double>::UnitY();
   locate(scene, touch);
+  if (touch.gap > far_off)
+  {
+    touch.pushed = 0;
+    touch.rubbed.setZero();
+    return;
+  }
   BodyPair<double> bodies{scene.solids[touch.a].body, scene.solids[touch.b].body};
+  touch.inverse_mass = inverse_mass_at(bodies, up, touch.point);
   touch.sliding_inverse_mass = sliding_inverse_mass(bodies, up, touch.point);
   bodies = pushed_apart(bodies, up, touch.point, touch.pushed);
   bodies = rubbed(bodies, touch.point, touch.rubbed);
