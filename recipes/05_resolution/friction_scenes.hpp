@@ -74,7 +74,7 @@ inline void visit(OneContactScene& scene, Touch& touch, const FrictionCut& cut)
 }
 
 /// Prepares a touch for a step, and gives once more what it gave in the step before.
-inline void begin(OneContactScene& scene, Touch& touch)
+inline void prepare(OneContactScene& scene, Touch& touch)
 {
   const Vector3<double> up = Vector3<double>::UnitY();
   locate(scene, touch);
@@ -148,7 +148,7 @@ inline void advance(OneContactScene& scene, const FrictionRule& rule)
   pull(scene);
   for (Touch& touch : scene.touches)
   {
-    begin(scene, touch);
+    prepare(scene, touch);
   }
   for (int pass = 0; pass < scene.passes; ++pass)
   {
