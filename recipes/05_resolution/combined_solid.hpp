@@ -18,9 +18,9 @@ namespace cookbook
 template <class Real>
 struct PlacedSolid
 {
-  MassProperties<Real> properties;
-  Vector3<Real> center; ///< [m], of mass
-  Matrix3<Real> axes;   ///< [1], columns are the unit axes that the moments belong to
+  MassProperties<Real> properties; ///< about its own centre, along its own axes
+  Vector3<Real> center;            ///< [m], of mass
+  Matrix3<Real> axes;              ///< [1], columns are the unit axes that the moments belong to
 };
 
 /// The inertia [kg m²] of a solid about any point [m], along the axes of the common frame; M12,

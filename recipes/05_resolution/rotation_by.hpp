@@ -16,8 +16,8 @@ namespace cookbook
 template <class Real>
 struct HalfTurn
 {
-  Real cosine;
-  Real sine;
+  Real cosine; ///< [1]
+  Real sine;   ///< [1]
 };
 
 /// Cosine and sine of half an angle [rad], right to rounding.

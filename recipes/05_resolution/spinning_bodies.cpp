@@ -45,8 +45,8 @@ void run(const Arguments& given)
   std::cout << flips_table(scene, rate) << "\n" << drift_table(scene, rate);
   save_figure(given, "spinning_bodies.svg", racket_figure().svg());
   save_figure(given, "spinning_bodies_flips.svg", flips_figure(scene, rate).svg());
-  save_figure(given, "spinning_bodies_energy.svg", energy_figure().svg());
-  save_figure(given, "spinning_bodies_cost.svg", cost_figure().svg());
+  save_figure(given, "spinning_bodies_energy.svg", spin_energy_figure().svg());
+  save_figure(given, "spinning_bodies_cost.svg", spin_cost_figure().svg());
   save_tables(given);
 }
 

@@ -35,8 +35,8 @@ struct Tumbling
 template <class Real>
 struct SpinAxis
 {
-  Eigen::Index index;
-  Real rate;
+  Eigen::Index index; ///< 0, 1 or 2
+  Real rate;          ///< [rad/s] for a unit of momentum
 };
 
 /// A body after it has turned about one of its own axes for a time [s]; the momentum along that

@@ -77,9 +77,9 @@ inline plot::Chart flips_figure(const FreeSpin& scene, double rate)
 }
 // [flips_figure]
 
-// [energy_figure]
+// [spin_energy_figure]
 /// The largest energy drift so far of the free spin of case I4, over a hundred seconds at 60 Hz.
-inline plot::Chart energy_figure()
+inline plot::Chart spin_energy_figure()
 {
   plot::Chart chart(
       "spinning_bodies_energy", "", {"time [s]"},
@@ -106,12 +106,12 @@ inline plot::Chart energy_figure()
   }
   return chart;
 }
-// [energy_figure]
+// [spin_energy_figure]
 
-// [cost_figure]
+// [spin_cost_figure]
 /// How far off an orientation is after ten seconds, against the stages a second that it took: a
 /// stage solves or evaluates Euler's equations once, or takes the body's axes in turn once.
-inline plot::Chart cost_figure()
+inline plot::Chart spin_cost_figure()
 {
   plot::Chart chart(
       "spinning_bodies_cost", "", {"stages a second", plot::Scale::log},
@@ -135,6 +135,6 @@ inline plot::Chart cost_figure()
   }
   return chart;
 }
-// [cost_figure]
+// [spin_cost_figure]
 
 } // namespace cookbook
