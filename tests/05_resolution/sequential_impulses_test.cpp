@@ -2,6 +2,7 @@
 /// What holds for sequential impulses: formulas R7 to R10, how fast they come, cold and warm.
 
 #include "05_resolution/many_contacts_cases.hpp"
+#include "05_resolution/motion_scenes.hpp"
 #include "05_resolution/sequential_impulses.hpp"
 #include "05_resolution/sequential_impulses_pitfalls.hpp"
 #include "05_resolution/sequential_impulses_scenes.hpp"
@@ -273,5 +274,15 @@ TEST_CASE("100 kg on 1 kg: 64 passes and 4 over the positions stand where 20 fal
   CHECK(most.sink < 0.02);
   CHECK(
       stack_measures(scenes::heavy_on_light(100), impulse_method(true, 20).solver(), 10).fell > 0);
+}
+
+TEST_CASE("on 30° with friction 0.6, warm impulses keep a cube within 0.1 mm for 10 s", "[R7]")
+{
+  World world(scenes::incline(0.5, 0.6), impulse_method(true, 8).solver());
+  while (world.time() < 10)
+  {
+    world.step();
+  }
+  CHECK((world.bodies()[1].position - world.scene().bodies[1].position).norm() < 1e-4);
 }
 // [warm]
