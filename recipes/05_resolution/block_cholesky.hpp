@@ -3,9 +3,8 @@
 /// \file
 /// \brief Solves sparse symmetric systems whose unknowns come in sixes, one six a body.
 
-#include <Eigen/Core>
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCore>
+#include "05_resolution/block_factor.hpp"
+#include "05_resolution/block_order.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,36 +14,6 @@
 
 namespace cookbook
 {
-
-/// Linear and angular part of one body.
-using Vector6 = Eigen::Matrix<double, 6, 1>;
-
-/// What one body's six feel of another's.
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
-
-// [ordering]
-/// An order of elimination of `count` unknowns that keeps the fill small, from which pairs of them
-/// are coupled: approximate minimum degree. The k-th entry says what comes k-th.
-inline std::vector<int>
-elimination_order(int count, const std::vector<std::pair<int, int>>& coupled)
-{
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int i = 0; i < count; ++i)
-  {
-    entries.emplace_back(i, i, 1.0);
-  }
-  for (const auto& [i, j] : coupled)
-  {
-    entries.emplace_back(i, j, 1.0);
-    entries.emplace_back(j, i, 1.0);
-  }
-  Eigen::SparseMatrix<double> pattern(count, count);
-  pattern.setFromTriplets(entries.begin(), entries.end());
-  Eigen::AMDOrdering<int>::PermutationType order;
-  Eigen::AMDOrdering<int>()(pattern, order);
-  return {order.indices().data(), order.indices().data() + count};
-}
-// [ordering]
 
 // [block_cholesky]
 /// The factor L of a symmetric positive definite matrix H = L Lᵀ of 6 × 6 blocks.
@@ -64,7 +33,13 @@ public:
     {
       place_[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
     }
-    find_rows(count, coupled);
+    starts_.assign(1, 0);
+    rows_.clear();
+    for (const std::vector<int>& column : filled_rows(place_, coupled))
+    {
+      rows_.insert(rows_.end(), column.begin(), column.end());
+      starts_.push_back(rows_.size());
+    }
     find_products(most);
     diagonal_.resize(order.size());
     inverse_.resize(order.size());
@@ -84,17 +59,13 @@ public:
   /// The diagonal block of a body; only its lower half is read.
   Matrix6& diagonal(int body) { return diagonal_[slot(body)]; }
 
-  /// Where the block of two coupled bodies is; true if it is to be added transposed, as block (j,
-  /// i).
-  std::pair<std::size_t, bool> coupling(int i, int j) const
+  /// Adds to the block of two coupled bodies, i's row and j's column.
+  void add_coupling(int i, int j, const Matrix6& block)
   {
-    const int row = std::max(place_[index(i)], place_[index(j)]);
-    const int column = std::min(place_[index(i)], place_[index(j)]);
-    return {find(row, column), place_[index(i)] < place_[index(j)]};
+    const int a = place_[index(i)], b = place_[index(j)];
+    Matrix6& sum = below_[find(std::max(a, b), std::min(a, b))];
+    a < b ? sum += block.transpose() : sum += block;
   }
-
-  /// A block below the diagonal, as coupling() found it.
-  Matrix6& block(std::size_t at) { return below_[at]; }
 
   /// Factors what the blocks hold; false if it is not positive definite.
   bool factor()
@@ -156,35 +127,10 @@ private:
 
   std::size_t find(int row, int column) const
   {
-    const auto first = rows_.begin() + static_cast<std::ptrdiff_t>(starts_[index(column)]);
-    const auto last = rows_.begin() + static_cast<std::ptrdiff_t>(starts_[index(column) + 1]);
-    return static_cast<std::size_t>(std::lower_bound(first, last, row) - rows_.begin());
-  }
-
-  /// The rows of each column: those coupled to it, and what earlier columns fill in.
-  void find_rows(int count, const std::vector<std::pair<int, int>>& coupled)
-  {
-    std::vector<std::vector<int>> rows(index(count));
-    for (const auto& [i, j] : coupled)
-    {
-      const int a = place_[index(i)], b = place_[index(j)];
-      rows[index(std::min(a, b))].push_back(std::max(a, b));
-    }
-    starts_.assign(1, 0);
-    rows_.clear();
-    for (std::size_t j = 0; j < rows.size(); ++j)
-    {
-      std::vector<int>& own = rows[j];
-      std::sort(own.begin(), own.end());
-      own.erase(std::unique(own.begin(), own.end()), own.end());
-      if (!own.empty())
-      {
-        std::vector<int>& parent = rows[index(own.front())];
-        parent.insert(parent.end(), own.begin() + 1, own.end());
-      }
-      rows_.insert(rows_.end(), own.begin(), own.end());
-      starts_.push_back(rows_.size());
-    }
+    const auto at = [&](int j)
+    { return rows_.begin() + static_cast<std::ptrdiff_t>(starts_[index(j)]); };
+    return static_cast<std::size_t>(
+        std::lower_bound(at(column), at(column + 1), row) - rows_.begin());
   }
 
   /// Where each product of two blocks of a column goes.
@@ -201,46 +147,6 @@ private:
         }
       }
     }
-  }
-
-  /// The inverse of the lower triangular factor of a block; false if it has none.
-  static bool invert_factor(const Matrix6& block, Matrix6& inverse)
-  {
-    double l[6][6];
-    inverse.setZero();
-    for (int j = 0; j < 6; ++j)
-    {
-      double d = block(j, j);
-      for (int k = 0; k < j; ++k)
-      {
-        d -= l[j][k] * l[j][k];
-      }
-      if (!(d > 0))
-      {
-        return false;
-      }
-      const double per = 1 / std::sqrt(d);
-      for (int i = j + 1; i < 6; ++i)
-      {
-        double s = block(i, j);
-        for (int k = 0; k < j; ++k)
-        {
-          s -= l[i][k] * l[j][k];
-        }
-        l[i][j] = s * per;
-      }
-      inverse(j, j) = per;
-      for (int i = 0; i < j; ++i)
-      {
-        double s = 0;
-        for (int k = i; k < j; ++k)
-        {
-          s -= l[j][k] * inverse(k, i);
-        }
-        inverse(j, i) = s * per;
-      }
-    }
-    return true;
   }
 
   std::vector<int> place_;            // of each body in the order of elimination

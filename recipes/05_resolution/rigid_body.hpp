@@ -4,7 +4,7 @@
 /// \brief A body of a world: pose, motion, and how much a push changes it, in the body's own frame.
 
 #include "02_primitives/shapes.hpp"
-#include "05_resolution/mass_properties.hpp"
+#include "05_resolution/body.hpp"
 #include "05_resolution/scene.hpp"
 
 #include <cmath>
@@ -56,8 +56,7 @@ inline void update_axes(RigidBody& body)
   body.axes = body.orientation.toRotationMatrix();
   if (!is_fixed(body))
   {
-    body.inverse_inertia =
-        body.axes * body.moments.cwiseInverse().asDiagonal() * body.axes.transpose();
+    body.inverse_inertia = world_inverse_inertia(body.moments, body.axes);
   }
 }
 
@@ -97,7 +96,7 @@ inline RigidBody rigid_body(const SceneBody& body)
       body.orientation.normalized(),
       body.velocity,
       body.angular_velocity,
-      fixed ? 0 : 1 / body.mass,
+      fixed ? 0 : inverse_of(body.mass),
       fixed ? Vector3<double>(0, 0, 0) : mass_properties(body).moments,
       Matrix3<double>::Identity(),
       Matrix3<double>::Zero()};

@@ -22,7 +22,6 @@ namespace cookbook
 
 /// Moves the bodies of one island on by a step [s], and sets the impulses of its contacts.
 using IslandSolver = std::function<void(IslandView, const Island&, double)>;
-
 // [world]
 /// Bodies in motion, from a scene that makes sense. No body of it becomes NaN or infinite.
 class World
@@ -89,7 +88,6 @@ public:
     finish();
     ++steps_;
   }
-  // [world]
 
 private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -105,8 +103,6 @@ private:
         scene_, bodies_, contacts_, overlapping_pairs(bounds_), margin(),
         [this](int body) { return is_fixed(bodies_[index(body)]) || sleeps(index(body)); });
   }
-
-  // [advance]
   /// Moves an island: forces, bounces, contacts; and what no contact has pushed flies on.
   void advance(const Island& island)
   {
@@ -167,9 +163,6 @@ private:
       bodies_[i] = flown(bodies_[i], scene_.gravity, scene_.step);
     }
   }
-  // [advance]
-
-  // [finish]
   /// Watches who rests, and keeps bodies whose numbers have overflowed where they were, fixed.
   void finish()
   {
@@ -191,7 +184,6 @@ private:
       forces_[i].setZero();
     }
   }
-  // [finish]
 
   Scene scene_;
   IslandSolver solver_;
@@ -203,5 +195,6 @@ private:
   std::vector<Bounds> bounds_;
   std::vector<WorldContact> contacts_;
 };
+// [world]
 
 } // namespace cookbook

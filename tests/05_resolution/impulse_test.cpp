@@ -1,5 +1,5 @@
 /// \file
-/// What holds for the impulse of a bounce at one point: formulas R1 to R5, R26 and R33.
+/// What holds for the impulse of a bounce at one point: formulas R1 to R5 and R33.
 
 #include "05_resolution/bounce_cases.hpp"
 #include "05_resolution/conserved.hpp"
@@ -18,32 +18,6 @@
 #include <random>
 
 using namespace cookbook;
-
-// [R26]
-TEST_CASE("a box of 12 kg, 2 by 4 by 6 m, has moments 52, 40, 20; a ball of 5 kg, 2 m, 8", "[R26]")
-{
-  CHECK(solid_box<double>(12, {1, 2, 3}).moments == Vector3<double>(52, 40, 20));
-  CHECK(solid_sphere<double>(5, 2).moments == Vector3<double>(8, 8, 8));
-  CHECK(solid_box<double>(12, {1, 2, 3}).mass == 12);
-  CHECK(solid_sphere<double>(5, 2).mass == 5);
-}
-
-TEST_CASE(
-    "a rod of 3 kg, a hundred million times as long as wide, has 2e-16 kg m² about it", "[R26]")
-{
-  const Vector3<double> moments = solid_box<double>(3, {1, 1e-8, 1e-8}).moments;
-  CHECK(moments.x() == Catch::Approx(2e-16).epsilon(rounding));
-}
-
-TEST_CASE("eight cubes, moved to the corners of one of twice their side, weigh in as it", "[R26]")
-{
-  // Each small cube of 1 kg and half extent 1 stands at (±1, ±1, ±1): about x it adds its own
-  // moment and 1 kg times the squared distance 1 + 1 of its centre from the axis.
-  const Rational small = solid_box<Rational>(1, Vector3<Rational>::Constant(1)).moments.x();
-  const Rational whole = solid_box<Rational>(8, Vector3<Rational>::Constant(2)).moments.x();
-  CHECK(whole == 8 * (small + 2));
-}
-// [R26]
 
 // [R1]
 TEST_CASE("a unit cube hit at a corner feels like a quarter of its mass: K = 4", "[R1]")

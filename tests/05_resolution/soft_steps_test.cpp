@@ -45,14 +45,15 @@ TEST_CASE("twice the substeps let a tower of five sink a quarter as far", "[R16]
 // [R16]
 
 // [stand]
-TEST_CASE("fifteen cubes dropped 10 cm apart stand for 20 s with 8 substeps, not with 4", "[S3]")
+TEST_CASE(
+    "fifteen cubes dropped 10 cm apart stand for 20 s with 8 substeps, not with 4", "[case:S3]")
 {
   // Fourteen gaps of 10 cm and the one below them close; a tower that falls comes down by metres.
   CHECK(softly("tower_dropped", 8, 20).sink < 15 * 0.1 + 0.1);
   CHECK(softly("tower_dropped", 4, 20).sink > 5);
 }
 
-TEST_CASE("a cube .5 m deep in another is pushed out at no more than 4 m/s", "[S18]")
+TEST_CASE("a cube .5 m deep in another is pushed out at no more than 4 m/s", "[case:S18]")
 {
   const Scene scene = named_scene("overlap");
   const WorldRun run = run_world(
@@ -70,7 +71,8 @@ TEST_CASE("a cube .5 m deep in another is pushed out at no more than 4 m/s", "[S
 }
 // [stand]
 
-TEST_CASE("a cube under 100 kg is pressed in by less than 2 cm after 5 s of 8 substeps", "[S5]")
+TEST_CASE(
+    "a cube under 100 kg is pressed in by less than 2 cm after 5 s of 8 substeps", "[case:S5]")
 {
   CHECK(softly("heavy_on_light_100", 8, 5).overlap < 0.02);
 }

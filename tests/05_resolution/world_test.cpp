@@ -58,14 +58,14 @@ bool same_bits(const BodyState& a, const BodyState& b)
 } // namespace
 
 // [bounce]
-TEST_CASE("a ball with e = 1 keeps its energy to 1e-6 for 20 s", "[S16]")
+TEST_CASE("a ball with e = 1 keeps its energy to 1e-6 for 20 s", "[case:S16]")
 {
   const WorldRun run = run_world(falling_ball(1), {.duration = 20});
   CHECK(std::abs(run.energy_end / run.energy_start - 1) <= 1e-6);
   CHECK(run.energy_most <= run.energy_start * (1 + 1e-12));
 }
 
-TEST_CASE("a ball with e = 0.5 comes up to a quarter and a sixteenth of its height", "[S15]")
+TEST_CASE("a ball with e = 0.5 comes up to a quarter and a sixteenth of its height", "[case:S15]")
 {
   const WorldRun run = run_world(falling_ball(0.5), {.duration = 3, .keeps_frames = true});
   const std::vector<double> tops = apexes(run.frames);
@@ -76,7 +76,7 @@ TEST_CASE("a ball with e = 0.5 comes up to a quarter and a sixteenth of its heig
   CHECK(tops[1] - 0.5 == Catch::Approx(0.0625).margin(missed));
 }
 
-TEST_CASE("a cube with e = 1 that lands flat comes up as fast, and does not turn", "[S14]")
+TEST_CASE("a cube with e = 1 that lands flat comes up as fast, and does not turn", "[case:S14]")
 {
   Scene scene = falling_ball(1);
   scene.bodies.back().shape = BoxShape{{0.5, 0.5, 0.5}};
@@ -118,7 +118,8 @@ TEST_CASE("two free boxes that collide keep their momentum to rounding", "[R3]")
 // [passive]
 
 // [walls]
-TEST_CASE("a ball of 5 cm never passes a wall of 2 cm, at 1 to 1,000 m/s, and comes back", "[J1]")
+TEST_CASE(
+    "a ball of 5 cm never passes a wall of 2 cm, at 1 to 1,000 m/s, and comes back", "[case:J1]")
 {
   for (const char* const scene : {"thin_wall_1", "thin_wall_10", "thin_wall_100", "thin_wall_1000"})
   {
@@ -136,7 +137,7 @@ TEST_CASE("a ball of 5 cm never passes a wall of 2 cm, at 1 to 1,000 m/s, and co
 // [walls]
 
 // [same]
-TEST_CASE("a run gives the same bits twice, and a body far away changes none of them", "[S20]")
+TEST_CASE("a run gives the same bits twice, and a body far away changes none of them", "[case:S20]")
 {
   for (const char* const name : {"domino_6", "pile_10", "tower"})
   {
@@ -156,7 +157,7 @@ TEST_CASE("a run gives the same bits twice, and a body far away changes none of 
   }
 }
 
-TEST_CASE("a tower of five stands in the same place in whatever order it is listed", "[S19]")
+TEST_CASE("a tower of five stands in the same place in whatever order it is listed", "[case:S19]")
 {
   const Scene scene = named_scene("tower_5");
   std::mt19937 random(3);
@@ -174,7 +175,8 @@ TEST_CASE("a tower of five stands in the same place in whatever order it is list
 // [same]
 
 // [bad]
-TEST_CASE("a scene that makes no sense is answered with the body, the member and the value", "[L3]")
+TEST_CASE(
+    "a scene that makes no sense is answered with the body, the member and the value", "[case:L3]")
 {
   const auto reason = [](const SceneBody& body) -> std::string
   {
@@ -208,7 +210,7 @@ TEST_CASE("a scene that makes no sense is answered with the body, the member and
   CHECK(reason(crate) == "crate: position.z must be finite, got inf");
 }
 
-TEST_CASE("a force that is not finite is refused, and nothing else moves differently", "[L3]")
+TEST_CASE("a force that is not finite is refused, and nothing else moves differently", "[case:L3]")
 {
   World pushed(named_scene("pile_10"), solver_named("direct"));
   World left_alone(named_scene("pile_10"), solver_named("direct"));
@@ -224,7 +226,7 @@ TEST_CASE("a force that is not finite is refused, and nothing else moves differe
   }
 }
 
-TEST_CASE("a force of 1e308 N leaves all numbers finite", "[L3]")
+TEST_CASE("a force of 1e308 N leaves all numbers finite", "[case:L3]")
 {
   World world(named_scene("pile_10"), solver_named("direct"));
   for (int i = 0; i < 30; ++i)
@@ -238,7 +240,7 @@ TEST_CASE("a force of 1e308 N leaves all numbers finite", "[L3]")
   }
 }
 
-TEST_CASE("ten thousand bodies in one place are refused, with a sentence", "[L3]")
+TEST_CASE("ten thousand bodies in one place are refused, with a sentence", "[case:L3]")
 {
   Scene scene;
   scene.bodies.assign(10'000, {"box", BoxShape{{0.5, 0.5, 0.5}}, 1});
@@ -254,7 +256,7 @@ TEST_CASE("a solver that there is not is answered with those there are")
 // [bad]
 
 // [sleep]
-TEST_CASE("a tower falls asleep within 2 s, and wakes when it is pushed", "[L2]")
+TEST_CASE("a tower falls asleep within 2 s, and wakes when it is pushed", "[case:L2]")
 {
   World world(named_scene("tower_5"), solver_named("direct"), true);
   for (int i = 0; i < 120; ++i)

@@ -1,0 +1,68 @@
+#pragma once
+
+/// \file
+/// \brief In which order the bodies of an island are eliminated.
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace cookbook
+{
+
+// [ordering]
+/// An order of elimination of `count` unknowns that keeps the fill small, from which pairs of them
+/// are coupled: approximate minimum degree. The k-th entry says what comes k-th.
+inline std::vector<int>
+elimination_order(int count, const std::vector<std::pair<int, int>>& coupled)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < count; ++i)
+  {
+    entries.emplace_back(i, i, 1.0);
+  }
+  for (const auto& [i, j] : coupled)
+  {
+    entries.emplace_back(i, j, 1.0);
+    entries.emplace_back(j, i, 1.0);
+  }
+  Eigen::SparseMatrix<double> pattern(count, count);
+  pattern.setFromTriplets(entries.begin(), entries.end());
+  Eigen::AMDOrdering<int>::PermutationType order;
+  Eigen::AMDOrdering<int>()(pattern, order);
+  return {order.indices().data(), order.indices().data() + count};
+}
+// [ordering]
+
+// [filled_rows]
+/// The rows below the diagonal of each column of a factor, in the order of elimination: those
+/// coupled to it, and those that earlier columns fill in. `place` says when each body is
+/// eliminated.
+inline std::vector<std::vector<int>>
+filled_rows(const std::vector<int>& place, const std::vector<std::pair<int, int>>& coupled)
+{
+  std::vector<std::vector<int>> rows(place.size());
+  for (const auto& [i, j] : coupled)
+  {
+    const int a = place[static_cast<std::size_t>(i)], b = place[static_cast<std::size_t>(j)];
+    rows[static_cast<std::size_t>(std::min(a, b))].push_back(std::max(a, b));
+  }
+  for (std::vector<int>& own : rows)
+  {
+    std::sort(own.begin(), own.end());
+    own.erase(std::unique(own.begin(), own.end()), own.end());
+    if (!own.empty())
+    {
+      std::vector<int>& parent = rows[static_cast<std::size_t>(own.front())];
+      parent.insert(parent.end(), own.begin() + 1, own.end());
+    }
+  }
+  return rows;
+}
+// [filled_rows]
+
+} // namespace cookbook
