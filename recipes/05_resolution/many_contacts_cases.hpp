@@ -3,6 +3,7 @@
 /// \file
 /// \brief Stacks, and what each way to solve many contacts makes of them.
 
+#include "05_resolution/many_contacts_pitfalls.hpp"
 #include "05_resolution/position_based.hpp"
 #include "05_resolution/sequential_impulses.hpp"
 #include "05_resolution/stack_scenes.hpp"
@@ -28,7 +29,7 @@ struct ContactMethod
   std::string name;                            ///< such as "warm, 8 passes"
   int passes;                                  ///< over all points, in a frame or a small step
   std::function<IslandSolver(int passes)> way; ///< the solver, with some number of passes
-  bool one_step = true;                        ///< whether a frame is one step
+  std::string no_factor{};                     ///< why its error a pass is not asked, if it is not
 
   /// The solver as it is named.
   IslandSolver solver() const { return way(passes); }
@@ -57,14 +58,21 @@ inline ContactMethod position_method(int substeps, int passes)
     { position_based(world, island, step, how); };
   };
   const std::string name = "positions, " + std::to_string(substeps) + " × ";
-  return {name + std::to_string(passes), passes, way, substeps == 1};
+  return {name + std::to_string(passes), passes, way, substeps == 1 ? "" : "20 steps"};
+}
+
+/// The published frame, whatever the passes.
+inline ContactMethod published_method()
+{
+  return {"as published", 5, [](int) -> IslandSolver { return published_frame; }, "no sums"};
 }
 
 /// All of them.
 inline std::vector<ContactMethod> contact_methods()
 {
-  return {impulse_method(false, 8), impulse_method(false, 20), impulse_method(true, 8),
-          impulse_method(true, 20), position_method(1, 20),    position_method(20, 1)};
+  return {published_method(),      impulse_method(false, 8), impulse_method(false, 20),
+          impulse_method(true, 8), impulse_method(true, 20), position_method(1, 20),
+          position_method(20, 1)};
 }
 // [contact_methods]
 
