@@ -163,7 +163,7 @@ void write_sources(const fs::path& root, const fs::path& folder)
 {
   for (const char* part : {"common", "recipes", "tests"})
   {
-    for (const TextFile& file : read_tree(root, part, {".hpp", ".cpp", ".expected"}))
+    for (const TextFile& file : read_tree(root, part, {".hpp", ".cpp", ".expected", ".json"}))
     {
       const fs::path path = folder / file.path;
       fs::create_directories(path.parent_path());
