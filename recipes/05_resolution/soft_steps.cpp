@@ -27,7 +27,7 @@ void run(const Arguments& given)
   Table table(header);
   for (std::size_t i = 0; i < all[0].size(); ++i)
   {
-    std::vector<std::string> row{std::to_string(all[0][i].substeps) + " substeps"};
+    std::vector<std::string> row{std::to_string(all[0][i].substeps).append(" substeps")};
     for (const std::vector<Sink>& of_scene : all)
     {
       row.push_back(number(std::round(of_scene[i].down * 1e6) / 1e3));
