@@ -69,8 +69,12 @@ inline std::string scene_list()
   std::string text;
   for (const SceneFamily& family : scene_families())
   {
-    const std::string number = family.number > 0 ? "_" + std::to_string(family.number) : "";
-    text.append(family.name).append(number).append(": ").append(family.what).append("\n");
+    text.append(family.name);
+    if (family.number > 0)
+    {
+      text.append("_").append(std::to_string(family.number));
+    }
+    text.append(": ").append(family.what).append("\n");
   }
   return text;
 }
@@ -90,9 +94,12 @@ inline std::pair<SceneFamily, std::string> family_and_number(const std::string& 
       return {family, numbered ? name.substr(last + 1) : ""};
     }
   }
-  throw std::invalid_argument(
-      "there is no scene \"" + name + "\"" + meant(stem, scene_names()) + "; there are\n" +
-      scene_list());
+  throw std::invalid_argument(std::string("there is no scene \"")
+                                  .append(name)
+                                  .append("\"")
+                                  .append(meant(stem, scene_names()))
+                                  .append("; there are\n")
+                                  .append(scene_list()));
 }
 
 /// The scene of a name such as `tower`, or of a name and a number such as `tower_20`.
@@ -107,9 +114,12 @@ inline Scene named_scene(const std::string& name)
       digits.empty() || std::from_chars(digits.data(), end, number).ec == std::errc{};
   if (!readable || (!digits.empty() && (number < 1 || number > family.most)))
   {
-    throw std::invalid_argument(
-        "the number of scene " + family.name + " must be 1 to " + std::to_string(family.most) +
-        ", got " + digits);
+    throw std::invalid_argument(std::string("the number of scene ")
+                                    .append(family.name)
+                                    .append(" must be 1 to ")
+                                    .append(std::to_string(family.most))
+                                    .append(", got ")
+                                    .append(digits));
   }
   Scene scene = family.scene(number);
   scene.name = name;
