@@ -29,7 +29,7 @@ function(cookbook_install target folder)
   install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cookbook/${below_recipes}
     FILES_MATCHING PATTERN "*.hpp"
     REGEX "_(cases|chart|chart_[a-z]+|failures|figures|file|kernel|methods|pitfalls|scenes|speed|tables|truth|verdicts)\\.hpp$" EXCLUDE
-    REGEX "_(check|compare|contenders|draws|error|every_method|flops|kinds|measured|option|peer_[a-z]+|quality|steadiness|workloads)\\.hpp$" EXCLUDE
+    REGEX "_(check|compare|contenders|draws|error|every_method|flops|kinds|measured|option|peer_[a-z]+|quality|runs|steadiness|workloads)\\.hpp$" EXCLUDE
     REGEX "_(published_pairs|published_rates|workload_contents)\\.hpp$" EXCLUDE
     REGEX "math/rational\\.hpp$" EXCLUDE)
 endfunction()

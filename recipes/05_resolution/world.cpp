@@ -5,7 +5,7 @@
 #include "05_resolution/number_option.hpp"
 #include "05_resolution/scene_figures.hpp"
 #include "05_resolution/scene_file.hpp"
-#include "05_resolution/world_gallery.hpp"
+#include "05_resolution/world_figures.hpp"
 #include "05_resolution/world_runs.hpp"
 #include "05_resolution/world_scenes.hpp"
 #include "05_resolution/world_tables.hpp"
