@@ -155,7 +155,7 @@ endfunction()
 # cookbook_test(NAME [LIBRARY…]): tests/CHAPTER/NAME_test.cpp and NAME_accuracy_test.cpp, if there is
 # one; the latter is optimised like a program.
 function(cookbook_test name)
-  if(NOT COOKBOOK_TESTS)
+  if(NOT COOKBOOK_TESTS OR NOT COOKBOOK_UNIT_TESTS)
     return()
   endif()
   set(folder ${PROJECT_SOURCE_DIR}/tests/${COOKBOOK_CHAPTER})
