@@ -202,6 +202,7 @@ TEST_CASE("as published, five cubes have collapsed after a second", "[case:S2][c
   CHECK((most.fell > 0 && most.fell < 1));
 }
 
+#if !defined(COOKBOOK_FEWER_PAIRS) // minutes under sanitizers; the runs above take the same paths
 TEST_CASE("who holds and who fails at stacks", "[case:S1][case:S2][case:S4][case:S5][case:S19]")
 {
   const std::vector<VerdictRow> rows = stack_verdicts();
@@ -221,4 +222,5 @@ TEST_CASE("who holds and who fails at stacks", "[case:S1][case:S2][case:S4][case
     }
   }
 }
+#endif
 // [stacks]
