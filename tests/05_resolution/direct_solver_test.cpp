@@ -2,6 +2,7 @@
 /// The direct solver: blocks against Eigen's dense solver, towers against statics, slopes against
 /// closed forms.
 
+#include "04_obb_manifolds/box_draws.hpp"
 #include "05_resolution/direct_solver.hpp"
 #include "05_resolution/direct_solver_scenes.hpp"
 
@@ -10,18 +11,11 @@
 #include <Eigen/Dense>
 
 #include <cmath>
-#include <random>
 
 namespace
 {
 
 using namespace cookbook;
-
-/// A number from −1 to 1, the same ones every time.
-double draw(std::mt19937& random)
-{
-  return static_cast<double>(random()) / 2147483648.0 - 1;
-}
 
 /// How long [s] scenes stand; sanitizers are too slow for all of it.
 #if defined(COOKBOOK_FEWER_PAIRS)
@@ -40,13 +34,13 @@ WorldRun directly(const std::string& scene, double duration)
 // [cholesky]
 TEST_CASE("a factor of blocks solves 20 random systems of 12 bodies as a dense one does")
 {
-  std::mt19937 random(7);
+  BoxDraw draw(7);
   for (int round = 0; round < 20; ++round)
   {
     std::vector<std::pair<int, int>> coupled;
     for (int i = 1; i < 12; ++i)
     {
-      coupled.emplace_back(static_cast<int>(random() % static_cast<unsigned>(i)), i);
+      coupled.emplace_back(draw.whole(i), i);
       coupled.emplace_back(i - 1, i);
     }
     BlockCholesky factor;
@@ -61,7 +55,7 @@ TEST_CASE("a factor of blocks solves 20 random systems of 12 bodies as a dense o
     for (const auto& [i, j] : coupled)
     {
       const Matrix6 block =
-          Matrix6::NullaryExpr([&](Eigen::Index, Eigen::Index) { return draw(random); });
+          Matrix6::NullaryExpr([&](Eigen::Index, Eigen::Index) { return draw.between(-1, 1); });
       factor.add_coupling(i, j, block);
       dense.block<6, 6>(6 * i, 6 * j) += block;
       dense.block<6, 6>(6 * j, 6 * i) += block.transpose();
@@ -70,7 +64,7 @@ TEST_CASE("a factor of blocks solves 20 random systems of 12 bodies as a dense o
     Eigen::VectorXd right(72);
     for (std::size_t i = 0; i < 12; ++i)
     {
-      x[i] = Vector6::NullaryExpr([&](Eigen::Index) { return draw(random); });
+      x[i] = Vector6::NullaryExpr([&](Eigen::Index) { return draw.between(-1, 1); });
       right.segment<6>(static_cast<Eigen::Index>(6 * i)) = x[i];
     }
     REQUIRE(factor.factor());

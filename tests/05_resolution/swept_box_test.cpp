@@ -1,13 +1,12 @@
 /// \file
 /// What holds for the first touch of boxes that move and turn: formula P20.
 
+#include "04_obb_manifolds/box_draws.hpp"
 #include "05_resolution/swept_box.hpp"
 #include "05_resolution/tunnelling_box_scenes.hpp"
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"
-
-#include <random>
 
 using namespace cookbook;
 
@@ -42,14 +41,9 @@ public:
   }
 
 private:
-  int whole() { return int(source_() % 5); }
-  double number() { return double(source_()) / 2147483648.0 - 1; }
-  Vector3<double> vector(double size)
-  {
-    const double x = number(), y = number(), z = number();
-    return {size * x, size * y, size * z};
-  }
-  std::mt19937 source_{1};
+  int whole() { return draw_.whole(5); }
+  Vector3<double> vector(double size) { return draw_.vector(-size, size); }
+  BoxDraw draw_{1};
 };
 
 } // namespace

@@ -1,12 +1,11 @@
 /// \file
 /// What holds for the first touch of a moving sphere: formula P20 without spin.
 
+#include "04_obb_manifolds/box_draws.hpp"
 #include "05_resolution/swept_sphere.hpp"
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"
-
-#include <random>
 
 using namespace cookbook;
 
@@ -51,19 +50,14 @@ public:
     const Matrix3<double> axes =
         rational_rotation<double>(1 + whole(), whole(), whole(), whole() - 2);
     const Obb<double> box{vector(1), axes, vector(0.5) + Vector3<double>::Constant(0.6)};
-    const Sphere<double> sphere{vector(4), 0.01 + (number() + 1) / 4};
+    const Sphere<double> sphere{vector(4), 0.01 + draw_.between(0, 0.5)};
     return {box, sphere, 2 * (vector(1.5) - sphere.center)};
   }
 
 private:
-  int whole() { return int(source_() % 5); }
-  double number() { return double(source_()) / 2147483648.0 - 1; }
-  Vector3<double> vector(double size)
-  {
-    const double x = number(), y = number(), z = number();
-    return {size * x, size * y, size * z};
-  }
-  std::mt19937 source_{1};
+  int whole() { return draw_.whole(5); }
+  Vector3<double> vector(double size) { return draw_.vector(-size, size); }
+  BoxDraw draw_{1};
 };
 
 } // namespace
