@@ -7,13 +7,13 @@
 #include "05_resolution/position_based.hpp"
 #include "05_resolution/sequential_impulses.hpp"
 #include "05_resolution/soft_steps.hpp"
+#include "05_resolution/solver_names.hpp"
 #include "05_resolution/world.hpp"
 
 #include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace cookbook
 {
@@ -50,12 +50,6 @@ private:
 // [direct_or_soft]
 
 // [solvers]
-/// The names of all solvers, the recommended one first.
-inline std::vector<std::string> solver_names()
-{
-  return {"direct", "soft_steps", "sequential_impulses", "cold_impulses", "position_based"};
-}
-
 /// A solver by name, with so many substeps, or what it takes itself if that is 0.
 ///
 /// std::invalid_argument if there is no such name, or the substeps are negative.

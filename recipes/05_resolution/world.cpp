@@ -5,6 +5,7 @@
 #include "05_resolution/number_option.hpp"
 #include "05_resolution/scene_figures.hpp"
 #include "05_resolution/scene_file.hpp"
+#include "05_resolution/solver_names.hpp"
 #include "05_resolution/world_figures.hpp"
 #include "05_resolution/world_runs.hpp"
 #include "05_resolution/world_scenes.hpp"
@@ -93,7 +94,7 @@ int main(int argc, char** argv)
       .options = {
           {"scene", "one of\n" + scene_list(), "", {}},
           {"scene-file", "a JSON file with your own scene, instead of --scene", "", {}},
-          {"solver", "how contacts are solved", "direct", solver_choices()},
+          {"solver", "how contacts are solved", "direct", solver_names()},
           {"substeps", "small steps in a frame; 0: what the solver takes itself", "0", {}},
           {"duration", "how long to run [s]; the scene's own if left out", "", {}},
           {"sleep", "whether bodies that rest are left out", "no", {"no", "yes"}},

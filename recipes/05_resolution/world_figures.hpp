@@ -67,7 +67,6 @@ inline void draw_gallery(const Arguments& given)
         run_world(scene, {.solver = solver.name, .substeps = solver.substeps, .duration = 5});
     ends.push_back({solver.title, run.frames.back()});
   }
-  const std::vector<Frame> start{first_frame(scene)};
   const SceneView view{0, 0, {-4, -0.5}, {4, 11}, 200};
   save_figure(given, "world_gallery.svg", scene_gallery("world_gallery", scene, ends, view).svg());
 
@@ -78,12 +77,6 @@ inline void draw_gallery(const Arguments& given)
       scene_strip(
           "world", domino, fall.frames, {0, 0.6, 1.2, 2.4}, view_of(domino, fall.frames, 300), 2)
           .svg());
-}
-
-/// The names of solvers that --solver takes.
-inline std::vector<std::string> solver_choices()
-{
-  return {"direct", "soft_steps", "sequential_impulses", "cold_impulses", "position_based"};
 }
 
 } // namespace cookbook
