@@ -64,57 +64,50 @@ struct ChartedRun
 };
 
 /// The farthest [m] that a body of a scene is from where it began.
-inline double farthest(const Scene& scene, const std::vector<Vector3<double>>& positions)
+inline double farthest(const Scene& scene, const Frame& frame)
 {
   double most = 0;
-  for (std::size_t i = 0; i < positions.size(); ++i)
+  for (std::size_t i = 0; i < frame.bodies.size(); ++i)
   {
-    most = std::max(most, (positions[i] - scene.bodies[i].position).norm());
+    most = std::max(most, (frame.bodies[i].position - scene.bodies[i].position).norm());
   }
   return most;
 }
 
 // [world_to_time]
-/// A scene with a solver, to be timed; at its last step it writes how far the farthest body has
-/// gone.
+/// A step of a world that, at the last of its steps, writes how far the farthest body has gone.
+///
+/// `frame(world)` says where its bodies are.
+template <class AnyWorld, class FrameOf>
+std::function<void()> counted_step(
+    std::shared_ptr<AnyWorld> world, const Scene& scene, ChartedRun& run, int steps,
+    const FrameOf& frame)
+{
+  return [world, scene, &run, steps, frame, done = 0]() mutable
+  {
+    world->step();
+    if (++done == steps)
+    {
+      run.moved = farthest(scene, frame(*world));
+    }
+  };
+}
+
+/// A scene with a solver, to be timed.
 inline TimedWorld timed_world(const Scene& scene, ChartedRun& run, int steps)
 {
-  const auto build = [scene, &run, steps]() -> std::function<void()>
+  const auto build = [scene, &run, steps]
   {
 #if defined(COOKBOOK_HAS_BULLET)
     if (run.solver.name.empty())
     {
-      const auto world = std::make_shared<BulletWorld>(scene);
-      return [world, scene, &run, steps, done = 0]() mutable
-      {
-        world->step();
-        if (++done == steps)
-        {
-          std::vector<Vector3<double>> positions;
-          for (const BodyState& body : world->frame().bodies)
-          {
-            positions.push_back(body.position);
-          }
-          run.moved = farthest(scene, positions);
-        }
-      };
+      return counted_step(
+          std::make_shared<BulletWorld>(scene), scene, run, steps,
+          [](const BulletWorld& world) { return world.frame(); });
     }
 #endif
-    const auto world =
-        std::make_shared<World>(scene, solver_named(run.solver.name, run.solver.substeps));
-    return [world, scene, &run, steps, done = 0]() mutable
-    {
-      world->step();
-      if (++done == steps)
-      {
-        std::vector<Vector3<double>> positions;
-        for (const RigidBody& body : world->bodies())
-        {
-          positions.push_back(body.position);
-        }
-        run.moved = farthest(scene, positions);
-      }
-    };
+    const IslandSolver solver = solver_named(run.solver.name, run.solver.substeps);
+    return counted_step(std::make_shared<World>(scene, solver), scene, run, steps, &frame_of);
   };
   return {run.solver.line, build};
 }
@@ -125,9 +118,6 @@ inline std::vector<ChartedRun>
 charted_runs(const Scene& scene, double duration, const std::vector<ChartedSolver>& solvers)
 {
   const int steps = static_cast<int>(std::lround(duration / scene.step));
-  const double movable = static_cast<double>(std::count_if(
-      scene.bodies.begin(), scene.bodies.end(),
-      [](const SceneBody& body) { return body.mass > 0; }));
   std::vector<ChartedRun> runs;
   for (const ChartedSolver& solver : solvers)
   {
@@ -141,7 +131,7 @@ charted_runs(const Scene& scene, double duration, const std::vector<ChartedSolve
   const std::vector<double> seconds = step_seconds(worlds, steps);
   for (std::size_t i = 0; i < runs.size(); ++i)
   {
-    runs[i].seconds = seconds[i] / movable;
+    runs[i].seconds = seconds[i] / movable_bodies(scene);
   }
   return runs;
 }

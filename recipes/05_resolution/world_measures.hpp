@@ -4,6 +4,7 @@
 /// \brief What is measured of a world: energy, momentum, overlap, how far bodies went, what is
 /// missing.
 
+#include "05_resolution/frames.hpp"
 #include "05_resolution/world.hpp"
 
 #include <algorithm>
@@ -13,6 +14,25 @@
 
 namespace cookbook
 {
+
+/// All bodies of a world as they are.
+inline Frame frame_of(const World& world)
+{
+  Frame frame{world.time(), {}};
+  for (const RigidBody& body : world.bodies())
+  {
+    frame.bodies.push_back({body.position, body.orientation, body.velocity, body.angular_velocity});
+  }
+  return frame;
+}
+
+/// How many bodies of a scene can move, to share a time among them; one if there is none.
+inline double movable_bodies(const Scene& scene)
+{
+  const auto movable = [](const SceneBody& body) { return body.mass > 0; };
+  const auto count = std::count_if(scene.bodies.begin(), scene.bodies.end(), movable);
+  return std::max(1.0, static_cast<double>(count));
+}
 
 // [world_sums]
 /// The energy [J] of the movable bodies of a world: of motion, and of height against gravity.

@@ -3,43 +3,14 @@
 
 #include "05_resolution/world_runs.hpp"
 #include "05_resolution/solvers.hpp"
+#include "05_resolution/world_cost_measured.hpp"
 #include "05_resolution/world_measures.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace cookbook
 {
-namespace
-{
-
-Frame frame_of(const World& world)
-{
-  Frame frame{world.time(), {}};
-  for (const RigidBody& body : world.bodies())
-  {
-    frame.bodies.push_back({body.position, body.orientation, body.velocity, body.angular_velocity});
-  }
-  return frame;
-}
-
-double seconds_of(const std::function<void()>& work)
-{
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double movable_bodies(const Scene& scene)
-{
-  return std::max(
-      1.0, static_cast<double>(std::count_if(
-               scene.bodies.begin(), scene.bodies.end(),
-               [](const SceneBody& body) { return body.mass > 0; })));
-}
-
-} // namespace
 
 std::size_t steps_of(const Scene& scene, double duration)
 {
@@ -74,8 +45,9 @@ WorldRun run_world(
     }
   }
   run.overlap = deepest_overlap(world);
-  run.drift = farthest_move(world).sideways;
-  run.sink = farthest_move(world).along;
+  const FarthestMove move = farthest_move(world);
+  run.drift = move.sideways;
+  run.sink = move.along;
   run.energy_end = energy(world.bodies(), gravity);
   run.momentum = momentum(world.bodies());
   run.residual = residual(world);

@@ -13,7 +13,10 @@ TEST_CASE("the farthest of two bodies, moved by 3-4-0 and by 1, is 5 m away")
   Scene scene;
   scene.bodies.push_back({"a", SphereShape{1}, 1});
   scene.bodies.push_back({"b", SphereShape{1}, 1});
-  CHECK(farthest(scene, {{3, 4, 0}, {1, 0, 0}}) == 5);
+  Frame frame = first_frame(scene);
+  frame.bodies[0].position = {3, 4, 0};
+  frame.bodies[1].position = {1, 0, 0};
+  CHECK(farthest(scene, frame) == 5);
 }
 
 TEST_CASE("a run that is charted ends where the same run ends by itself")
