@@ -54,18 +54,18 @@ push_as_before(const std::vector<DirectPoint>& now, const std::vector<DirectPoin
 /// way and no point pushes in another way than before, so that the answer is exact.
 inline bool advance(DirectSystem& system, const std::vector<Vector6>& change)
 {
-  const std::vector<DirectPoint> before = system.points;
-  const std::vector<Vector6> from = system.velocities;
+  system.points_before = system.points;
+  system.velocities_before = system.velocities;
   const double steep = missing_along(system, change);
   double low = 0, high = 1, at_low = steep, at_high = 0, part = 1;
   for (int tries = 0; tries < 20; ++tries)
   {
-    for (std::size_t i = 0; i < from.size(); ++i)
+    for (std::size_t i = 0; i < change.size(); ++i)
     {
-      system.velocities[i] = from[i] + part * change[i];
+      system.velocities[i] = system.velocities_before[i] + part * change[i];
     }
     find_missing(system);
-    if (part == 1 && push_as_before(system.points, before))
+    if (part == 1 && push_as_before(system.points, system.points_before))
     {
       return true;
     }

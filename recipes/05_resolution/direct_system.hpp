@@ -43,6 +43,9 @@ struct DirectSystem
   std::vector<DirectPoint> points;
   std::vector<Vector6> velocities; ///< [m/s, rad/s], as they are found
   std::vector<Vector6> missing;    ///< [N s, N m s], at these velocities
+
+  std::vector<DirectPoint> points_before; ///< room for the points before a change
+  std::vector<Vector6> velocities_before; ///< room for the velocities before it
 };
 // [direct_system]
 

@@ -47,14 +47,14 @@ island_numbers(std::span<const RigidBody> bodies, std::span<const WorldContact> 
   return islands(movable, pairs);
 }
 
-/// The islands themselves, in order of their first bodies; a body that touches nothing is one too.
+/// The islands themselves, from their numbers, in order of their first bodies; a body that touches
+/// nothing is one too.
 inline std::vector<Island>
-islands_of(std::span<const RigidBody> bodies, std::span<const WorldContact> contacts)
+islands_of(const std::vector<int>& first, std::span<const WorldContact> contacts)
 {
-  const std::vector<int> first = island_numbers(bodies, contacts);
   std::vector<Island> islands;
-  std::vector<std::size_t> place(bodies.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i)
+  std::vector<std::size_t> place(first.size());
+  for (std::size_t i = 0; i < first.size(); ++i)
   {
     if (first[i] == static_cast<int>(i))
     {

@@ -149,25 +149,29 @@ struct UpdateContact
   template <class Shape>
   void operator()(const PlaneShape& plane, const Shape& shape) const
   {
-    const Plane<double> raised{plane.normal, plane.offset + margin};
-    contact.memory = remembered(contact.memory, plane_manifold(raised, placed(b, shape, 0)));
-    if (contact.memory.manifold)
-    {
-      anchor(contact, a, b, margin);
-    }
+    rest_on(plane_manifold(raised(plane), placed(b, shape, 0)));
   }
   template <class Shape>
   void operator()(const Shape& shape, const PlaneShape& plane) const
   {
-    const Plane<double> raised{plane.normal, plane.offset + margin};
-    contact.memory =
-        remembered(contact.memory, swapped(plane_manifold(raised, placed(a, shape, 0))));
+    rest_on(swapped(plane_manifold(raised(plane), placed(a, shape, 0))));
+  }
+  void operator()(const PlaneShape&, const PlaneShape&) const { contact.memory = {}; }
+
+  /// A plane that has grown by the whole margin.
+  Plane<double> raised(const PlaneShape& plane) const
+  {
+    return {plane.normal, plane.offset + margin};
+  }
+  /// Takes a manifold with such a plane, if there is one.
+  void rest_on(std::optional<Manifold<double>> manifold) const
+  {
+    contact.memory = remembered(contact.memory, std::move(manifold));
     if (contact.memory.manifold)
     {
       anchor(contact, a, b, margin);
     }
   }
-  void operator()(const PlaneShape&, const PlaneShape&) const { contact.memory = {}; }
 };
 // [update_contact]
 

@@ -9,7 +9,6 @@
 #include "05_resolution/world_checks.hpp"
 #include "05_resolution/world_contacts.hpp"
 
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <stdexcept>
@@ -22,6 +21,7 @@ namespace cookbook
 
 /// Moves the bodies of one island on by a step [s], and sets the impulses of its contacts.
 using IslandSolver = std::function<void(IslandView, const Island&, double)>;
+
 // [world]
 /// Bodies in motion, from a scene that makes sense. No body of it becomes NaN or infinite.
 class World
@@ -45,12 +45,9 @@ public:
   const Scene& scene() const { return scene_; }                           ///< as it started
   const std::vector<RigidBody>& bodies() const { return bodies_; }        ///< in its order
   const std::vector<WorldContact>& contacts() const { return contacts_; } ///< of the last step
-  /// As they were when the last step began.
-  const std::vector<RigidBody>& bodies_before() const { return before_; }
-  double time() const
-  {
-    return static_cast<double>(steps_) * scene_.step;
-  }                                                                   ///< [s], since the start
+  const std::vector<RigidBody>& bodies_before() const { return before_; } ///< as that began
+  /// [s], since the start.
+  double time() const { return static_cast<double>(steps_) * scene_.step; }
   bool sleeps(std::size_t body) const { return sleep_[body].asleep; } ///< whether a body does
 
   /// How far apart [m] two bodies may be and still be in contact: what a fall from rest covers in
@@ -74,11 +71,12 @@ public:
   {
     find_contacts();
     before_ = bodies_;
+    const std::vector<int> numbers = island_numbers(bodies_, contacts_);
     if (may_sleep_)
     {
-      settle(sleep_, island_numbers(bodies_, contacts_), SleepLimits<double>{});
+      settle(sleep_, numbers, SleepLimits<double>{});
     }
-    for (const Island& island : islands_of(bodies_, contacts_))
+    for (const Island& island : islands_of(numbers, contacts_))
     {
       if (!sleep_[index(island.bodies.front())].asleep)
       {
@@ -103,6 +101,7 @@ private:
         scene_, bodies_, contacts_, overlapping_pairs(bounds_), margin(),
         [this](int body) { return is_fixed(bodies_[index(body)]) || sleeps(index(body)); });
   }
+
   /// Moves an island: forces, bounces, contacts; and what no contact has pushed flies on.
   void advance(const Island& island)
   {
@@ -163,6 +162,7 @@ private:
       bodies_[i] = flown(bodies_[i], scene_.gravity, scene_.step);
     }
   }
+
   /// Watches who rests, and keeps bodies whose numbers have overflowed where they were, fixed.
   void finish()
   {
