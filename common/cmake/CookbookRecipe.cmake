@@ -48,6 +48,7 @@ function(cookbook_chapter name)
   get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
   set(COOKBOOK_CHAPTER ${folder} PARENT_SCOPE)
   set(COOKBOOK_CHAPTER_TARGET cookbook_${name} PARENT_SCOPE)
+  cmake_language(DEFER CALL cookbook_tests_together)
 endfunction()
 
 # cookbook_program(NAME): the target NAME from NAME.cpp; part of a recipe and of a chart.
@@ -142,7 +143,7 @@ function(cookbook_chart name)
     set(charts ${CMAKE_BINARY_DIR}/charts)
     add_custom_command(OUTPUT ${charts}/${name}.measured
       COMMAND ${CMAKE_COMMAND} -E make_directory ${charts}
-      COMMAND ${name} --out ${charts} > ${charts}/${name}.measured
+      COMMAND ${name} --effort ${COOKBOOK_EFFORT} --out ${charts} > ${charts}/${name}.measured
       DEPENDS ${name} COMMENT "Measuring and drawing the chart ${name}" VERBATIM)
     add_custom_target(${name}.chart DEPENDS ${charts}/${name}.measured)
     set_property(GLOBAL APPEND PROPERTY COOKBOOK_CHART_TARGETS ${name}.chart)
@@ -153,29 +154,70 @@ function(cookbook_chart name)
 endfunction()
 
 # cookbook_test(NAME [LIBRARY…]): tests/CHAPTER/NAME_test.cpp and NAME_accuracy_test.cpp, if there is
-# one; the latter is optimised like a program.
+# one; sanitizers leave the latter out, for it asks the same code of more pairs.
+#
+# Each test is a program of its own, for `./cookbook test NAME`, and a part of one of the chapter's,
+# for all others: what they have in common is compiled once.
 function(cookbook_test name)
   if(NOT COOKBOOK_TESTS OR NOT COOKBOOK_UNIT_TESTS)
     return()
   endif()
   set(folder ${PROJECT_SOURCE_DIR}/tests/${COOKBOOK_CHAPTER})
-  set(sources ${folder}/${name}_test.cpp)
-  if(EXISTS ${folder}/${name}_accuracy_test.cpp)
-    list(APPEND sources ${folder}/${name}_accuracy_test.cpp)
-  endif()
-  foreach(source ${sources})
-    get_filename_component(stem ${source} NAME_WE)
-    add_executable(${stem} ${source})
-    target_link_libraries(${stem} PRIVATE
-      ${COOKBOOK_CHAPTER_TARGET} cookbook_exact cookbook_tools cookbook_test_main ${ARGN})
-    cookbook_warnings(${stem})
-    if(NOT stem MATCHES "_accuracy_test$")
-      cookbook_lightly(${stem})
-      target_precompile_headers(${stem} REUSE_FROM cookbook_test_headers)
-    endif()
-    string(REGEX REPLACE "_test$" "" short ${stem})
-    add_test(NAME ${short}.unit COMMAND ${stem})
-    set_tests_properties(${short}.unit PROPERTIES
+  cookbook_test_program(${name}_test ${folder}/${name}_test.cpp ${ARGN})
+  set_target_properties(${name}_test PROPERTIES EXCLUDE_FROM_ALL TRUE)
+  add_test(NAME ${name}.alone CONFIGURATIONS alone COMMAND ${name}_test)
+  set_tests_properties(${name}.alone PROPERTIES LABELS ${name} TIMEOUT 900)
+  set_property(DIRECTORY APPEND PROPERTY COOKBOOK_TOGETHER ${name})
+  set_property(DIRECTORY APPEND PROPERTY COOKBOOK_TOGETHER_LIBRARIES ${ARGN})
+  if(EXISTS ${folder}/${name}_accuracy_test.cpp AND NOT COOKBOOK_SANITIZE)
+    cookbook_test_program(${name}_accuracy_test ${folder}/${name}_accuracy_test.cpp ${ARGN})
+    add_dependencies(${name}_test ${name}_accuracy_test)
+    add_test(NAME ${name}_accuracy.unit COMMAND ${name}_accuracy_test)
+    set_tests_properties(${name}_accuracy.unit PROPERTIES
       LABELS "${COOKBOOK_CHAPTER};${name}" TIMEOUT 900)
-  endforeach()
+  endif()
+endfunction()
+
+# A program of tests, from SOURCE; optimised a little only, unless it asks for accuracy.
+function(cookbook_test_program target source)
+  add_executable(${target} ${source})
+  target_link_libraries(${target} PRIVATE
+    ${COOKBOOK_CHAPTER_TARGET} cookbook_exact cookbook_tools cookbook_test_main ${ARGN})
+  cookbook_warnings(${target})
+  if(NOT target MATCHES "_accuracy_test$")
+    cookbook_lightly(${target})
+    target_precompile_headers(${target} REUSE_FROM cookbook_test_headers)
+  endif()
+endfunction()
+
+# The tests of a chapter, up to eight in one source: first all that they include, then each test in a
+# namespace of its own.
+function(cookbook_tests_together)
+  get_property(names DIRECTORY PROPERTY COOKBOOK_TOGETHER)
+  get_property(libraries DIRECTORY PROPERTY COOKBOOK_TOGETHER_LIBRARIES)
+  set(number 0)
+  while(names)
+    math(EXPR number "${number} + 1")
+    list(SUBLIST names 0 8 some)
+    list(REMOVE_ITEM names ${some})
+    set(program ${COOKBOOK_CHAPTER}_tests_${number})
+    set(includes "")
+    set(tests "")
+    foreach(name IN LISTS some)
+      set(source ${PROJECT_SOURCE_DIR}/tests/${COOKBOOK_CHAPTER}/${name}_test.cpp)
+      set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
+      file(STRINGS ${source} lines REGEX "^#include")
+      list(APPEND includes ${lines})
+      string(APPEND tests "namespace test_${name}\n{\n#include \"${source}\"\n}\n")
+      add_test(NAME ${name}.unit COMMAND ${program} -\# "[#${name}_test]")
+      set_tests_properties(${name}.unit PROPERTIES LABELS ${COOKBOOK_CHAPTER} TIMEOUT 900
+        FAIL_REGULAR_EXPRESSION "No test cases matched;No tests ran")
+    endforeach()
+    list(REMOVE_DUPLICATES includes)
+    list(JOIN includes "\n" includes)
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/${program}.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT "${includes}\n${tests}" @ONLY)
+    cookbook_test_program(${program} ${source} ${libraries})
+    target_compile_options(${program} PRIVATE -Wno-shadow) # a name of another test's headers
+  endwhile()
 endfunction()

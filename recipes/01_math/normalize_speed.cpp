@@ -39,11 +39,14 @@ std::vector<measure::Timed> all_timed(const Vectors& vectors)
 }
 // [timed]
 
-plot::Chart chart(const std::string& name, const std::string& title, const Vectors& vectors)
+plot::Chart chart(
+    const std::string& name, const std::string& title, const Vectors& vectors,
+    const measure::Effort& effort)
 {
   plot::Chart chart(
       name, title, {"time of a call [ns]", plot::Scale::log}, {"error [ulp]", plot::Scale::log});
-  const std::vector<measure::Timing> timings = measure::time_interleaved(all_timed(vectors));
+  const std::vector<measure::Timing> timings =
+      measure::time_interleaved(all_timed(vectors), effort);
   const auto methods = normalize_methods<float>();
   std::vector<Eigen::Vector2d> front;
   for (std::size_t i = 0; i < methods.size(); ++i)
@@ -67,16 +70,19 @@ int main(int argc, char** argv)
 {
   const Arguments arguments{
       .name = "normalize_speed",
-      .summary = "Times four ways to normalise, and draws their cost against their error."};
+      .summary = "Times four ways to normalise, and draws their cost against their error.",
+      .options = {{"effort", "how long to measure", "full", {"full", "quick"}}}};
   return run_program(
       argc, argv, arguments,
       [](const Arguments& given)
       {
+        const bool quick = given.value("effort") == "quick";
+        const measure::Effort effort = quick ? measure::Effort{5, 0.002} : measure::Effort{};
         plot::Grid grid("normalize_speed", "", 2);
         grid.describe("Cost against error of four ways to normalise; " + measure::machine_line())
-            .add(chart("room", "A room: a millimetre to a kilometre", room_vectors())
+            .add(chart("room", "A room: a millimetre to a kilometre", room_vectors(), effort)
                      .note(measure::machine_line()))
-            .add(chart("all", "Every size that a float can have", all_vectors()));
+            .add(chart("all", "Every size that a float can have", all_vectors(), effort));
         save_figure(given, "normalize_speed.svg", grid.svg());
       });
 }

@@ -7,6 +7,7 @@
 #include "03_sphere_manifolds/sphere_box.hpp"
 #include "03_sphere_manifolds/sphere_plane.hpp"
 #include "03_sphere_manifolds/sphere_sphere.hpp"
+#include "05_resolution/ghost_contact.hpp"
 #include "05_resolution/world_contact.hpp"
 
 #include <optional>
@@ -140,10 +141,17 @@ struct UpdateContact
   {
     const double half = margin / 2;
     contact.memory = meet(contact.memory, placed(a, shape_a, half), placed(b, shape_b, half));
-    if (contact.memory.manifold)
+    if (!contact.memory.manifold)
     {
-      const Vector3<double>& normal = contact.normal();
-      anchor(contact, a, b, growth(a, shape_a, normal, half) + growth(b, shape_b, normal, half));
+      return;
+    }
+    const Vector3<double>& normal = contact.normal();
+    const double grown = growth(a, shape_a, normal, half) + growth(b, shape_b, normal, half);
+    anchor(contact, a, b, grown);
+    const double gap = grown - contact.memory.manifold->depth;
+    if (is_ghost(placed(a, shape_a, 0), placed(b, shape_b, 0), normal, gap, margin))
+    {
+      contact.memory = {};
     }
   }
   template <class Shape>

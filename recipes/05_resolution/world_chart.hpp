@@ -6,11 +6,9 @@
 #include "05_resolution/solvers.hpp"
 #include "05_resolution/world_cost_measured.hpp"
 #include "05_resolution/world_measures.hpp"
+#include "05_resolution/world_peer_bullet.hpp"
 #include "05_resolution/world_scenes.hpp"
 #include "common/program/table.hpp"
-#if defined(COOKBOOK_HAS_BULLET)
-#include "05_resolution/world_peer_bullet.hpp"
-#endif
 
 #include <algorithm>
 #include <cmath>

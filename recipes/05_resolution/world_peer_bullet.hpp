@@ -3,6 +3,8 @@
 /// \file
 /// \brief Bullet as a world: the same scene, with its defaults, to be measured beside ours.
 
+#if defined(COOKBOOK_HAS_BULLET)
+
 #include "05_resolution/frames.hpp"
 
 #include <btBulletDynamicsCommon.h>
@@ -154,3 +156,5 @@ inline std::vector<Frame> bullet_frames(const Scene& scene)
 }
 
 } // namespace cookbook
+
+#endif

@@ -2,10 +2,8 @@
 /// What holds for the peer: it gets the same scene as ours, and is timed in the same turns.
 
 #include "05_resolution/world_cost_measured.hpp"
-#include "05_resolution/world_scenes.hpp"
-#if defined(COOKBOOK_HAS_BULLET)
 #include "05_resolution/world_peer_bullet.hpp"
-#endif
+#include "05_resolution/world_scenes.hpp"
 
 #include "tests/catch.hpp"
 
