@@ -33,6 +33,16 @@ inline RigidBody flown(RigidBody body, const Vector3<double>& gravity, double ti
 }
 // [fly]
 
+/// Whether a body, since it was at the start of a step [s], has been given anything but gravity.
+inline bool was_pushed(
+    const RigidBody& now, const RigidBody& start, const Vector3<double>& gravity, double step)
+{
+  const Vector3<double> fallen = start.velocity + step * gravity;
+  const double turned = (now.angular_velocity - start.angular_velocity).norm();
+  return (now.velocity - fallen).norm() > 1e-9 * fallen.norm() ||
+         turned > 1e-9 * start.angular_velocity.norm();
+}
+
 // [first_touch]
 /// The first touch of a ball that moves by a displacement [m] with another body's shape.
 struct SweepBall
@@ -128,9 +138,12 @@ inline RigidBody at_touch(
 /// Bounces of one ball in one step, after which it waits for the next.
 inline constexpr int most_bounces_a_step = 32;
 
-/// Moves a ball that nothing touches through a step [s]: from touch to touch, and on.
-inline void
-fly_ball(const Scene& scene, std::span<RigidBody> bodies, std::size_t number, double step)
+/// Moves a ball that nothing touches through a step [s]: from touch to touch, and on; bodies of
+/// which `ignored(i)` is true are not in its way.
+template <class Ignored>
+void fly_ball(
+    const Scene& scene, std::span<RigidBody> bodies, std::size_t number, double step,
+    const Ignored& ignored)
 {
   double left = step;
   for (int i = 0; i < most_bounces_a_step && left > 0; ++i)
@@ -138,8 +151,7 @@ fly_ball(const Scene& scene, std::span<RigidBody> bodies, std::size_t number, do
     const RigidBody& ball = bodies[number];
     const RigidBody there = flown(ball, scene.gravity, left);
     const Vector3<double> way = there.position - ball.position;
-    const auto touch =
-        first_touch_in(scene, bodies, number, way, [](std::size_t) { return false; });
+    const auto touch = first_touch_in(scene, bodies, number, way, ignored);
     if (!touch)
     {
       bodies[number] = there;

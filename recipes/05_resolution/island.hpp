@@ -3,9 +3,10 @@
 /// \file
 /// \brief Bodies of a world that hang together by contacts, as solvers are given them.
 
-#include "05_resolution/contact_islands.hpp"
+#include "05_resolution/sleeping.hpp"
 #include "05_resolution/world_contact.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -47,6 +48,21 @@ island_numbers(std::span<const RigidBody> bodies, std::span<const WorldContact> 
   return islands(movable, pairs);
 }
 
+/// Wakes whatever touches a body, and all that hangs together with it.
+inline void wake_neighbours(
+    std::vector<SleepState<double>>& states, std::span<const RigidBody> bodies,
+    std::span<const WorldContact> contacts, int body)
+{
+  const std::vector<int> numbers = island_numbers(bodies, contacts);
+  for (const WorldContact& contact : contacts)
+  {
+    if (contact.a == body || contact.b == body)
+    {
+      wake(states, numbers, contact.a + contact.b - body);
+    }
+  }
+}
+
 /// The islands themselves, from their numbers, in order of their first bodies; a body that touches
 /// nothing is one too.
 inline std::vector<Island>
@@ -68,11 +84,13 @@ islands_of(const std::vector<int>& first, std::span<const WorldContact> contacts
   }
   for (std::size_t i = 0; i < contacts.size(); ++i)
   {
-    const WorldContact& contact = contacts[i];
-    const int of_a = first[static_cast<std::size_t>(contact.a)];
-    const int of_b = first[static_cast<std::size_t>(contact.b)];
-    islands[place[static_cast<std::size_t>(of_a >= 0 ? of_a : of_b)]].contacts.push_back(
-        static_cast<int>(i));
+    const int of_a = first[static_cast<std::size_t>(contacts[i].a)];
+    const int of_b = first[static_cast<std::size_t>(contacts[i].b)];
+    const int island = std::max(of_a, of_b); // −1 where both are fixed
+    if (island >= 0)
+    {
+      islands[place[static_cast<std::size_t>(island)]].contacts.push_back(static_cast<int>(i));
+    }
   }
   return islands;
 }

@@ -10,17 +10,21 @@
 #include "05_resolution/solver_names.hpp"
 #include "05_resolution/world.hpp"
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace cookbook
 {
 
 // [direct_or_soft]
-/// The recommended solver: direct where that finds an answer, and a frame of soft steps where it
-/// does not, as in impacts and dense heaps.
+/// The recommended solver: direct where that finds an answer, and soft steps where it does not, as
+/// in impacts and dense heaps.
+///
+/// Where it has not found one it lets some frames pass before it tries again: 1, 2, 4, up to 16.
 class DirectOrSoft
 {
 public:
@@ -30,11 +34,19 @@ public:
   /// Moves an island on by a step [s].
   void operator()(IslandView world, const Island& island, double step)
   {
-    DirectSolver& direct = (*solvers_)[island.bodies.front()];
-    if (!direct.solve(world, island, step))
+    Tries& tries = (*tries_)[island.bodies.front()];
+    if (tries.frames_to_wait > 0)
     {
+      --tries.frames_to_wait;
       return soft_steps(world, island, step, soft_);
     }
+    if (!tries.direct.solve(world, island, step))
+    {
+      tries.frames_to_wait = tries.pause;
+      tries.pause = std::min(2 * tries.pause, 16);
+      return soft_steps(world, island, step, soft_);
+    }
+    tries.pause = 1;
     for (const int body : island.bodies)
     {
       move(world.bodies[static_cast<std::size_t>(body)], step);
@@ -42,10 +54,16 @@ public:
   }
 
 private:
+  struct Tries
+  {
+    DirectSolver direct;
+    int frames_to_wait = 0;
+    int pause = 1; // frames to wait after the next failure
+  };
+
   SoftSettings soft_;
   // What each island's first body remembers; shared by copies of the solver.
-  std::shared_ptr<std::map<int, DirectSolver>> solvers_ =
-      std::make_shared<std::map<int, DirectSolver>>();
+  std::shared_ptr<std::map<int, Tries>> tries_ = std::make_shared<std::map<int, Tries>>();
 };
 // [direct_or_soft]
 
@@ -75,10 +93,13 @@ inline IslandSolver solver_named(const std::string& name, int substeps = 0)
     return [how = SequentialSettings{.iterations = 8, .warm = warm},
             n = or_else(1)](IslandView w, const Island& i, double h)
     {
+      std::vector<IslandPoint> points = points_of(w, i);
+      scale_impulses(points, 1.0 / n);
       for (int k = 0; k < n; ++k)
       {
         sequential_impulses(w, i, h / n, how);
       }
+      scale_impulses(points, n);
     };
   }
   if (name == "position_based")

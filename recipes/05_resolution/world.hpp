@@ -5,7 +5,6 @@
 
 #include "05_resolution/free_flight.hpp"
 #include "05_resolution/impacts.hpp"
-#include "05_resolution/sleeping.hpp"
 #include "05_resolution/world_checks.hpp"
 #include "05_resolution/world_contacts.hpp"
 
@@ -33,6 +32,7 @@ public:
         solver_(std::move(solver)),
         may_sleep_(may_sleep),
         forces_(scene.bodies.size(), Vector3<double>::Zero()),
+        gone_(scene.bodies.size(), false),
         sleep_(scene.bodies.size())
   {
     for (const SceneBody& body : scene_.bodies)
@@ -64,6 +64,15 @@ public:
     }
     forces_.at(body) += force;
     wake(sleep_, island_numbers(bodies_, contacts_), static_cast<int>(body));
+  }
+
+  /// Takes a body out: from the next step on it stays where it is, and nothing touches it.
+  void remove(std::size_t body)
+  {
+    wake_neighbours(sleep_, bodies_, contacts_, static_cast<int>(body));
+    fix(bodies_.at(body));
+    gone_[body] = true;
+    std::erase_if(bounds_, [body](const Bounds& bound) { return index(bound.body) == body; });
   }
 
   /// Goes on by one step of the scene.
@@ -114,7 +123,11 @@ private:
     if (!island.contacts.empty())
     {
       impacts(view, island, scene_.step);
-      remember(island);
+      start_.resize(bodies_.size());
+      for (const int i : island.bodies)
+      {
+        start_[index(i)] = bodies_[index(i)];
+      }
       solver_(view, island, scene_.step);
     }
     for (const int i : island.bodies)
@@ -123,29 +136,10 @@ private:
     }
   }
 
-  void remember(const Island& island)
-  {
-    start_.resize(bodies_.size());
-    for (const int i : island.bodies)
-    {
-      start_[index(i)] = bodies_[index(i)];
-    }
-  }
-
-  /// Whether a solver has done anything but add gravity to a body's velocity.
-  bool was_pushed(std::size_t i) const
-  {
-    const RigidBody &now = bodies_[i], &start = start_[i];
-    const Vector3<double> fallen = start.velocity + scene_.step * scene_.gravity;
-    const double turned = (now.angular_velocity - start.angular_velocity).norm();
-    return (now.velocity - fallen).norm() > 1e-9 * fallen.norm() ||
-           turned > 1e-9 * start.angular_velocity.norm();
-  }
-
   /// Has a body fly that nothing has pushed; a ball stops at what would be in its way.
   void move(std::size_t i, bool solved)
   {
-    if (solved && was_pushed(i))
+    if (solved && was_pushed(bodies_[i], start_[i], scene_.gravity, scene_.step))
     {
       return;
     }
@@ -155,7 +149,7 @@ private:
     }
     if (std::holds_alternative<SphereShape>(scene_.bodies[i].shape))
     {
-      fly_ball(scene_, bodies_, i, scene_.step);
+      fly_ball(scene_, bodies_, i, scene_.step, [this](std::size_t other) { return gone_[other]; });
     }
     else
     {
@@ -191,6 +185,7 @@ private:
   long steps_ = 0;
   std::vector<RigidBody> bodies_, before_, start_;
   std::vector<Vector3<double>> forces_;
+  std::vector<bool> gone_;
   std::vector<SleepState<double>> sleep_;
   std::vector<Bounds> bounds_;
   std::vector<WorldContact> contacts_;
