@@ -30,16 +30,22 @@ inline std::vector<double> loads(const Scene& tower)
   return sums;
 }
 
-/// The largest error of what a solver has bodies carry after so many steps, as a share of the load.
-inline double statics_error(const Scene& tower, const std::string& solver, int steps)
+/// The largest error of what the bodies of a tower carry, as a share of the load.
+inline double load_error(const Scene& tower, const std::vector<double>& carried)
 {
-  const std::vector<double> right = loads(tower), is = carried(tower, solver, steps);
+  const std::vector<double> right = loads(tower);
   double worst = 0;
   for (std::size_t i = 1; i < right.size(); ++i)
   {
-    worst = std::max(worst, std::abs(is[i] / right[i] - 1));
+    worst = std::max(worst, std::abs(carried[i] / right[i] - 1));
   }
   return worst;
+}
+
+/// The same, of what a solver has them carry after so many steps.
+inline double statics_error(const Scene& tower, const std::string& solver, int steps)
+{
+  return load_error(tower, carried(tower, solver, steps));
 }
 // [statics]
 

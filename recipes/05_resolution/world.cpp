@@ -6,6 +6,7 @@
 #include "05_resolution/scene_figures.hpp"
 #include "05_resolution/scene_file.hpp"
 #include "05_resolution/solver_names.hpp"
+#include "05_resolution/world_cases.hpp"
 #include "05_resolution/world_figures.hpp"
 #include "05_resolution/world_runs.hpp"
 #include "05_resolution/world_scenes.hpp"
@@ -78,6 +79,11 @@ void run(const Arguments& given)
   if (given.value("scene").empty() && given.value("scene-file").empty())
   {
     std::cout << standings_table();
+    save_figure(
+        given, "world_cases.html",
+        verdict_table(
+            "The world at 60 frames a second under each solver, nothing asleep.",
+            world_case_solvers(), world_verdicts()));
     return draw_gallery(given);
   }
   run_scene(given);

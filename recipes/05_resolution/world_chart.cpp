@@ -3,11 +3,14 @@
 /// sinks.
 
 #include "05_resolution/world_chart.hpp"
+#include "05_resolution/broad_phase_scenes.hpp"
 #include "common/measure/timing.hpp"
 #include "common/plot/chart.hpp"
 #include "common/program/program.hpp"
 #include "common/program/table.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <map>
 
@@ -21,13 +24,28 @@ double bullet_seconds(const std::vector<ChartedRun>& runs)
   return runs.back().solver.name.empty() ? runs.back().seconds : 0;
 }
 
-/// The chart of a scene: a curve for each solver over its substeps.
-std::string chart_of(const std::string& scene, const std::vector<ChartedRun>& runs)
+/// What a chart shows beside the cost.
+struct ChartedMeasure
+{
+  std::string file;             ///< without its ending
+  std::string title;            ///< behind "cost against"
+  std::string axis;             ///< with the unit
+  double ChartedEnd::*measured; ///< read from a run
+};
+
+const std::vector<ChartedMeasure> charted_measures{
+    {"world_chart", "how far a body has gone", "moved by [m]", &ChartedEnd::moved},
+    {"world_chart_overlap", "the deepest overlap", "deepest overlap [m]", &ChartedEnd::overlap},
+    {"world_chart_loads", "the error of what is carried", "error of a load [1]",
+     &ChartedEnd::load_error}};
+
+/// The chart of the tower: a curve for each solver over its substeps.
+std::string chart_of(const ChartedMeasure& shown, const std::vector<ChartedRun>& runs)
 {
   plot::Chart chart(
-      "world_chart", "A tower of ten after 5 s: cost against how far a body has gone",
-      {"time a body and step [µs]", plot::Scale::log}, {"moved by [m]", plot::Scale::log});
-  chart.describe("Time of each solver on " + scene + " against how far it let a body go.")
+      shown.file, "A tower of ten after 5 s: cost against " + shown.title,
+      {"time a body and step [µs]", plot::Scale::log}, {shown.axis, plot::Scale::log});
+  chart.describe("Time of each solver on a tower of ten cubes against " + shown.title + ".")
       .rail("falls")
       .note(measure::machine_line());
   std::map<std::string, std::vector<Eigen::Vector2d>> lines;
@@ -35,13 +53,13 @@ std::string chart_of(const std::string& scene, const std::vector<ChartedRun>& ru
   for (const ChartedRun& run : runs)
   {
     const double time = run.seconds * 1e6;
-    if (run.moved > 0.5)
+    if (run.end.moved > 0.5)
     {
       fallen.emplace(run.solver.line, time);
     }
     else
     {
-      lines[run.solver.line].emplace_back(time, run.moved);
+      lines[run.solver.line].emplace_back(time, std::max(1e-16, run.end.*shown.measured));
     }
   }
   for (const auto& [name, points] : lines)
@@ -55,28 +73,85 @@ std::string chart_of(const std::string& scene, const std::vector<ChartedRun>& ru
   return chart.svg();
 }
 
-/// Adds the runs of a scene to a table.
-void add(Cells& table, const std::string& scene, const std::vector<ChartedRun>& runs)
+/// A scene under all solvers; loads are asked of those in which each body stands on the one before.
+struct ChartedScene
 {
-  table.push_back({scene, "time a body and step [µs]", "moved by [mm]", "× Bullet's time"});
+  std::string name;
+  bool tower;
+};
+
+const std::vector<ChartedScene> charted_scenes{
+    {"tower", true},
+    {"tower_20", true},
+    {"pyramid", false},
+    {"heavy_on_light_100", true},
+    {"heavy_on_light_1000", true},
+    {"plates", true}};
+
+/// The runs of a scene as a table.
+Cells scene_table(const ChartedScene& scene, const std::vector<ChartedRun>& runs)
+{
+  Cells table{
+      {scene.name, "µs a body and step", "moved by [mm]", "overlap [mm]", "error of a load",
+       "× Bullet's time"}};
   for (const ChartedRun& run : runs)
   {
-    table.push_back(charted_row(run, bullet_seconds(runs)));
-  }
-}
-
-/// Heaps of more and more boxes: does a body cost more in a larger heap?
-Cells heaps()
-{
-  Cells table{{"heap, 1 s", "direct [µs a body and step]", "soft steps, 4"}};
-  for (const char* const scene : {"pile_100", "pile_200", "pile_1000", "pile_2000", "pile_4000"})
-  {
-    const auto runs = charted_runs(
-        named_scene(scene), 1, {{"direct", "direct", 0}, {"soft steps", "soft_steps", 4}});
-    table.push_back({scene, number(runs[0].seconds * 1e6), number(runs[1].seconds * 1e6)});
+    table.push_back(charted_row(run, scene.tower, bullet_seconds(runs)));
   }
   return table;
 }
+
+// [heaps]
+/// Heaps of more and more boxes, when they have come to rest: does a body cost more in a larger
+/// one?
+Cells heaps(bool quick)
+{
+  Cells table{
+      {"boxes in a heap, after 4 s", "direct [µs a body and step]", "for each doubling",
+       "soft steps, 4", "for each doubling"}};
+  double before_direct = 0, before_soft = 0, before = 0;
+  const auto growth = [&](double now, double then, int count)
+  {
+    const double doublings = std::log2(count / before);
+    return then > 0 ? "× " + number(std::pow(now / then, 1 / doublings)) : std::string("–");
+  };
+  for (const int count : {100, 200, 1000, 2000, 4000})
+  {
+    if (quick && count > 200)
+    {
+      break;
+    }
+    const Scene scene = named_scene("pile_" + std::to_string(count));
+    const double direct = settled_seconds(scene, {"direct", "direct", 0}, 4, 20);
+    const double soft = settled_seconds(scene, {"soft steps", "soft_steps", 4}, 4, 20);
+    table.push_back(
+        {std::to_string(count), number(direct * 1e6), growth(direct, before_direct, count),
+         number(soft * 1e6), growth(soft, before_soft, count)});
+    before_direct = direct, before_soft = soft, before = count;
+  }
+  return table;
+}
+// [heaps]
+
+// [crossover]
+/// Who may touch, asked of every pair and by a sweep: from which number on is sorting worth it?
+Cells crossover(const measure::Effort& effort)
+{
+  Cells table{{"boxes in a grid", "every pair [µs]", "sorted and swept [µs]", "ratio"}};
+  for (const int count : {4, 8, 16, 64, 256, 1024, 4096})
+  {
+    std::vector<Bounds> bounds = grid_bounds(count);
+    const auto timings = measure::time_interleaved(
+        {{"every pair", [&] { measure::keep(every_overlapping_pair(bounds).size()); }, 1},
+         {"sweep", [&] { measure::keep(overlapping_pairs(bounds).size()); }, 1}},
+        effort);
+    table.push_back(
+        {std::to_string(count), number(timings[0].ns / 1e3), number(timings[1].ns / 1e3),
+         number(timings[0].ns / timings[1].ns)});
+  }
+  return table;
+}
+// [crossover]
 
 std::string text_of(const Cells& cells)
 {
@@ -91,25 +166,28 @@ std::string text_of(const Cells& cells)
 // [run]
 void run(const Arguments& given)
 {
+  const bool quick = given.value("effort") == "quick";
   std::string html;
   const auto show = [&html](const Cells& table)
   {
     std::cout << text_of(table);
     html += html_table(table);
   };
-  for (const char* const scene :
-       {"tower", "tower_20", "pyramid", "heavy_on_light_100", "heavy_on_light_1000", "plates"})
+  for (const ChartedScene& scene : charted_scenes)
   {
-    const std::vector<ChartedRun> runs = charted_runs(named_scene(scene), 5, charted_solvers());
-    Cells table;
-    add(table, scene, runs);
-    show(table);
-    if (std::string(scene) == "tower")
+    const std::vector<ChartedRun> runs =
+        charted_runs(named_scene(scene.name), quick ? 1 : 5, charted_solvers(), quick ? 1 : 3);
+    show(scene_table(scene, runs));
+    if (scene.name == "tower")
     {
-      save_figure(given, "world_chart.svg", chart_of(scene, runs));
+      for (const ChartedMeasure& shown : charted_measures)
+      {
+        save_figure(given, shown.file + ".svg", chart_of(shown, runs));
+      }
     }
   }
-  show(heaps());
+  show(heaps(quick));
+  show(crossover(quick ? measure::Effort{3, 0.001} : measure::Effort{11, 0.005}));
   save_figure(given, "world_chart.html", html);
 }
 // [run]
@@ -120,6 +198,7 @@ int main(int argc, char** argv)
 {
   const Arguments arguments{
       .name = "world_chart",
-      .summary = "Times every solver beside Bullet, and draws cost against how far a tower sinks."};
+      .summary = "Times every solver beside Bullet, and draws cost against how far a tower sinks.",
+      .options = {{"effort", "how long to measure", "full", {"full", "quick"}}}};
   return run_program(argc, argv, arguments, run);
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 /// \file
-/// \brief What is measured of a world: energy, momentum, overlap, how far bodies went, what is
-/// missing.
+/// \brief What is measured of a world: energy, momentum, overlap, loads, how far bodies went, what
+/// is missing.
 
 #include "05_resolution/frames.hpp"
 #include "05_resolution/world.hpp"
@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 namespace cookbook
 {
@@ -108,6 +109,26 @@ inline double residual(const World& world)
   return most;
 }
 // [world_contacts_measured]
+
+// [carried]
+/// The impulses [N s] that each body gets, against gravity and in the last step, from all contacts
+/// with bodies before it in the scene: what carries it, where each stands on the one before.
+inline std::vector<double> carried_in(const World& world)
+{
+  const Vector3<double>& gravity = world.scene().gravity;
+  std::vector<double> sums(world.bodies().size(), 0.0);
+  for (const WorldContact& contact : world.contacts())
+  {
+    for (const WorldPoint& point : contact.points())
+    {
+      const Vector3<double> impulse = point.impulse * contact.normal() + point.friction;
+      sums[static_cast<std::size_t>(contact.b)] -=
+          impulse.dot(gravity) / std::max(gravity.norm(), 1e-300);
+    }
+  }
+  return sums;
+}
+// [carried]
 
 // [moved_by]
 /// The farthest that any body has moved from where its scene put it.

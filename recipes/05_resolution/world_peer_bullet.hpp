@@ -74,7 +74,45 @@ public:
     return frame;
   }
 
+  /// The deepest overlap [m] at any of Bullet's contact points.
+  double deepest_overlap()
+  {
+    double most = 0;
+    each_point([&most](const btManifoldPoint& point, int, int)
+               { most = std::max(most, -double(point.getDistance())); });
+    return most;
+  }
+
+  /// The impulses [N s] that each body gets, upwards and along normals, from bodies before it.
+  std::vector<double> carried()
+  {
+    std::vector<double> sums(bodies_.size(), 0.0);
+    each_point(
+        [&sums](const btManifoldPoint& point, int a, int b)
+        {
+          // Bullet's normal points from its second body to its first.
+          const double up = double(point.getAppliedImpulse()) * double(point.m_normalWorldOnB.y());
+          sums[static_cast<std::size_t>(std::max(a, b))] += a > b ? up : -up;
+        });
+    return sums;
+  }
+
 private:
+  template <class Visit>
+  void each_point(const Visit& visit)
+  {
+    for (int i = 0; i < dispatcher_.getNumManifolds(); ++i)
+    {
+      const btPersistentManifold& contact = *dispatcher_.getManifoldByIndexInternal(i);
+      for (int j = 0; j < contact.getNumContacts(); ++j)
+      {
+        visit(
+            contact.getContactPoint(j), contact.getBody0()->getUserIndex(),
+            contact.getBody1()->getUserIndex());
+      }
+    }
+  }
+
   static btVector3 vector(const Vector3<double>& v)
   {
     return {
@@ -126,6 +164,7 @@ private:
     bodies_.push_back(std::make_unique<btRigidBody>(info));
     bodies_.back()->setLinearVelocity(vector(body.velocity));
     bodies_.back()->setAngularVelocity(vector(body.angular_velocity));
+    bodies_.back()->setUserIndex(static_cast<int>(bodies_.size()) - 1);
     bodies_.back()->setActivationState(DISABLE_DEACTIVATION);
     world_.addRigidBody(bodies_.back().get());
   }

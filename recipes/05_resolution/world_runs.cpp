@@ -30,6 +30,10 @@ WorldRun run_world(
   const double bodies = movable_bodies(scene);
   for (std::size_t i = 1; i <= steps; ++i)
   {
+    if (settings.before_step)
+    {
+      settings.before_step(world);
+    }
     const double seconds = seconds_of([&] { world.step(); });
     run.time += seconds / (bodies * static_cast<double>(steps));
     run.longest_step = std::max(run.longest_step, seconds / bodies);
@@ -65,17 +69,7 @@ std::vector<double> carried(const Scene& scene, const std::string& solver, int s
   {
     world.step();
   }
-  std::vector<double> sums(scene.bodies.size(), 0.0);
-  for (const WorldContact& contact : world.contacts())
-  {
-    for (const WorldPoint& point : contact.points())
-    {
-      const Vector3<double> impulse = point.impulse * contact.normal() + point.friction;
-      sums[static_cast<std::size_t>(contact.b)] -=
-          impulse.dot(scene.gravity) / std::max(scene.gravity.norm(), 1e-300);
-    }
-  }
-  return sums;
+  return carried_in(world);
 }
 
 } // namespace cookbook

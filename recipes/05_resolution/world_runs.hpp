@@ -13,15 +13,18 @@
 namespace cookbook
 {
 
+class World;
+
 // [world_run]
 /// How a scene is to be run.
 struct RunSettings
 {
-  std::string solver = "direct"; ///< by name
-  int substeps = 0;              ///< 0: what the solver takes itself
-  double duration = -1;          ///< [s]; less than zero: the scene's
-  bool may_sleep = false;        ///< whether bodies that rest are left out
-  bool keeps_frames = false;     ///< whether each step is kept as a frame
+  std::string solver = "direct";             ///< by name
+  int substeps = 0;                          ///< 0: what the solver takes itself
+  double duration = -1;                      ///< [s]; less than zero: the scene's
+  bool may_sleep = false;                    ///< whether bodies that rest are left out
+  bool keeps_frames = false;                 ///< whether each step is kept as a frame
+  std::function<void(World&)> before_step{}; ///< if given, may push and remove bodies
 };
 
 /// What came of it.

@@ -2,6 +2,7 @@
 /// The world: energy, momentum, bounces, walls, the same bits again, and scenes that make no sense.
 
 #include "05_resolution/solvers.hpp"
+#include "05_resolution/world_cases.hpp"
 #include "05_resolution/world_measures.hpp"
 #include "05_resolution/world_runs.hpp"
 #include "05_resolution/world_scenes.hpp"
@@ -240,6 +241,20 @@ TEST_CASE("a force of 1e308 N leaves all numbers finite", "[case:L3]")
   }
 }
 
+TEST_CASE("a body that is kept where it was, since its numbers overflowed, may lie on the ground")
+{
+  World world(named_scene("tower_2"), solver_named("direct"));
+  for (int i = 0; i < 30; ++i)
+  {
+    world.push(1, {1e308, 1e308, 1e308});
+    world.push(1, {1e308, 1e308, 1e308});
+    world.step();
+  }
+  CHECK(world.bodies()[1].inverse_mass == 0);
+  CHECK(world.bodies()[1].position == Vector3<double>(0, 0.5, 0));
+  CHECK(is_finite(world.bodies()[2]));
+}
+
 TEST_CASE("ten thousand bodies in one place are refused, with a sentence", "[case:L3]")
 {
   Scene scene;
@@ -271,3 +286,82 @@ TEST_CASE("a tower falls asleep within 2 s, and wakes when it is pushed", "[case
   CHECK(world.bodies()[5].velocity.x() > 1);
 }
 // [sleep]
+
+TEST_CASE("impulses are those of a frame, whatever the substeps of a solver", "[R9]")
+{
+  for (const char* const solver : {"direct", "soft_steps", "sequential_impulses"})
+  {
+    for (const int substeps : {1, 4})
+    {
+      CAPTURE(solver, substeps);
+      World world(named_scene("tower_1"), solver_named(solver, substeps));
+      for (int i = 0; i < 120; ++i)
+      {
+        world.step();
+      }
+      CHECK(
+          carried_in(world)[1] ==
+          Catch::Approx(9.81 / 60).epsilon(1e-4)); // springs take their time
+    }
+  }
+}
+
+// [remove]
+TEST_CASE("a body that is removed lets fall what stood on it, asleep or not", "[case:L2]")
+{
+  for (const bool may_sleep : {false, true})
+  {
+    World world(named_scene("tower_3"), solver_named("direct"), may_sleep);
+    for (int i = 0; i < 120; ++i)
+    {
+      world.step();
+    }
+    CHECK(world.sleeps(2) == may_sleep);
+    world.remove(1);
+    for (int i = 0; i < 12; ++i)
+    {
+      world.step();
+    }
+    // g t²/2 in 0.2 s, and the cube that is gone stays where it was.
+    CHECK(world.bodies()[2].position.y() == Catch::Approx(1.5 - 9.81 * 0.02).margin(0.02));
+    CHECK(world.bodies()[1].position.y() == Catch::Approx(0.5).margin(1e-6));
+  }
+}
+
+TEST_CASE("when the ground is removed, what slept on it wakes and falls", "[case:L2]")
+{
+  World world(named_scene("tower_2"), solver_named("direct"), true);
+  for (int i = 0; i < 120; ++i)
+  {
+    world.step();
+  }
+  world.remove(0);
+  world.step();
+  CHECK(world.bodies()[1].velocity.y() == Catch::Approx(-9.81 / 60).margin(1e-6));
+}
+// [remove]
+
+#if !defined(COOKBOOK_FEWER_PAIRS) // minutes under sanitizers
+// [cases]
+TEST_CASE(
+    "who holds and who fails in the world",
+    "[case:S3][case:S6][case:S7][case:S8][case:S18][case:S20][case:S21][case:S22][case:L3]")
+{
+  const std::vector<VerdictRow> rows = world_verdicts();
+  // Direct, soft steps, warm and cold impulses, positions.
+  const std::vector<std::string> expected{"+----", "+----", "+---+", "+----", "++---",
+                                          "+++++", "+++++", "+++++", "+++++", "+++++"};
+  REQUIRE(rows.size() == expected.size());
+  for (std::size_t row = 0; row < rows.size(); ++row)
+  {
+    REQUIRE(rows[row].verdicts.size() == expected[row].size());
+    for (std::size_t solver = 0; solver < expected[row].size(); ++solver)
+    {
+      const Verdict& verdict = rows[row].verdicts[solver];
+      INFO(rows[row].what << ", " << world_case_solvers()[solver] << ": " << verdict.what);
+      CHECK(verdict.holds == (expected[row][solver] == '+'));
+    }
+  }
+}
+// [cases]
+#endif
