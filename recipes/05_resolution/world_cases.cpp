@@ -134,6 +134,24 @@ Verdict slides_on(const std::string& solver, bool ball)
   return {lost <= 0.01 && upward <= 0.001, in_thousandths(upward, "mm/s up")};
 }
 
+/// S23: ten balls of 1 kg under one of 100 kg, the mirror image of a chain with 100 kg at its end:
+/// by what share of its length it gives way in 5 s.
+Verdict holds_as_chain(const std::string& solver)
+{
+  Scene scene = scenes::standing();
+  for (int i = 0; i <= 10; ++i)
+  {
+    const double mass = i < 10 ? 1 : 100;
+    scene.bodies.push_back(ball_body(numbered("ball", i + 1), 0.5, {0, i + 0.5, 0}, mass));
+  }
+  double most = 0;
+  for (const Frame& frame : frames_of(scene, solver, 5))
+  {
+    most = std::max(most, std::abs(frame.bodies.back().position.y() - 10.5) / 10.5);
+  }
+  return {most <= 0.01, number(std::round(1000 * most) / 10).append(" %")};
+}
+
 bool same_places(const Frame& a, const Frame& b, std::size_t count)
 {
   return std::equal(
@@ -206,6 +224,7 @@ std::vector<WorldCase> world_cases()
       {"S21", "a ball on the ground, 60 s: 1 mm", within(resting_ball(), 60, 0.001)},
       {"S22", "a cube over flush tiles, 3 m/s: 1 mm/s", over_tiles(false)},
       {"", "a ball over them", over_tiles(true)},
+      {"S23", "ten balls of 1 kg under 100 kg, a chain's image, 5 s: 1 %", holds_as_chain},
       {"L3", "a force that is not a number in a heap", refuses}};
 }
 
