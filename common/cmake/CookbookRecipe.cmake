@@ -191,11 +191,15 @@ function(cookbook_test_program target source)
 endfunction()
 
 # The tests of a chapter, up to eight in one source: first all that they include, then each test in a
-# namespace of its own.
+# namespace of its own. Sanitizers leave out what is tagged [long].
 function(cookbook_tests_together)
   get_property(names DIRECTORY PROPERTY COOKBOOK_TOGETHER)
   get_property(libraries DIRECTORY PROPERTY COOKBOOK_TOGETHER_LIBRARIES)
   set(number 0)
+  set(only "")
+  if(COOKBOOK_SANITIZE)
+    set(only "~[long]")
+  endif()
   while(names)
     math(EXPR number "${number} + 1")
     list(SUBLIST names 0 8 some)
@@ -209,7 +213,7 @@ function(cookbook_tests_together)
       file(STRINGS ${source} lines REGEX "^#include")
       list(APPEND includes ${lines})
       string(APPEND tests "namespace test_${name}\n{\n#include \"${source}\"\n}\n")
-      add_test(NAME ${name}.unit COMMAND ${program} -\# "[#${name}_test]")
+      add_test(NAME ${name}.unit COMMAND ${program} -\# "[#${name}_test]${only}")
       set_tests_properties(${name}.unit PROPERTIES LABELS ${COOKBOOK_CHAPTER} TIMEOUT 900
         FAIL_REGULAR_EXPRESSION "No test cases matched;No tests ran")
     endforeach()

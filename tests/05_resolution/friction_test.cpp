@@ -223,7 +223,8 @@ TEST_CASE("a ball at 7 m/s, μ = 0.2, slides for 1.0194 s, then rolls at 5 m/s",
 // [R27]
 
 // [R28]
-TEST_CASE("0.1° below tan θ = μ a cube holds for 10 s, 0.1° above it slides", "[R28][case:S10]")
+TEST_CASE(
+    "0.1° below tan θ = μ a cube holds for 10 s, 0.1° above it slides", "[R28][case:S10][long]")
 {
   for (const double friction : {0.2, 0.6})
   {
@@ -264,7 +265,8 @@ TEST_CASE(
 
 // [R29]
 TEST_CASE(
-    "a block at 5 m/s, μ = 0.4, goes 3.186 m, less half a step, any heading", "[R29][case:S13]")
+    "a block at 5 m/s, μ = 0.4, goes 3.186 m, less half a step, any heading",
+    "[R29][case:S13][long]")
 {
   const OneContactScene scene = sliding_block({0, 0, 0});
   // Each step takes μ g h from the speed before it moves the block.
@@ -376,7 +378,7 @@ TEST_CASE("as published, a cube creeps down 10° by most of a metre in 10 s", "[
 // [verdicts]
 TEST_CASE(
     "who holds and who fails at friction",
-    "[case:S9][case:S10][case:S11][case:S12][case:S13][case:S28]")
+    "[case:S9][case:S10][case:S11][case:S12][case:S13][case:S28][long]")
 {
   const std::vector<VerdictRow> rows = friction_verdicts();
   // As published, box, pyramid, cone.

@@ -91,7 +91,8 @@ TEST_CASE("a ball near an edge is a ghost until it touches; above a face it is n
   CHECK_FALSE(is_ghost(ball, cube, Vector3<double>(0.6, -0.8, 0), 0, 0.005));
 }
 
-TEST_CASE("a cube slides over flush tiles and a ball rolls, wherever a step ends", "[case:S22]")
+TEST_CASE(
+    "a cube slides over flush tiles and a ball rolls, wherever a step ends", "[case:S22][long]")
 {
   for (const char* const solver : {"direct", "sequential_impulses", "position_based", "soft_steps"})
   {
