@@ -1,5 +1,7 @@
 # The house's own commands: a chapter, a recipe, a batch, a chart, a test.
 
+include(CheckCXXCompilerFlag)
+
 # cookbook_warnings(TARGET [OPTION…]): what this project asks of its own code, not of a game's.
 function(cookbook_warnings target)
   target_compile_options(${target} PRIVATE
@@ -75,6 +77,11 @@ function(cookbook_batch name)
   set(portable_flags "")
   set(avx2_flags -mavx2)
   set(avx512_flags -mavx512f -mprefer-vector-width=512)
+  check_cxx_compiler_flag(-mmove-max=256 COOKBOOK_HAS_MOVE_MAX)
+  if(COOKBOOK_HAS_MOVE_MAX) # whole registers are copied at once, not by halves and quarters
+    list(APPEND avx2_flags -mmove-max=256 -mstore-max=256)
+    list(APPEND avx512_flags -mmove-max=512 -mstore-max=512)
+  endif()
   set(instruction_sets portable)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     list(APPEND instruction_sets avx2 avx512)

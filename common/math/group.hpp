@@ -119,6 +119,20 @@ Several<Number, 3> turned_twice(const Several<Number, 3>& v)
   return group(v[2], v[0], v[1]);
 }
 
+/// Four packs of four as a square whose rows become columns.
+template <class Real>
+void transpose(Pack<Real, 4>& a, Pack<Real, 4>& b, Pack<Real, 4>& c, Pack<Real, 4>& d)
+{
+  const auto low_ab = __builtin_shufflevector(a.lanes, b.lanes, 0, 4, 1, 5);
+  const auto low_cd = __builtin_shufflevector(c.lanes, d.lanes, 0, 4, 1, 5);
+  const auto high_ab = __builtin_shufflevector(a.lanes, b.lanes, 2, 6, 3, 7);
+  const auto high_cd = __builtin_shufflevector(c.lanes, d.lanes, 2, 6, 3, 7);
+  a.lanes = __builtin_shufflevector(low_ab, low_cd, 0, 1, 4, 5);
+  b.lanes = __builtin_shufflevector(low_ab, low_cd, 2, 3, 6, 7);
+  c.lanes = __builtin_shufflevector(high_ab, high_cd, 0, 1, 4, 5);
+  d.lanes = __builtin_shufflevector(high_ab, high_cd, 2, 3, 6, 7);
+}
+
 /// Three rows of three made columns.
 template <class Real>
 void transpose(Pack<Real, 4> (&rows)[3])

@@ -42,6 +42,14 @@ struct Pack
   Pack() = default;
   Pack(Real same) : lanes(same - Lanes{}) {} ///< the same number in every lane
 
+  // Copied as one register: left to itself g++ copies wide packs in pieces.
+  Pack(const Pack& other) : lanes(other.lanes) {}
+  Pack& operator=(const Pack& other)
+  {
+    lanes = other.lanes;
+    return *this;
+  }
+
   /// The i-th number, i < Width.
   template <std::integral Whole>
   Real operator[](Whole i) const
@@ -123,20 +131,6 @@ template <class Real, std::size_t Width>
 void store_pack(const Pack<Real, Width>& pack, Real* to)
 {
   std::memcpy(to, &pack.lanes, sizeof(pack.lanes));
-}
-
-/// Four packs of four as a square whose rows become columns.
-template <class Real>
-void transpose(Pack<Real, 4>& a, Pack<Real, 4>& b, Pack<Real, 4>& c, Pack<Real, 4>& d)
-{
-  const auto low_ab = __builtin_shufflevector(a.lanes, b.lanes, 0, 4, 1, 5);
-  const auto low_cd = __builtin_shufflevector(c.lanes, d.lanes, 0, 4, 1, 5);
-  const auto high_ab = __builtin_shufflevector(a.lanes, b.lanes, 2, 6, 3, 7);
-  const auto high_cd = __builtin_shufflevector(c.lanes, d.lanes, 2, 6, 3, 7);
-  a.lanes = __builtin_shufflevector(low_ab, low_cd, 0, 1, 4, 5);
-  b.lanes = __builtin_shufflevector(low_ab, low_cd, 2, 3, 6, 7);
-  c.lanes = __builtin_shufflevector(high_ab, high_cd, 0, 1, 4, 5);
-  d.lanes = __builtin_shufflevector(high_ab, high_cd, 2, 3, 6, 7);
 }
 
 /// The lanes of `yes` where the mask is set, those of `no` elsewhere.

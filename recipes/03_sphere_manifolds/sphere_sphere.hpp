@@ -133,8 +133,9 @@ sphere_sphere_rows(const Sphere<float>& a, const Sphere<float>& b)
   static_assert(offsetof(ContactPoint<float>, depth) == sizeof(Vector3<float>));
   Row row_a;
   Row row_b;
-  std::memcpy(&row_a, &a, sizeof row_a); // of the whole sphere: three of four floats are its centre
-  std::memcpy(&row_b, &b, sizeof row_b);
+  // Of the whole sphere: three of the four floats are its centre.
+  std::memcpy(&row_a.lanes, &a, sizeof row_a);
+  std::memcpy(&row_b.lanes, &b, sizeof row_b);
   const Row a_to_b = row_b - row_a;
   const Row squares = a_to_b * a_to_b;
   const float squared = squares[0] + (squares[1] + squares[2]);

@@ -20,12 +20,12 @@ namespace cookbook
 struct BoxBatch
 {
   BoxBlocks blocks;
-  std::vector<SixteenManifolds> manifolds;
+  BoxManifolds manifolds;
   std::vector<std::uint32_t> touching;
 
   /// Fills the blocks.
   explicit BoxBatch(const std::vector<BoxPair<float>>& pairs)
-      : blocks(blocks_of(pairs)), manifolds(blocks.a.size()), touching(blocks.a.size())
+      : blocks(blocks_of(pairs)), touching(blocks.a.size())
   {
   }
 };
@@ -48,7 +48,7 @@ inline BoxContender batch_contender(InstructionSet set)
   {
     BoxBatch batch({{a, b}});
     box_pairs(batch.blocks.a, batch.blocks.b, batch.manifolds, set);
-    return manifold_at(batch.manifolds, 0);
+    return in_order(batch.manifolds, 1)[0];
   };
   const auto prepare = [set](const BoxPairLists& lists)
   { return run_batch(std::make_shared<BoxBatch>(lists.in_float), set, false); };

@@ -52,7 +52,9 @@ BoxColumns<Real> columns_of(const Obb<Real>& box)
     const auto four_from = [&](std::size_t k)
     {
       Group<Real, 4> four;
-      std::memcpy(&four, reinterpret_cast<const char*>(&box) + k * sizeof(Real), sizeof(four));
+      std::memcpy(
+          static_cast<void*>(&four), reinterpret_cast<const char*>(&box) + k * sizeof(Real),
+          sizeof(four));
       return four;
     };
     columns = {four_from(0), {four_from(3), four_from(6), four_from(9)}, last_three(four_from(11))};
@@ -75,11 +77,10 @@ Row combined(const Row (&rows)[3], const Real& x, const Real& y, const Real& z)
   return rows[0] * Row(x) + rows[1] * Row(y) + rows[2] * Row(z);
 }
 
-/// B as A sees it.
+/// B as A sees it, its centre at d [m] from A's.
 template <class Real>
-BoxesInRows<Real> boxes_in_rows(const Obb<Real>& a, const Obb<Real>& b)
+BoxesInRows<Real> boxes_in_rows(const Obb<Real>& a, const Obb<Real>& b, const Vector3<Real>& d)
 {
-  const Vector3<Real> d = b.center - a.center;
   BoxColumns<Real> in_a = columns_of(a), in_b = columns_of(b);
   transpose(in_a.axes);
   transpose(in_b.axes);
@@ -95,6 +96,13 @@ BoxesInRows<Real> boxes_in_rows(const Obb<Real>& a, const Obb<Real>& b)
   boxes.offset_a = combined(in_a.axes, d[0], d[1], d[2]);
   boxes.offset_b = combined(in_b.axes, -d[0], -d[1], -d[2]);
   return boxes;
+}
+
+/// B as A sees it.
+template <class Real>
+BoxesInRows<Real> boxes_in_rows(const Obb<Real>& a, const Obb<Real>& b)
+{
+  return boxes_in_rows<Real>(a, b, b.center - a.center);
 }
 // [boxes_in_rows]
 

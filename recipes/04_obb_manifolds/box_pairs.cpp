@@ -21,14 +21,9 @@ using namespace cookbook;
 std::vector<std::optional<Manifold<float>>> manifolds_of(const std::vector<BoxPair<float>>& pairs)
 {
   const BoxBlocks blocks = blocks_of(pairs);
-  std::vector<SixteenManifolds> answers(blocks.a.size());
-  box_pairs(blocks.a, blocks.b, answers);
-  std::vector<std::optional<Manifold<float>>> manifolds;
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-  {
-    manifolds.push_back(manifold_at(answers, i));
-  }
-  return manifolds;
+  BoxManifolds manifolds;
+  box_pairs(blocks.a, blocks.b, manifolds);
+  return in_order(manifolds, pairs.size());
 }
 
 /// The pairs of all lanes.

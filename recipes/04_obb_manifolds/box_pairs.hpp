@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -26,25 +27,48 @@ struct alignas(64) SixteenBoxes
   float half_extents[3][16]; ///< [m], along each axis
 };
 
-/// The manifolds of sixteen pairs side by side.
-struct alignas(64) SixteenManifolds
+/// Sixteen manifolds of pairs that meet with a face, side by side.
+struct alignas(64) SixteenFaceManifolds
 {
-  float normal[3][16];       ///< [1], unit, world, from A to B; not set where they are apart
-  float depth[16];           ///< [m], the whole overlap; −1 where the boxes are apart
-  std::uint32_t kept[16];    ///< bit s is set where there is a point in slot s; 0: apart
+  std::uint32_t pair[16];    ///< which pair each is of
+  float normal[3][16];       ///< [1], unit, world, from A to B
+  float depth[16];           ///< [m], the whole overlap
+  std::uint32_t kept[16];    ///< bit s is set where there is a point in slot s
   std::uint32_t feature[16]; ///< of slot 0; that of slot s is by s more
-  float position[8][3][16];  ///< [m], world, for every slot x, y, z; set where a point is kept
+  float position[8][3][16];  ///< [m], world, for every slot x, y, z; meant where a point is kept
   float point_depth[8][16];  ///< [m], for every slot
+};
+
+/// Sixteen manifolds of pairs that meet with edges, in one point each.
+struct alignas(64) SixteenEdgeManifolds
+{
+  std::uint32_t pair[16];    ///< which pair each is of
+  float normal[3][16];       ///< [1], unit, world, from A to B
+  float depth[16];           ///< [m], the whole overlap, and the point's
+  std::uint32_t feature[16]; ///< of the point
+  float position[3][16];     ///< [m], world: x, y, z
+};
+
+/// The manifolds of the pairs that touch, by what they meet with; number i of a kind is number
+/// i % 16 of block i / 16. Their order within a kind is not that of the pairs.
+struct BoxManifolds
+{
+  std::unique_ptr<SixteenFaceManifolds[]> faces;
+  std::unique_ptr<SixteenEdgeManifolds[]> edges;
+  std::size_t face_count = 0; ///< manifolds
+  std::size_t edge_count = 0; ///< manifolds
+  std::size_t room = 0;       ///< blocks of each kind
 };
 
 /// The manifolds of all pairs of boxes, equal to those of `box_box` to the last bit.
 ///
-/// The three lists have one length, std::invalid_argument otherwise. What `box_box` says of sizes
-/// and degenerate boxes holds here; fill a last block that is not full with any boxes. All
-/// instruction sets give the same bits.
+/// The lists have one length, std::invalid_argument otherwise, and 2³² pairs at most; room is made
+/// where `manifolds` has too little, so that the next frame need make none. What `box_box` says of
+/// sizes and degenerate boxes holds here; fill a last block that is not full with boxes that are
+/// apart. All instruction sets give the same bits, though not in the same order.
 void box_pairs(
-    std::span<const SixteenBoxes> a, std::span<const SixteenBoxes> b,
-    std::span<SixteenManifolds> manifolds, InstructionSet set = widest_instruction_set());
+    std::span<const SixteenBoxes> a, std::span<const SixteenBoxes> b, BoxManifolds& manifolds,
+    InstructionSet set = widest_instruction_set());
 // [box_pairs]
 
 // [box_pairs_touch]
@@ -74,9 +98,22 @@ void set_box(std::span<SixteenBoxes> boxes, std::size_t i, const Obb<float>& box
 /// Box i.
 Obb<float> box_at(std::span<const SixteenBoxes> boxes, std::size_t i);
 
-/// The manifold of pair i as `box_box` gives it: the same points in the same order.
-std::optional<Manifold<float>>
-manifold_at(std::span<const SixteenManifolds> manifolds, std::size_t i);
+/// A manifold, and which pair it is of.
+struct PairManifold
+{
+  std::size_t pair;         ///< counted through all blocks
+  Manifold<float> manifold; ///< as `box_box` gives it: the same points in the same order
+};
+
+/// Manifold i of those on faces, i < face_count.
+PairManifold face_manifold_at(const BoxManifolds& manifolds, std::size_t i);
+
+/// Manifold i of those on edges, i < edge_count.
+PairManifold edge_manifold_at(const BoxManifolds& manifolds, std::size_t i);
+
+/// What `box_box` says of each of so many pairs, in their order.
+std::vector<std::optional<Manifold<float>>>
+in_order(const BoxManifolds& manifolds, std::size_t pairs);
 
 /// Whether pair i touches.
 inline bool touches_at(std::span<const std::uint32_t> touching, std::size_t i)

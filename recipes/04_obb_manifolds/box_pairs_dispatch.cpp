@@ -4,13 +4,10 @@
 #include "04_obb_manifolds/box_box.hpp"
 #include "04_obb_manifolds/box_pairs.hpp"
 #include "04_obb_manifolds/box_pairs_kernel.hpp"
-#include "common/math/stream.hpp"
+#include "04_obb_manifolds/feature_memory.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <functional>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -18,11 +15,6 @@ namespace cookbook
 {
 namespace
 {
-
-constexpr std::size_t at_once = 16; // blocks: what a kernel is handed
-constexpr std::size_t near_by = 4;  // blocks: their manifolds fit the first-level cache
-constexpr std::size_t large =
-    1 << 12; // blocks: their manifolds would drive all else from the cache
 
 /// The kernel for an instruction set.
 template <class Kernel>
@@ -62,42 +54,110 @@ BoxTouchKernel* touch_kernel(InstructionSet)
 }
 #endif
 
-/// Writes what `box_box` says of pair i; the low three bits of a point's feature are its slot.
-void set_manifold(
-    SixteenManifolds& block, std::size_t i, const std::optional<Manifold<float>>& manifold)
+// [make_room]
+/// Room for the manifolds of so many blocks, whether all are on faces or all on edges.
+void make_room(BoxManifolds& manifolds, std::size_t blocks)
 {
-  block.depth[i] = manifold ? manifold->depth : -1.0f;
-  block.kept[i] = 0;
-  block.feature[i] = manifold ? manifold->points[0].feature & ~7u : 0;
+  if (manifolds.room < blocks)
+  {
+    manifolds.faces = std::make_unique_for_overwrite<SixteenFaceManifolds[]>(blocks);
+    manifolds.edges = std::make_unique_for_overwrite<SixteenEdgeManifolds[]>(blocks);
+    manifolds.room = blocks;
+  }
+}
+// [make_room]
+
+/// Writes what all kinds of manifolds have, at place i.
+template <class Block>
+void set_common(Block& block, std::size_t i, std::size_t pair, const Manifold<float>& manifold)
+{
+  block.pair[i] = static_cast<std::uint32_t>(pair);
+  block.depth[i] = manifold.depth;
   for (int x = 0; x < 3; ++x)
   {
-    block.normal[x][i] = manifold ? manifold->normal[x] : 0.0f;
+    block.normal[x][i] = manifold.normal[x];
   }
-  for (std::size_t point = 0; manifold && point < manifold->points.size(); ++point)
+}
+
+/// Writes a face's manifold; the low three bits of a point's feature are its slot.
+void set_face(
+    SixteenFaceManifolds& block, std::size_t i, std::size_t pair, const Manifold<float>& manifold)
+{
+  set_common(block, i, pair, manifold);
+  block.kept[i] = 0;
+  block.feature[i] = manifold.points[0].feature & ~7u;
+  for (const ContactPoint<float>& point : manifold.points)
   {
-    const ContactPoint<float>& contact = manifold->points[point];
-    const std::uint32_t slot = contact.feature & 7u;
+    const std::uint32_t slot = point.feature & 7u;
     block.kept[i] |= 1u << slot;
-    block.point_depth[slot][i] = contact.depth;
+    block.point_depth[slot][i] = point.depth;
     for (int x = 0; x < 3; ++x)
     {
-      block.position[slot][x][i] = contact.position[x];
+      block.position[slot][x][i] = point.position[x];
     }
   }
 }
 
-// [answer_each]
-/// Answers the pairs of a block one by one, whatever their size.
-void answer_each(const SixteenBoxes& a, const SixteenBoxes& b, SixteenManifolds& manifolds)
+/// Writes the manifold of two edges.
+void set_edge(
+    SixteenEdgeManifolds& block, std::size_t i, std::size_t pair, const Manifold<float>& manifold)
 {
-  for (std::size_t i = 0; i < 16; ++i)
+  set_common(block, i, pair, manifold);
+  block.feature[i] = manifold.points[0].feature;
+  for (int x = 0; x < 3; ++x)
   {
-    set_manifold(manifolds, i, box_box(box_at({&a, 1}, i), box_at({&b, 1}, i)));
+    block.position[x][i] = manifold.points[0].position[x];
   }
 }
 
-/// The same where only a yes or no is asked for.
-void answer_each(const SixteenBoxes& a, const SixteenBoxes& b, std::uint32_t& touching)
+// [answer_rest]
+/// Adds by `box_box` what the kernel has left out: pairs of sizes whose squares do not fit.
+void add_left_out(
+    std::span<const SixteenBoxes> a, std::span<const SixteenBoxes> b, BoxManifolds& manifolds)
+{
+  for (std::size_t pair = 0; pair < 16 * a.size(); ++pair)
+  {
+    const Obb<float> box = box_at(a, pair), other = box_at(b, pair);
+    if (has_moderate_size(tolerances_of(box, other).size))
+    {
+      continue;
+    }
+    if (const std::optional<Manifold<float>> manifold = box_box(box, other))
+    {
+      const bool on_face = axis_of_feature(manifold->points[0].feature) < 6;
+      std::size_t& count = on_face ? manifolds.face_count : manifolds.edge_count;
+      const std::size_t block = count / 16, at = count % 16;
+      on_face ? set_face(manifolds.faces[block], at, pair, *manifold)
+              : set_edge(manifolds.edges[block], at, pair, *manifold);
+      ++count;
+    }
+  }
+}
+
+/// Writes again by `box_box` those manifolds on faces in which rounding has left no point.
+void mend_pointless(
+    std::span<const SixteenBoxes> a, std::span<const SixteenBoxes> b, BoxManifolds& manifolds)
+{
+  for (std::size_t i = 0; i < manifolds.face_count; ++i)
+  {
+    SixteenFaceManifolds& block = manifolds.faces[i / 16];
+    if (block.kept[i % 16] == 0)
+    {
+      const std::size_t pair = block.pair[i % 16];
+      set_face(block, i % 16, pair, *box_box(box_at(a, pair), box_at(b, pair)));
+    }
+  }
+}
+// [answer_rest]
+
+/// The i-th of vectors side by side.
+Vector3<float> vector_at(const float (&rows)[3][16], std::size_t i)
+{
+  return {rows[0][i], rows[1][i], rows[2][i]};
+}
+
+/// Answers the pairs of a block one by one, only with a yes or no.
+void touch_each(const SixteenBoxes& a, const SixteenBoxes& b, std::uint32_t& touching)
 {
   touching = 0;
   for (std::size_t i = 0; i < 16; ++i)
@@ -106,95 +166,60 @@ void answer_each(const SixteenBoxes& a, const SixteenBoxes& b, std::uint32_t& to
   }
 }
 
-/// Answers blocks by the kernel, and those that it must not answer pair by pair.
-template <class Kernel, class Answer>
-void answer(
-    Kernel* kernel, std::span<const SixteenBoxes> a, std::span<const SixteenBoxes> b,
-    std::span<Answer> answers)
+void check_lengths(const std::string& function, std::size_t a, std::size_t b)
 {
-  for (std::size_t first = 0; first < a.size(); first += at_once)
-  {
-    const std::size_t count = std::min(at_once, a.size() - first);
-    if (kernel(&a[first], &b[first], &answers[first], count))
-    {
-      continue;
-    }
-    for (std::size_t i = first; i < first + count; ++i)
-    {
-      if (!kernel(&a[i], &b[i], &answers[i], 1))
-      {
-        answer_each(a[i], b[i], answers[i]);
-      }
-    }
-  }
-}
-// [answer_each]
-
-// [stream]
-/// Copies manifolds past the cache, without the slots in which no pair has a point.
-void stream_manifolds(const SixteenManifolds& from, SixteenManifolds& to)
-{
-  const std::uint32_t kept =
-      std::accumulate(from.kept, from.kept + 16, std::uint32_t(0), std::bit_or());
-  stream(&from, &to, offsetof(SixteenManifolds, position));
-  for (std::size_t slot = 0; slot < 8; ++slot)
-  {
-    if ((kept >> slot & 1) != 0)
-    {
-      stream(from.position[slot], to.position[slot], sizeof to.position[slot]);
-      stream(from.point_depth[slot], to.point_depth[slot], sizeof to.point_depth[slot]);
-    }
-  }
-}
-
-/// Answers a few blocks at a time beside the list, and streams the answers there.
-void answer_streamed(
-    BoxPairsKernel* kernel, std::span<const SixteenBoxes> a, std::span<const SixteenBoxes> b,
-    std::span<SixteenManifolds> manifolds)
-{
-  std::array<SixteenManifolds, near_by> near;
-  for (std::size_t first = 0; first < a.size(); first += near_by)
-  {
-    const std::size_t count = std::min(near_by, a.size() - first);
-    answer(kernel, a.subspan(first, count), b.subspan(first, count), std::span(near).first(count));
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      stream_manifolds(near[i], manifolds[first + i]);
-    }
-  }
-  end_of_stream();
-}
-// [stream]
-
-void check_lengths(const std::string& function, std::size_t a, std::size_t b, std::size_t answers)
-{
-  if (b != a || answers != a)
+  if (b != a)
   {
     throw std::invalid_argument(
         function + ": the lists must have one length, got " + std::to_string(a) +
-        " blocks of boxes A, " + std::to_string(b) + " of boxes B and " + std::to_string(answers) +
-        " for the answers");
+        " blocks of boxes A and " + std::to_string(b) + " of boxes B");
   }
 }
 
 } // namespace
 
 void box_pairs(
-    std::span<const SixteenBoxes> a, std::span<const SixteenBoxes> b,
-    std::span<SixteenManifolds> manifolds, InstructionSet set)
+    std::span<const SixteenBoxes> a, std::span<const SixteenBoxes> b, BoxManifolds& manifolds,
+    InstructionSet set)
 {
-  check_lengths("box_pairs", a.size(), b.size(), manifolds.size());
-  const auto answer_all =
-      a.size() >= large ? answer_streamed : answer<BoxPairsKernel, SixteenManifolds>;
-  answer_all(manifolds_kernel(set), a, b, manifolds);
+  check_lengths("box_pairs", a.size(), b.size());
+  make_room(manifolds, a.size());
+  BoxPairsRoom room{manifolds.faces.get(), manifolds.edges.get()};
+  manifolds_kernel(set)(a.data(), b.data(), a.size(), room);
+  manifolds.face_count = room.face_count;
+  manifolds.edge_count = room.edge_count;
+  if (room.pointless)
+  {
+    mend_pointless(a, b, manifolds);
+  }
+  if (room.left_out)
+  {
+    add_left_out(a, b, manifolds);
+  }
 }
 
 void box_pairs_touch(
     std::span<const SixteenBoxes> a, std::span<const SixteenBoxes> b,
     std::span<std::uint32_t> touching, InstructionSet set)
 {
-  check_lengths("box_pairs_touch", a.size(), b.size(), touching.size());
-  answer(touch_kernel(set), a, b, touching);
+  check_lengths("box_pairs_touch", a.size(), b.size());
+  if (touching.size() != a.size())
+  {
+    throw std::invalid_argument(
+        "box_pairs_touch: there are " + std::to_string(a.size()) + " blocks of boxes, and " +
+        std::to_string(touching.size()) + " words for their answers");
+  }
+  BoxTouchKernel* const kernel = touch_kernel(set);
+  if (!kernel(a.data(), b.data(), touching.data(), a.size()))
+  {
+    for (std::size_t block = 0; block < a.size(); ++block)
+    {
+      if (!kernel(&a[block], &b[block], &touching[block], 1))
+      {
+        touch_each(a[block], b[block], touching[block]);
+      }
+    }
+  }
 }
 
 BoxBlocks blocks_of(std::span<const std::pair<Obb<float>, Obb<float>>> pairs)
@@ -241,28 +266,53 @@ Obb<float> box_at(std::span<const SixteenBoxes> boxes, std::size_t i)
   return box;
 }
 
-std::optional<Manifold<float>>
-manifold_at(std::span<const SixteenManifolds> manifolds, std::size_t i)
+PairManifold face_manifold_at(const BoxManifolds& manifolds, std::size_t i)
 {
-  const SixteenManifolds& block = manifolds[i / 16];
-  const std::size_t lane = i % 16;
-  if (block.kept[lane] == 0)
-  {
-    return std::nullopt;
-  }
-  const auto vector = [lane](const float(&rows)[3][16])
-  { return Vector3<float>(rows[0][lane], rows[1][lane], rows[2][lane]); };
-  Manifold<float> manifold{vector(block.normal), block.depth[lane], {}};
+  const SixteenFaceManifolds& block = manifolds.faces[i / 16];
+  const std::size_t at = i % 16;
+  PairManifold result{block.pair[at], {vector_at(block.normal, at), block.depth[at], {}}};
   for (std::uint32_t slot = 0; slot < 8; ++slot)
   {
-    if ((block.kept[lane] >> slot & 1) != 0)
+    if ((block.kept[at] >> slot & 1) != 0)
     {
-      manifold.points.push_back(
-          {vector(block.position[slot]), block.point_depth[slot][lane],
-           block.feature[lane] + slot});
+      result.manifold.points.push_back(
+          {vector_at(block.position[slot], at), block.point_depth[slot][at],
+           block.feature[at] + slot});
     }
   }
-  return manifold;
+  return result;
+}
+
+PairManifold edge_manifold_at(const BoxManifolds& manifolds, std::size_t i)
+{
+  const SixteenEdgeManifolds& block = manifolds.edges[i / 16];
+  const std::size_t at = i % 16;
+  PairManifold result{block.pair[at], {vector_at(block.normal, at), block.depth[at], {}}};
+  result.manifold.points.push_back(
+      {vector_at(block.position, at), block.depth[at], block.feature[at]});
+  return result;
+}
+
+std::vector<std::optional<Manifold<float>>>
+in_order(const BoxManifolds& manifolds, std::size_t pairs)
+{
+  std::vector<std::optional<Manifold<float>>> all(pairs);
+  const auto put = [&](const PairManifold& found)
+  {
+    if (found.pair < pairs)
+    {
+      all[found.pair] = found.manifold;
+    }
+  };
+  for (std::size_t i = 0; i < manifolds.face_count; ++i)
+  {
+    put(face_manifold_at(manifolds, i));
+  }
+  for (std::size_t i = 0; i < manifolds.edge_count; ++i)
+  {
+    put(edge_manifold_at(manifolds, i));
+  }
+  return all;
 }
 
 } // namespace cookbook

@@ -5,48 +5,13 @@
 /// copy of such a function, and it must not be the one for the newest processor.
 
 #include "04_obb_manifolds/box_pairs_kernel.hpp"
-#include "04_obb_manifolds/box_choice.hpp"
-#include "04_obb_manifolds/box_contacts.hpp"
-#include "common/math/lanes.hpp"
+#include "04_obb_manifolds/box_answers_kernel.hpp"
+#include "04_obb_manifolds/box_waiting_kernel.hpp"
 
 namespace cookbook
 {
 inline namespace COOKBOOK_INSTRUCTION_SET
 {
-
-using Three = Group<Lanes, 3>;
-using Four = Group<Lanes, 4>;
-
-/// The boxes whose first is box i of sixteen.
-Obb<Lanes> boxes_at(const SixteenBoxes& boxes, std::size_t i)
-{
-  Obb<Lanes> box;
-  for (int x = 0; x < 3; ++x)
-  {
-    box.center[x] = load_pack<Lanes>(boxes.center[x] + i);
-    box.half_extents[x] = load_pack<Lanes>(boxes.half_extents[x] + i);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      box.axes(x, axis) = load_pack<Lanes>(boxes.axes[axis][x] + i);
-    }
-  }
-  return box;
-}
-
-Obb<Lanes> select(const Lanes::Mask& mask, const Obb<Lanes>& yes, const Obb<Lanes>& no)
-{
-  Obb<Lanes> box;
-  for (int x = 0; x < 3; ++x)
-  {
-    box.center[x] = select(mask, yes.center[x], no.center[x]);
-    box.half_extents[x] = select(mask, yes.half_extents[x], no.half_extents[x]);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      box.axes(x, axis) = select(mask, yes.axes(x, axis), no.axes(x, axis));
-    }
-  }
-  return box;
-}
 
 // [overlaps]
 /// The overlaps of each pair along all fifteen axes.
@@ -73,10 +38,11 @@ struct Overlaps
 // [overlaps]
 
 // [choice_of]
-/// The axis and depth on which each pair's manifold is built.
+/// The axis on which each pair's manifold is built, a bit for each pair.
 struct Choice
 {
-  Lanes::Mask on_edge, on_face; ///< one of the two, or neither: apart
+  std::uint32_t on_edge, on_face; ///< one of the two, or neither: apart, or left out
+  std::uint32_t left_out;         ///< sizes whose squares do not fit
   LeastFace<Lanes> face;
   LeastEdge<Lanes> edge;
 };
@@ -85,125 +51,134 @@ struct Choice
 Choice choice_of(const BoxesInRows<Lanes>& boxes, const Tolerances<Lanes>& tolerances)
 {
   const Overlaps overlaps(boxes);
-  const Lanes::Mask touching = overlaps.touching();
   Choice choice;
   choice.face = least_face<Lanes>(overlaps.face_a, overlaps.face_b);
   choice.edge = least_edge(overlaps.edges, edge_bar(boxes, choice.face.depth, tolerances));
-  choice.on_edge = touching & choice.edge.found();
-  choice.on_face = touching & (Lanes(LeastEdge<Lanes>::none) <= choice.edge.squared_depth);
+  const Lanes::Mask moderate = has_moderate_size(tolerances.size);
+  const std::uint32_t touching = bits_of(overlaps.touching() & moderate);
+  choice.on_edge = touching & bits_of(choice.edge.found());
+  choice.on_face = touching & ~choice.on_edge;
+  choice.left_out = all_pairs & ~bits_of(moderate);
   return choice;
 }
 // [choice_of]
 
-/// Whole numbers, a lane each.
-using Words = VectorOf<std::int32_t, width>::type;
-
-void store(const Words& words, std::uint32_t* to)
+// [answer_waiting]
+/// Answers a register of waiting faces, `count` of which are meant.
+[[gnu::flatten, gnu::noinline]] void answer_waiting_faces(
+    const Waiting& waiting, std::size_t from, std::size_t count, BoxPairsRoom& room)
 {
-  std::memcpy(to, &words, sizeof words);
-}
-
-/// What a pack of manifolds has in common, whichever kind of contact each is.
-struct Answer
-{
-  Lanes normal[3] = {Lanes(0.0f), Lanes(0.0f), Lanes(0.0f)};
-  Lanes depth = Lanes(-1.0f);
-  Words kept = Words{};
-  Words feature = Words{};
-};
-
-void answer_edges(
-    const Obb<Lanes>& a, const BoxesInRows<Lanes>& boxes, const Choice& choice, Answer& answer,
-    SixteenManifolds& out, std::size_t at)
-{
-  const LeastEdge<Lanes>& edge = choice.edge;
-  const Lanes i = third(edge.index), j = edge.index - i * Lanes(3.0f);
-  const EdgeContact<Lanes> contact = edge_contact<Lanes>(a, boxes, which(i), which(j));
-  answer.depth = select(choice.on_edge, sqrt(edge.squared_depth), answer.depth);
+  const Obb<Lanes> box = boxes_at(waiting.box, from), other = boxes_at(waiting.other, from);
+  const LeastFace<Lanes> face{
+      load_pack<Lanes>(waiting.depth + from), load_pack<Lanes>(waiting.index + from)};
+  const FaceOf of(face.index);
+  Vector3<Lanes> d; // seen from B it is minus the way from A, and minus zero where that is zero
   for (int x = 0; x < 3; ++x)
   {
-    answer.normal[x] = contact.normal[x];
-    store_pack(contact.position[x], out.position[0][x] + at);
+    const Lanes &here = box.center[x], &there = other.center[x];
+    d[x] = select(of.a, there - here, -(here - there));
   }
-  store_pack(answer.depth, out.point_depth[0] + at);
-  answer.kept = choice.on_edge.lanes & 1;
-  answer.feature = __builtin_convertvector((edge.index.lanes + 6.0f) * 64.0f, Words);
+  const BoxesInRows<Lanes> boxes = boxes_in_rows<Lanes>(box, other, d);
+  const Lanes::Mask pointless = answer_faces(
+      box, other, boxes.rows, boxes.offset_a, 0, face, words_at(waiting.pair + from),
+      room.faces[room.face_count / 16], room.face_count % 16);
+  room.pointless |= (bits_of(pointless) & all_pairs >> (width - count)) != 0;
+  room.face_count += count;
 }
 
-void answer_faces(
-    const Obb<Lanes>& a, const Obb<Lanes>& b, const BoxesInRows<Lanes>& boxes, const Choice& choice,
-    const Tolerances<Lanes>& tolerances, Answer& answer, SixteenManifolds& out, std::size_t at)
+/// Answers a register of waiting edges, `count` of which are meant.
+[[gnu::flatten, gnu::noinline]] void answer_waiting_edges(
+    const Waiting& waiting, std::size_t from, std::size_t count, BoxPairsRoom& room)
 {
-  const Lanes index = choice.face.index;
-  const Lanes::Mask of_a = index < Lanes(2.5f);
-  const Three c[] = {
-      select(of_a, boxes.rows[0], boxes.columns[0]), select(of_a, boxes.rows[1], boxes.columns[1]),
-      select(of_a, boxes.rows[2], boxes.columns[2])};
-  const FaceContact<Lanes> contact = face_contact<Lanes>(
-      select(of_a, a, b), select(of_a, b, a), c, select(of_a, boxes.offset_a, boxes.offset_b),
-      which<Lanes>(select(of_a, index, index - Lanes(3.0f))), kept_gap(choice.face, tolerances),
-      tolerances.hair);
-  const Lanes::Mask& mine = choice.on_face;
-  const Lanes towards_b = select(of_a, Lanes(1.0f), Lanes(-1.0f));
-  for (int x = 0; x < 3; ++x)
+  const Obb<Lanes> a = boxes_at(waiting.box, from), b = boxes_at(waiting.other, from);
+  const LeastEdge<Lanes> edge{
+      load_pack<Lanes>(waiting.depth + from), load_pack<Lanes>(waiting.index + from)};
+  answer_edges(
+      a, boxes_in_rows(a, b), edge, words_at(waiting.pair + from), room.edges[room.edge_count / 16],
+      room.edge_count % 16);
+  room.edge_count += count;
+}
+
+/// Answers those that wait, by whole registers from the end; the last by what there is.
+template <class Answer>
+void answer_waiting(Waiting& waiting, bool all, BoxPairsRoom& room, const Answer& answer)
+{
+  while (waiting.count >= width)
   {
-    answer.normal[x] = select(mine, contact.normal[x] * towards_b, answer.normal[x]);
+    waiting.count -= width;
+    answer(waiting, waiting.count, width, room);
   }
-  answer.depth = select(mine, choice.face.depth, answer.depth);
-  const Words feature =
-      __builtin_convertvector(index.lanes * 64.0f + contact.incident.lanes * 8.0f, Words);
-  answer.feature = mine.lanes ? feature : answer.feature;
-  for (std::size_t slot = 0; slot < 8; ++slot)
+  if (all && waiting.count > 0)
   {
-    const std::size_t part = slot / 4;
-    const int i = static_cast<int>(slot % 4);
-    const Lanes::Mask kept = mine & contact.kept[part].lane[i];
-    answer.kept |= kept.lanes & static_cast<std::int32_t>(1u << slot);
-    const auto put = [&](const Lanes& lanes, float* to)
-    { store_pack(slot == 0 ? select(mine, lanes, load_pack<Lanes>(to)) : lanes, to); };
-    put(contact.position[part][0][i], out.position[slot][0] + at);
-    put(contact.position[part][1][i], out.position[slot][1] + at);
-    put(contact.position[part][2][i], out.position[slot][2] + at);
-    put(contact.depth[part][i], out.point_depth[slot] + at);
+    answer(waiting, 0, waiting.count, room);
   }
 }
+// [answer_waiting]
+
+// [answer_or_wait]
+/// Answers a register of pairs if all of them go the same way; otherwise each waits for its like.
+void answer_or_wait(const PairsInBlocks& pairs, Waiting& faces, Waiting& edges, BoxPairsRoom& room)
+{
+  const Obb<Lanes> a = boxes_at(pairs.a, pairs.at), b = boxes_at(pairs.b, pairs.at);
+  const BoxesInRows<Lanes> boxes = boxes_in_rows(a, b);
+  const Choice choice = choice_of(boxes, tolerances_of(a, b));
+  room.left_out |= choice.left_out != 0;
+  if (choice.on_face == all_pairs)
+  {
+    const FaceOf of(choice.face.index);
+    const Three axes[] = {
+        select(of.a, boxes.rows[0], boxes.columns[0]),
+        select(of.a, boxes.rows[1], boxes.columns[1]),
+        select(of.a, boxes.rows[2], boxes.columns[2])};
+    const Lanes::Mask pointless = answer_faces(
+        select(of.a, a, b), select(of.a, b, a), axes, select(of.a, boxes.offset_a, boxes.offset_b),
+        of.axis, choice.face, pairs.numbers(), room.faces[room.face_count / 16],
+        room.face_count % 16);
+    room.pointless |= any(pointless);
+    room.face_count += width;
+  }
+  else if (choice.on_edge == all_pairs)
+  {
+    answer_edges(
+        a, boxes, choice.edge, pairs.numbers(), room.edges[room.edge_count / 16],
+        room.edge_count % 16);
+    room.edge_count += width;
+  }
+  else
+  {
+    if (choice.on_face != 0)
+    {
+      wait(faces, choice.on_face, pairs, choice.face);
+    }
+    if (choice.on_edge != 0)
+    {
+      wait(edges, choice.on_edge, pairs, choice.edge);
+    }
+  }
+}
+// [answer_or_wait]
 
 } // namespace COOKBOOK_INSTRUCTION_SET
 
 // [box_pairs_kernel]
-[[gnu::flatten]] bool COOKBOOK_NAMED(box_pairs_, COOKBOOK_INSTRUCTION_SET)(
-    const SixteenBoxes* boxes_a, const SixteenBoxes* boxes_b, SixteenManifolds* manifolds,
-    std::size_t count)
+[[gnu::flatten]] void COOKBOOK_NAMED(box_pairs_, COOKBOOK_INSTRUCTION_SET)(
+    const SixteenBoxes* a, const SixteenBoxes* b, std::size_t count, BoxPairsRoom& room)
 {
-  Words left = Words{}; // set where box_box must answer
-  for (std::size_t i = 0; i < count * 16; i += width)
+  Waiting faces, edges;
+  for (std::size_t block = 0; block < count; ++block)
   {
-    const std::size_t block = i / 16, at = i % 16;
-    const Obb<Lanes> a = boxes_at(boxes_a[block], at), b = boxes_at(boxes_b[block], at);
-    SixteenManifolds& out = manifolds[block];
-    const BoxesInRows<Lanes> boxes = boxes_in_rows(a, b);
-    const Tolerances<Lanes> tolerances = tolerances_of(a, b);
-    const Choice choice = choice_of(boxes, tolerances);
-    Answer answer;
-    if (any(choice.on_edge))
+    for (std::size_t at = 0; at < 16; at += width)
     {
-      answer_edges(a, boxes, choice, answer, out, at);
+      const auto first = static_cast<std::uint32_t>(16 * block + at);
+      answer_or_wait({a[block], b[block], at, first}, faces, edges, room);
     }
-    if (any(choice.on_face))
+    const bool last = block + 1 == count;
+    if (last || block % blocks_at_once == blocks_at_once - 1)
     {
-      answer_faces(a, b, boxes, choice, tolerances, answer, out, at);
+      answer_waiting(faces, last, room, answer_waiting_faces);
+      answer_waiting(edges, last, room, answer_waiting_edges);
     }
-    for (int x = 0; x < 3; ++x)
-    {
-      store_pack(answer.normal[x], out.normal[x] + at);
-    }
-    store_pack(answer.depth, out.depth + at);
-    store(answer.kept, out.kept + at);
-    store(answer.feature, out.feature + at);
-    const Words without_point = choice.on_face.lanes & (answer.kept == 0);
-    left |= ~has_moderate_size(tolerances.size).lanes | without_point;
   }
-  return !any(Lanes::Mask{left});
 }
 // [box_pairs_kernel]
 

@@ -6,6 +6,7 @@
 #include "04_obb_manifolds/box_failures.hpp"
 #include "04_obb_manifolds/box_pairs.hpp"
 #include "04_obb_manifolds/box_workloads.hpp"
+#include "04_obb_manifolds/feature_memory.hpp"
 
 #include "tests/catch.hpp"
 
@@ -64,14 +65,9 @@ bool same(const Answer& x, const Answer& y)
 std::vector<Answer> at_once(const Pairs& pairs, InstructionSet set)
 {
   const BoxBlocks blocks = blocks_of(pairs);
-  std::vector<SixteenManifolds> manifolds(blocks.a.size());
+  BoxManifolds manifolds;
   box_pairs(blocks.a, blocks.b, manifolds, set);
-  std::vector<Answer> answers;
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-  {
-    answers.push_back(manifold_at(manifolds, i));
-  }
-  return answers;
+  return in_order(manifolds, pairs.size());
 }
 
 /// How many of the batch's answers differ from `box_box` in any bit.
@@ -235,7 +231,7 @@ TEST_CASE("boxes without size, and with lengths that are none, answer as one by 
   }
 }
 
-TEST_CASE("0 to 33 pairs are answered, and the blocks behind them are not written", "[box_pairs]")
+TEST_CASE("0 to 33 pairs are answered", "[box_pairs]")
 {
   const Pairs pairs = box_workload("random", 33).pairs;
   for (const InstructionSet set : instruction_sets())
@@ -245,26 +241,60 @@ TEST_CASE("0 to 33 pairs are answered, and the blocks behind them are not writte
       const Pairs some(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(count));
       CHECK(differences(some, set) == 0);
       CHECK(wrong_touches(some, set) == 0);
-
-      const BoxBlocks blocks = blocks_of(some);
-      std::vector<SixteenManifolds> manifolds(blocks.a.size() + 1);
-      std::fill_n(manifolds.back().depth, 16, -99.0f);
-      box_pairs(blocks.a, blocks.b, std::span(manifolds).first(blocks.a.size()), set);
-      CHECK(std::count(manifolds.back().depth, manifolds.back().depth + 16, -99.0f) == 16);
     }
   }
 }
 
-TEST_CASE("so many pairs that their manifolds are streamed have the same bits", "[box_pairs]")
+TEST_CASE("each pair that touches has one manifold, in the list of its kind", "[box_pairs]")
 {
-  const std::size_t streamed = (std::size_t(1) << 16) + 17; // pairs: more than the streams' least
-  for (const char* const name : {"resting", "degenerate"})
+  for (const char* const name : {"random", "resting", "edge-edge", "degenerate"})
   {
-    Pairs pairs = box_workload(name, streamed).pairs;
-    pairs[70] = scaled_pair(pairs[70], 1e30f);
+    Pairs pairs = box_workload(name, 1000).pairs;
+    pairs[500] = scaled_pair(pairs[500], 1e30f);
+    const BoxBlocks blocks = blocks_of(pairs);
     for (const InstructionSet set : instruction_sets())
     {
-      CHECK(differences(pairs, set) == 0);
+      BoxManifolds manifolds;
+      box_pairs(blocks.a, blocks.b, manifolds, set);
+      std::vector<int> found(pairs.size(), 0);
+      for (std::size_t i = 0; i < manifolds.face_count; ++i)
+      {
+        const PairManifold answer = face_manifold_at(manifolds, i);
+        CHECK(axis_of_feature(answer.manifold.points[0].feature) < 6);
+        ++found.at(answer.pair);
+      }
+      for (std::size_t i = 0; i < manifolds.edge_count; ++i)
+      {
+        const PairManifold answer = edge_manifold_at(manifolds, i);
+        CHECK(axis_of_feature(answer.manifold.points[0].feature) >= 6);
+        ++found.at(answer.pair);
+      }
+      for (std::size_t i = 0; i < pairs.size(); ++i)
+      {
+        CHECK(found[i] == (box_box(pairs[i].first, pairs[i].second) ? 1 : 0));
+      }
+    }
+  }
+}
+
+TEST_CASE("room is made once, and fewer pairs leave it as it is", "[box_pairs]")
+{
+  const Pairs many_pairs = box_workload("resting", 333).pairs;
+  const Pairs few_pairs = box_workload("random", 40).pairs;
+  const BoxBlocks many_blocks = blocks_of(many_pairs), few_blocks = blocks_of(few_pairs);
+  for (const InstructionSet set : instruction_sets())
+  {
+    BoxManifolds manifolds;
+    box_pairs(many_blocks.a, many_blocks.b, manifolds, set);
+    CHECK(manifolds.room == 21);
+    const SixteenFaceManifolds* const before = manifolds.faces.get();
+    box_pairs(few_blocks.a, few_blocks.b, manifolds, set);
+    CHECK(manifolds.room == 21);
+    CHECK(manifolds.faces.get() == before);
+    const std::vector<Answer> answers = in_order(manifolds, few_pairs.size());
+    for (std::size_t i = 0; i < few_pairs.size(); ++i)
+    {
+      CHECK(same(answers[i], box_box(few_pairs[i].first, few_pairs[i].second)));
     }
   }
 }
@@ -285,13 +315,10 @@ TEST_CASE("a block holds its pairs, and is filled with cubes that are apart", "[
     CHECK(box_at(blocks.b, i).axes == pairs[i].second.axes);
     CHECK(box_at(blocks.b, i).half_extents == pairs[i].second.half_extents);
   }
-  std::vector<SixteenManifolds> manifolds(2);
+  BoxManifolds manifolds;
   box_pairs(blocks.a, blocks.b, manifolds);
-  for (std::size_t i = 17; i < 32; ++i)
-  {
-    CHECK_FALSE(manifold_at(manifolds, i));
-    CHECK(manifolds[1].depth[i % 16] == -1);
-  }
+  const std::vector<Answer> answers = in_order(manifolds, 32);
+  CHECK(std::none_of(answers.begin() + 17, answers.end(), [](const Answer& m) { return bool(m); }));
 }
 
 TEST_CASE("a unit cube sunk by 1/8 into one below has four points that deep", "[box_pairs]")
@@ -316,33 +343,35 @@ TEST_CASE("a unit cube sunk by 1/8 into one below has four points that deep", "[
   }
 }
 
-TEST_CASE("pairs that are apart have depth −1, whatever their size", "[box_pairs]")
+TEST_CASE("pairs that are apart are in no list, whatever their size", "[box_pairs]")
 {
   const Obb<float> cube{{0, 0, 0}, Matrix3<float>::Identity(), {1, 1, 1}};
   const Obb<float> other{{3, 0, 0}, Matrix3<float>::Identity(), {1, 1, 1}};
   for (const float scale : {1e-30f, 1.0f, 1e30f})
   {
     const BoxBlocks blocks = blocks_of(Pairs{scaled_pair({cube, other}, scale)});
-    std::vector<SixteenManifolds> manifolds(1);
+    BoxManifolds manifolds;
     box_pairs(blocks.a, blocks.b, manifolds);
-    CHECK(manifolds[0].depth[0] == -1);
-    CHECK(manifolds[0].kept[0] == 0);
+    CHECK(manifolds.face_count == 0);
+    CHECK(manifolds.edge_count == 0);
   }
 }
 
 TEST_CASE("lists of different lengths are refused, and nothing is written", "[box_pairs]")
 {
   const BoxBlocks blocks = blocks_of(box_workload("random", 40).pairs);
-  std::vector<SixteenManifolds> manifolds(2);
-  manifolds[0].depth[0] = -99;
-  CHECK_THROWS_AS(box_pairs(blocks.a, blocks.b, manifolds), std::invalid_argument);
+  BoxManifolds manifolds;
+  box_pairs(blocks.a, blocks.b, manifolds);
+  const std::size_t before = manifolds.face_count;
   CHECK_THROWS_WITH(
-      box_pairs(blocks.a, blocks.b, manifolds),
-      "box_pairs: the lists must have one length, got 3 blocks of boxes A, 3 of boxes B and 2 for "
-      "the answers");
-  CHECK(manifolds[0].depth[0] == -99);
+      box_pairs(blocks.a, std::span(blocks.b).first(2), manifolds),
+      "box_pairs: the lists must have one length, got 3 blocks of boxes A and 2 of boxes B");
+  CHECK(manifolds.face_count == before);
   std::vector<std::uint32_t> touching(3, 7);
   CHECK_THROWS_AS(
       box_pairs_touch(blocks.a, std::span(blocks.b).first(2), touching), std::invalid_argument);
+  CHECK_THROWS_WITH(
+      box_pairs_touch(blocks.a, blocks.b, std::span(touching).first(2)),
+      "box_pairs_touch: there are 3 blocks of boxes, and 2 words for their answers");
   CHECK(touching == std::vector<std::uint32_t>(3, 7));
 }
