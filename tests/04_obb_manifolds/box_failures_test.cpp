@@ -209,7 +209,7 @@ TEST_CASE("a capsule can be asked of no method that takes boxes only", "[case:K1
 
 TEST_CASE(
     "of 20,000 random cubes, six axes, tests without tolerance and the published code are wrong",
-    "[case:K4]")
+    "[case:K4][long]")
 {
   const std::array<Names, 3> wrong{
       Names{"six_axes"}, Names{"overlap_as_published", "box_as_published"},

@@ -120,7 +120,7 @@ TEST_CASE("16 small steps take 255/256 of ten boxes' sink away, 16 passes not 19
   CHECK(resting_sink(two, 1, 8) < resting_sink(two, 8, 1));
 }
 
-TEST_CASE("a tower of five cubes sinks a quarter as far with twice the small steps", "[R16]")
+TEST_CASE("a tower of five cubes sinks a quarter as far with twice the small steps", "[R16][long]")
 {
   const auto sink = [](int substeps)
   { return farthest_move(after(scenes::tower(5), substeps, 5)).along; };
@@ -188,7 +188,7 @@ TEST_CASE(
 // [small_step]
 
 // [stacks]
-TEST_CASE("ten cubes on 20 small steps: 1 mm down, 1 cm aside in 20 s", "[case:S2]")
+TEST_CASE("ten cubes on 20 small steps: 1 mm down, 1 cm aside in 20 s", "[case:S2][long]")
 {
   const StackMeasures most = stack_measures(scenes::tower(10), position_method(20, 1).solver(), 20);
   CHECK(most.fell == 0);
