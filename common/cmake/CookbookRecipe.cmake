@@ -65,14 +65,18 @@ function(cookbook_program name)
   add_dependencies(recipes ${name})
 endfunction()
 
-# cookbook_batch(NAME [LIBRARY…]): the library cookbook::NAME from NAME_dispatch.cpp and
-# NAME_kernel.cpp; the latter, the inner loop, is compiled once for each instruction set.
+# cookbook_batch(NAME [LIBRARY…]): the library cookbook::NAME from NAME_dispatch.cpp, NAME_blocks.cpp
+# where there is one, and NAME_kernel.cpp; the last, the inner loop, is compiled once for each
+# instruction set.
 #
 # It is always optimised, and without Eigen's own vectors, so that no function of another file, compiled
 # for a newer processor, is left for the linker to choose.
 function(cookbook_batch name)
   set(library cookbook_${name})
   add_library(${library} STATIC ${COOKBOOK_WHEN_NEEDED} ${name}_dispatch.cpp)
+  if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${name}_blocks.cpp)
+    target_sources(${library} PRIVATE ${name}_blocks.cpp)
+  endif()
   add_library(cookbook::${name} ALIAS ${library})
   set_target_properties(${library} PROPERTIES EXPORT_NAME ${name})
   target_link_libraries(${library} PUBLIC ${COOKBOOK_CHAPTER_TARGET} ${ARGN})

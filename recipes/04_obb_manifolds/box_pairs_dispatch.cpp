@@ -1,5 +1,5 @@
 /// \file
-/// \brief box_pairs: chooses the instruction set, hands out the blocks, fills and reads them.
+/// \brief box_pairs: chooses the instruction set, and answers what its kernel leaves out.
 
 #include "04_obb_manifolds/box_box.hpp"
 #include "04_obb_manifolds/box_pairs.hpp"
@@ -8,8 +8,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace cookbook
 {
@@ -60,9 +63,9 @@ void make_room(BoxManifolds& manifolds, std::size_t blocks)
 {
   if (manifolds.room < blocks)
   {
-    manifolds.faces = std::make_unique_for_overwrite<SixteenFaceManifolds[]>(blocks);
-    manifolds.edges = std::make_unique_for_overwrite<SixteenEdgeManifolds[]>(blocks);
-    manifolds.room = blocks;
+    auto faces = std::make_unique_for_overwrite<SixteenFaceManifolds[]>(blocks);
+    auto edges = std::make_unique_for_overwrite<SixteenEdgeManifolds[]>(blocks);
+    manifolds = {std::move(faces), std::move(edges), 0, 0, blocks};
   }
 }
 // [make_room]
@@ -122,14 +125,16 @@ void add_left_out(
     {
       continue;
     }
-    if (const std::optional<Manifold<float>> manifold = box_box(box, other))
+    const std::optional<Manifold<float>> manifold = box_box(box, other);
+    if (manifold && axis_of(manifold) < 6)
     {
-      const bool on_face = axis_of_feature(manifold->points[0].feature) < 6;
-      std::size_t& count = on_face ? manifolds.face_count : manifolds.edge_count;
-      const std::size_t block = count / 16, at = count % 16;
-      on_face ? set_face(manifolds.faces[block], at, pair, *manifold)
-              : set_edge(manifolds.edges[block], at, pair, *manifold);
-      ++count;
+      const std::size_t i = manifolds.face_count++;
+      set_face(manifolds.faces[i / 16], i % 16, pair, *manifold);
+    }
+    else if (manifold)
+    {
+      const std::size_t i = manifolds.edge_count++;
+      set_edge(manifolds.edges[i / 16], i % 16, pair, *manifold);
     }
   }
 }
@@ -149,12 +154,6 @@ void mend_pointless(
   }
 }
 // [answer_rest]
-
-/// The i-th of vectors side by side.
-Vector3<float> vector_at(const float (&rows)[3][16], std::size_t i)
-{
-  return {rows[0][i], rows[1][i], rows[2][i]};
-}
 
 /// Answers the pairs of a block one by one, only with a yes or no.
 void touch_each(const SixteenBoxes& a, const SixteenBoxes& b, std::uint32_t& touching)
@@ -209,10 +208,16 @@ void box_pairs_touch(
         "box_pairs_touch: there are " + std::to_string(a.size()) + " blocks of boxes, and " +
         std::to_string(touching.size()) + " words for their answers");
   }
+  constexpr std::size_t at_once = 16; // blocks: so many are asked again where the kernel left some
   BoxTouchKernel* const kernel = touch_kernel(set);
-  if (!kernel(a.data(), b.data(), touching.data(), a.size()))
+  for (std::size_t first = 0; first < a.size(); first += at_once)
   {
-    for (std::size_t block = 0; block < a.size(); ++block)
+    const std::size_t count = std::min(at_once, a.size() - first);
+    if (kernel(&a[first], &b[first], &touching[first], count))
+    {
+      continue;
+    }
+    for (std::size_t block = first; block < first + count; ++block)
     {
       if (!kernel(&a[block], &b[block], &touching[block], 1))
       {
@@ -220,99 +225,6 @@ void box_pairs_touch(
       }
     }
   }
-}
-
-BoxBlocks blocks_of(std::span<const std::pair<Obb<float>, Obb<float>>> pairs)
-{
-  const std::size_t count = (pairs.size() + 15) / 16;
-  BoxBlocks blocks{std::vector<SixteenBoxes>(count), std::vector<SixteenBoxes>(count)};
-  const Matrix3<float> upright = Matrix3<float>::Identity();
-  const Obb<float> cube{{0, 0, 0}, upright, {1, 1, 1}}, other{{4, 0, 0}, upright, {1, 1, 1}};
-  for (std::size_t i = 0; i < 16 * count; ++i)
-  {
-    set_box(blocks.a, i, i < pairs.size() ? pairs[i].first : cube);
-    set_box(blocks.b, i, i < pairs.size() ? pairs[i].second : other);
-  }
-  return blocks;
-}
-
-void set_box(std::span<SixteenBoxes> boxes, std::size_t i, const Obb<float>& box)
-{
-  SixteenBoxes& block = boxes[i / 16];
-  for (int x = 0; x < 3; ++x)
-  {
-    block.center[x][i % 16] = box.center[x];
-    block.half_extents[x][i % 16] = box.half_extents[x];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      block.axes[axis][x][i % 16] = box.axes(x, axis);
-    }
-  }
-}
-
-Obb<float> box_at(std::span<const SixteenBoxes> boxes, std::size_t i)
-{
-  const SixteenBoxes& block = boxes[i / 16];
-  Obb<float> box;
-  for (int x = 0; x < 3; ++x)
-  {
-    box.center[x] = block.center[x][i % 16];
-    box.half_extents[x] = block.half_extents[x][i % 16];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      box.axes(x, axis) = block.axes[axis][x][i % 16];
-    }
-  }
-  return box;
-}
-
-PairManifold face_manifold_at(const BoxManifolds& manifolds, std::size_t i)
-{
-  const SixteenFaceManifolds& block = manifolds.faces[i / 16];
-  const std::size_t at = i % 16;
-  PairManifold result{block.pair[at], {vector_at(block.normal, at), block.depth[at], {}}};
-  for (std::uint32_t slot = 0; slot < 8; ++slot)
-  {
-    if ((block.kept[at] >> slot & 1) != 0)
-    {
-      result.manifold.points.push_back(
-          {vector_at(block.position[slot], at), block.point_depth[slot][at],
-           block.feature[at] + slot});
-    }
-  }
-  return result;
-}
-
-PairManifold edge_manifold_at(const BoxManifolds& manifolds, std::size_t i)
-{
-  const SixteenEdgeManifolds& block = manifolds.edges[i / 16];
-  const std::size_t at = i % 16;
-  PairManifold result{block.pair[at], {vector_at(block.normal, at), block.depth[at], {}}};
-  result.manifold.points.push_back(
-      {vector_at(block.position, at), block.depth[at], block.feature[at]});
-  return result;
-}
-
-std::vector<std::optional<Manifold<float>>>
-in_order(const BoxManifolds& manifolds, std::size_t pairs)
-{
-  std::vector<std::optional<Manifold<float>>> all(pairs);
-  const auto put = [&](const PairManifold& found)
-  {
-    if (found.pair < pairs)
-    {
-      all[found.pair] = found.manifold;
-    }
-  };
-  for (std::size_t i = 0; i < manifolds.face_count; ++i)
-  {
-    put(face_manifold_at(manifolds, i));
-  }
-  for (std::size_t i = 0; i < manifolds.edge_count; ++i)
-  {
-    put(edge_manifold_at(manifolds, i));
-  }
-  return all;
 }
 
 } // namespace cookbook

@@ -137,7 +137,8 @@ TEST_CASE("eight substeps are as good as an eighth of the speed", "[R18]")
   CHECK(share_passed(exact_shots(192), eight) == 0.5);
 }
 
-TEST_CASE("a ball that moves by its radius a step at most is turned back by any wall", "[R18][long]")
+TEST_CASE(
+    "a ball that moves by its radius a step at most is turned back by any wall", "[R18][long]")
 {
   const FlightMethod discrete = flight_methods()[0];
   for (const double thickness : {0x1p-40, 0x1p-20, 0x1p-7, 1.0, 64.0})

@@ -1,7 +1,6 @@
 /// \file
 /// \brief What holds for packs of every width.
 
-#include "common/math/compress.hpp"
 #include "common/math/group.hpp"
 #include "common/math/pack.hpp"
 
@@ -193,27 +192,6 @@ TEST_CASE("a square of packs is mirrored", "[pack]")
     for (int j = 0; j < 4; ++j)
     {
       CHECK(rows[i][j] == static_cast<float>(10 * j + i));
-    }
-  }
-}
-
-TEST_CASE("lanes that are set come first, in their order", "[pack]")
-{
-  Lanes lanes;
-  for (std::size_t i = 0; i < width; ++i)
-  {
-    lanes.lanes[i] = static_cast<float>(10 + i);
-  }
-  for (std::uint32_t bits = 0; bits < 1u << width; ++bits)
-  {
-    const Lanes moved = Compress(bits)(lanes);
-    std::size_t place = 0;
-    for (std::size_t i = 0; i < width; ++i)
-    {
-      if ((bits >> i & 1) != 0)
-      {
-        CHECK(moved[place++] == lanes[i]);
-      }
     }
   }
 }
