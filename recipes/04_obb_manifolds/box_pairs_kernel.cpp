@@ -63,6 +63,24 @@ Choice choice_of(const BoxesInRows<Lanes>& boxes, const Tolerances<Lanes>& toler
 }
 // [choice_of]
 
+// [written]
+/// Counts manifolds that were written; where they begin a block, the memory of the next one is
+/// asked for, so that it is there when it is written.
+template <class Block>
+void written(const Block* blocks, std::size_t& count, std::size_t more)
+{
+  if (count % 16 == 0)
+  {
+    const auto* const next = reinterpret_cast<const char*>(blocks + count / 16 + 1);
+    for (std::size_t line = 0; line < sizeof(Block); line += 64)
+    {
+      __builtin_prefetch(next + line, 1);
+    }
+  }
+  count += more;
+}
+// [written]
+
 // [answer_waiting]
 /// Answers a register of waiting faces, `count` of which are meant.
 [[gnu::flatten, gnu::noinline]] void answer_waiting_faces(
@@ -83,7 +101,7 @@ Choice choice_of(const BoxesInRows<Lanes>& boxes, const Tolerances<Lanes>& toler
       box, other, boxes.rows, boxes.offset_a, 0, face, words_at(waiting.pair + from),
       room.faces[room.face_count / 16], room.face_count % 16);
   room.pointless |= (bits_of(pointless) & all_pairs >> (width - count)) != 0;
-  room.face_count += count;
+  written(room.faces, room.face_count, count);
 }
 
 /// Answers a register of waiting edges, `count` of which are meant.
@@ -96,7 +114,7 @@ Choice choice_of(const BoxesInRows<Lanes>& boxes, const Tolerances<Lanes>& toler
   answer_edges(
       a, boxes_in_rows(a, b), edge, words_at(waiting.pair + from), room.edges[room.edge_count / 16],
       room.edge_count % 16);
-  room.edge_count += count;
+  written(room.edges, room.edge_count, count);
 }
 
 /// Answers those that wait, by whole registers from the end; the last by what there is.
@@ -135,14 +153,14 @@ void answer_or_wait(const PairsInBlocks& pairs, Waiting& faces, Waiting& edges, 
         of.axis, choice.face, pairs.numbers(), room.faces[room.face_count / 16],
         room.face_count % 16);
     room.pointless |= any(pointless);
-    room.face_count += width;
+    written(room.faces, room.face_count, width);
   }
   else if (choice.on_edge == all_pairs)
   {
     answer_edges(
         a, boxes, choice.edge, pairs.numbers(), room.edges[room.edge_count / 16],
         room.edge_count % 16);
-    room.edge_count += width;
+    written(room.edges, room.edge_count, width);
   }
   else
   {
