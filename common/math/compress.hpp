@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#if defined(__AVX2__) || defined(__AVX512F__)
+#if defined(__AVX2__)
 #include <immintrin.h>
 #endif
 
@@ -18,7 +18,7 @@ namespace cookbook
 inline namespace COOKBOOK_INSTRUCTION_SET
 {
 
-#if defined(__AVX2__) || defined(__AVX512F__)
+#if defined(__AVX2__)
 inline constexpr bool compresses_at_once = true; ///< whether Compress is one instruction
 #else
 inline constexpr bool compresses_at_once = false; ///< whether Compress is one instruction

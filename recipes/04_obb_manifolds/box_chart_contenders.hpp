@@ -46,9 +46,8 @@ inline BoxContender batch_contender(InstructionSet set)
 {
   const auto method = [set](const Obb<float>& a, const Obb<float>& b)
   {
-    BoxBatch batch({{a, b}});
-    box_pairs(batch.blocks.a, batch.blocks.b, batch.manifolds, set);
-    return in_order(batch.manifolds, 1)[0];
+    const BoxPair<float> pair(a, b);
+    return box_pairs_in_order({&pair, 1}, set)[0];
   };
   const auto prepare = [set](const BoxPairLists& lists)
   { return run_batch(std::make_shared<BoxBatch>(lists.in_float), set, false); };

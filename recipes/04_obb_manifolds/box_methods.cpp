@@ -40,10 +40,7 @@ template <class Real>
 std::optional<Manifold<float>> as_batch(const Obb<Real>& a, const Obb<Real>& b)
 {
   const std::pair<Obb<float>, Obb<float>> pair(box_in<float>(a), box_in<float>(b));
-  const BoxBlocks blocks = blocks_of({&pair, 1});
-  BoxManifolds manifolds;
-  box_pairs(blocks.a, blocks.b, manifolds);
-  return in_order(manifolds, 1)[0];
+  return box_pairs_in_order({&pair, 1})[0];
 }
 
 /// The batch, a pair at a time.

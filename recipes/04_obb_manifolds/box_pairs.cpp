@@ -17,15 +17,6 @@ namespace
 
 using namespace cookbook;
 
-/// The batch's answers.
-std::vector<std::optional<Manifold<float>>> manifolds_of(const std::vector<BoxPair<float>>& pairs)
-{
-  const BoxBlocks blocks = blocks_of(pairs);
-  BoxManifolds manifolds;
-  box_pairs(blocks.a, blocks.b, manifolds);
-  return in_order(manifolds, pairs.size());
-}
-
 /// The pairs of all lanes.
 std::vector<BoxPair<float>> pairs_of(const std::vector<Lane>& lanes)
 {
@@ -51,7 +42,7 @@ std::string cell(float x)
 // [print_scene]
 void print_scene(const std::vector<Lane>& lanes)
 {
-  const auto at_once = manifolds_of(pairs_of(lanes));
+  const auto at_once = box_pairs_in_order(pairs_of(lanes));
   Table table(
       {"lane", "boxes", "depth", "normal x", "normal y", "normal z", "points", "one by one"});
   for (std::size_t i = 0; i < lanes.size(); ++i)
@@ -99,7 +90,7 @@ void draw(const Arguments& arguments, const std::vector<Lane>& lanes)
 {
   plot::Grid grid("box_pairs", "", 4);
   grid.describe("Sixteen pairs of boxes, each with its normal and its contact points.");
-  const auto manifolds = manifolds_of(pairs_of(lanes));
+  const auto manifolds = box_pairs_in_order(pairs_of(lanes));
   for (std::size_t i = 0; i < lanes.size(); ++i)
   {
     const BoxPair<double> pair = pair_in<double>(lanes[i].pair);
@@ -117,7 +108,7 @@ void print_file(const Arguments& arguments)
     pairs.push_back(
         box_pair_at<float>({arguments.pairs.string(), arguments.pairs_header, std::move(row)}));
   }
-  std::cout << manifolds_csv(manifolds_of(pairs));
+  std::cout << manifolds_csv(box_pairs_in_order(pairs));
 }
 
 } // namespace

@@ -115,6 +115,11 @@ PairManifold edge_manifold_at(const BoxManifolds& manifolds, std::size_t i);
 std::vector<std::optional<Manifold<float>>>
 in_order(const BoxManifolds& manifolds, std::size_t pairs);
 
+/// All of it for pairs that are not in blocks: what `box_box` says of each.
+std::vector<std::optional<Manifold<float>>> box_pairs_in_order(
+    std::span<const std::pair<Obb<float>, Obb<float>>> pairs,
+    InstructionSet set = widest_instruction_set());
+
 /// Whether pair i touches.
 inline bool touches_at(std::span<const std::uint32_t> touching, std::size_t i)
 {

@@ -109,4 +109,13 @@ in_order(const BoxManifolds& manifolds, std::size_t pairs)
   return all;
 }
 
+std::vector<std::optional<Manifold<float>>>
+box_pairs_in_order(std::span<const std::pair<Obb<float>, Obb<float>>> pairs, InstructionSet set)
+{
+  const BoxBlocks blocks = blocks_of(pairs);
+  BoxManifolds manifolds;
+  box_pairs(blocks.a, blocks.b, manifolds, set);
+  return in_order(manifolds, pairs.size());
+}
+
 } // namespace cookbook

@@ -82,8 +82,8 @@ void run(const Arguments& given)
     save_figure(
         given, "world_cases.html",
         verdict_table(
-            "The world at 60 frames a second under each solver, nothing asleep.",
-            world_case_solvers(), world_verdicts()));
+            "The world at 60 frames a second under each solver, nothing asleep.", solver_names(),
+            world_verdicts()));
     return draw_gallery(given);
   }
   run_scene(given);

@@ -230,19 +230,13 @@ std::vector<WorldCase> world_cases()
 
 } // namespace
 
-const std::vector<std::string>& world_case_solvers()
-{
-  static const std::vector<std::string> names = solver_names();
-  return names;
-}
-
 std::vector<VerdictRow> world_verdicts()
 {
   std::vector<VerdictRow> rows;
   for (const WorldCase& one : world_cases())
   {
     rows.push_back({one.id, one.what, {}});
-    for (const std::string& solver : world_case_solvers())
+    for (const std::string& solver : solver_names())
     {
       rows.back().verdicts.push_back(one.judge(solver));
     }

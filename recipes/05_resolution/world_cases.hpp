@@ -5,16 +5,12 @@
 
 #include "common/program/verdicts.hpp"
 
-#include <string>
 #include <vector>
 
 namespace cookbook
 {
 
-/// The solvers of the table, by name.
-const std::vector<std::string>& world_case_solvers();
-
-/// The verdicts: a row for each case, a column for each solver.
+/// The verdicts: a row for each case, a column for each of solver_names().
 std::vector<VerdictRow> world_verdicts();
 
 } // namespace cookbook

@@ -61,19 +61,10 @@ bool same(const Answer& x, const Answer& y)
              x->points.begin(), x->points.end(), y->points.begin(), y->points.end(), same_point);
 }
 
-/// The batch's answers.
-std::vector<Answer> at_once(const Pairs& pairs, InstructionSet set)
-{
-  const BoxBlocks blocks = blocks_of(pairs);
-  BoxManifolds manifolds;
-  box_pairs(blocks.a, blocks.b, manifolds, set);
-  return in_order(manifolds, pairs.size());
-}
-
 /// How many of the batch's answers differ from `box_box` in any bit.
 int differences(const Pairs& pairs, InstructionSet set)
 {
-  const std::vector<Answer> answers = at_once(pairs, set);
+  const std::vector<Answer> answers = box_pairs_in_order(pairs, set);
   int count = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i)
   {
@@ -328,7 +319,7 @@ TEST_CASE("a unit cube sunk by 1/8 into one below has four points that deep", "[
   const Obb<float> above{{0.25f, 0.875f, 0}, upright, {0.5f, 0.5f, 0.5f}};
   for (const InstructionSet set : instruction_sets())
   {
-    const Answer manifold = at_once({{below, above}}, set)[0];
+    const Answer manifold = box_pairs_in_order(Pairs{{below, above}}, set)[0];
     REQUIRE(manifold);
     CHECK(manifold->normal == Vector3<float>(0, 1, 0));
     CHECK(manifold->depth == 0.125f);

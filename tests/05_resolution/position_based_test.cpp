@@ -9,6 +9,7 @@
 #include "common/math/rational.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/verdicts.hpp"
 
 #include <cmath>
 #include <random>
@@ -205,22 +206,10 @@ TEST_CASE("as published, five cubes have collapsed after a second", "[case:S2][c
 #if !defined(COOKBOOK_FEWER_PAIRS) // minutes under sanitizers; the runs above take the same paths
 TEST_CASE("who holds and who fails at stacks", "[case:S1][case:S2][case:S4][case:S5][case:S19]")
 {
-  const std::vector<VerdictRow> rows = stack_verdicts();
   // As published; cold 8 and 20, warm 8 and 20 passes; positions 1 × 20, 20 × 1.
-  const std::vector<std::string> expected{"-++++-+", "----+++", "----+++", " +++++ ",
-                                          " +++++ ", " +++++ ", "------+", "----+++"};
-  REQUIRE(rows.size() == expected.size());
-  for (std::size_t row = 0; row < rows.size(); ++row)
-  {
-    REQUIRE(rows[row].verdicts.size() == expected[row].size());
-    for (std::size_t method = 0; method < expected[row].size(); ++method)
-    {
-      const Verdict& verdict = rows[row].verdicts[method];
-      INFO(rows[row].what << ", " << contact_method_names()[method] << ": " << verdict.what);
-      CHECK(verdict.holds == (expected[row][method] == '+'));
-      CHECK(verdict.applies == (expected[row][method] != ' '));
-    }
-  }
+  check_verdicts(
+      stack_verdicts(), contact_method_names(),
+      {"-++++-+", "----+++", "----+++", " +++++ ", " +++++ ", " +++++ ", "------+", "----+++"});
 }
 #endif
 // [stacks]

@@ -1,6 +1,7 @@
 /// \file
 /// The world: energy, momentum, bounces, walls, the same bits again, and scenes that make no sense.
 
+#include "05_resolution/solver_names.hpp"
 #include "05_resolution/solvers.hpp"
 #include "05_resolution/world_cases.hpp"
 #include "05_resolution/world_measures.hpp"
@@ -8,6 +9,7 @@
 #include "05_resolution/world_scenes.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/verdicts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -348,21 +350,11 @@ TEST_CASE(
     "[case:S3][case:S6][case:S7][case:S8][case:S18][case:S20][case:S21][case:S22]"
     "[case:S23][case:L3]")
 {
-  const std::vector<VerdictRow> rows = world_verdicts();
   // Direct, soft steps, warm and cold impulses, positions.
-  const std::vector<std::string> expected{"+----", "+----", "+---+", "+----", "++---", "+++++",
-                                          "+++++", "+++++", "+++++", "+----", "+++++"};
-  REQUIRE(rows.size() == expected.size());
-  for (std::size_t row = 0; row < rows.size(); ++row)
-  {
-    REQUIRE(rows[row].verdicts.size() == expected[row].size());
-    for (std::size_t solver = 0; solver < expected[row].size(); ++solver)
-    {
-      const Verdict& verdict = rows[row].verdicts[solver];
-      INFO(rows[row].what << ", " << world_case_solvers()[solver] << ": " << verdict.what);
-      CHECK(verdict.holds == (expected[row][solver] == '+'));
-    }
-  }
+  check_verdicts(
+      world_verdicts(), solver_names(),
+      {"+----", "+----", "+---+", "+----", "++---", "+++++", "+++++", "+++++", "+++++", "+----",
+       "+++++"});
 }
 // [cases]
 #endif
