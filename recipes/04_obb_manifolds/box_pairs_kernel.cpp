@@ -5,6 +5,7 @@
 /// copy of such a function, and it must not be the one for the newest processor.
 
 #include "04_obb_manifolds/box_pairs_kernel.hpp"
+#include "04_obb_manifolds/box_ahead_kernel.hpp"
 #include "04_obb_manifolds/box_answers_kernel.hpp"
 #include "04_obb_manifolds/box_waiting_kernel.hpp"
 
@@ -64,18 +65,13 @@ Choice choice_of(const BoxesInRows<Lanes>& boxes, const Tolerances<Lanes>& toler
 // [choice_of]
 
 // [written]
-/// Counts manifolds that were written; where they begin a block, the memory of the next one is
-/// asked for, so that it is there when it is written.
+/// Counts manifolds that were written; where they begin a block, the next one will be asked for.
 template <class Block>
-void written(const Block* blocks, std::size_t& count, std::size_t more)
+void written(Block* blocks, std::size_t& count, std::size_t more, Ahead<Block>& next)
 {
   if (count % 16 == 0)
   {
-    const auto* const next = reinterpret_cast<const char*>(blocks + count / 16 + 1);
-    for (std::size_t line = 0; line < sizeof(Block); line += 64)
-    {
-      __builtin_prefetch(next + line, 1);
-    }
+    next.begin(blocks + count / 16 + 1);
   }
   count += more;
 }
@@ -84,7 +80,7 @@ void written(const Block* blocks, std::size_t& count, std::size_t more)
 // [answer_waiting]
 /// Answers a register of waiting faces, `count` of which are meant.
 [[gnu::flatten, gnu::noinline]] void answer_waiting_faces(
-    const Waiting& waiting, std::size_t from, std::size_t count, BoxPairsRoom& room)
+    const Waiting& waiting, std::size_t from, std::size_t count, BoxPairsRoom& room, Next& next)
 {
   const Obb<Lanes> box = boxes_at(waiting.box, from), other = boxes_at(waiting.other, from);
   const LeastFace<Lanes> face{
@@ -101,12 +97,12 @@ void written(const Block* blocks, std::size_t& count, std::size_t more)
       box, other, boxes.rows, boxes.offset_a, 0, face, words_at(waiting.pair + from),
       room.faces[room.face_count / 16], room.face_count % 16);
   room.pointless |= (bits_of(pointless) & all_pairs >> (width - count)) != 0;
-  written(room.faces, room.face_count, count);
+  written(room.faces, room.face_count, count, next.faces);
 }
 
 /// Answers a register of waiting edges, `count` of which are meant.
 [[gnu::flatten, gnu::noinline]] void answer_waiting_edges(
-    const Waiting& waiting, std::size_t from, std::size_t count, BoxPairsRoom& room)
+    const Waiting& waiting, std::size_t from, std::size_t count, BoxPairsRoom& room, Next& next)
 {
   const Obb<Lanes> a = boxes_at(waiting.box, from), b = boxes_at(waiting.other, from);
   const LeastEdge<Lanes> edge{
@@ -114,32 +110,36 @@ void written(const Block* blocks, std::size_t& count, std::size_t more)
   answer_edges(
       a, boxes_in_rows(a, b), edge, words_at(waiting.pair + from), room.edges[room.edge_count / 16],
       room.edge_count % 16);
-  written(room.edges, room.edge_count, count);
+  written(room.edges, room.edge_count, count, next.edges);
 }
 
 /// Answers those that wait, by whole registers from the end; the last by what there is.
 template <class Answer>
-void answer_waiting(Waiting& waiting, bool all, BoxPairsRoom& room, const Answer& answer)
+void answer_waiting(
+    Waiting& waiting, bool all, BoxPairsRoom& room, Next& next, const Answer& answer)
 {
   while (waiting.count >= width)
   {
     waiting.count -= width;
-    answer(waiting, waiting.count, width, room);
+    answer(waiting, waiting.count, width, room, next);
   }
   if (all && waiting.count > 0)
   {
-    answer(waiting, 0, waiting.count, room);
+    answer(waiting, 0, waiting.count, room, next);
   }
 }
 // [answer_waiting]
 
 // [answer_or_wait]
 /// Answers a register of pairs if all of them go the same way; otherwise each waits for its like.
-void answer_or_wait(const PairsInBlocks& pairs, Waiting& faces, Waiting& edges, BoxPairsRoom& room)
+void answer_or_wait(
+    const PairsInBlocks& pairs, Waiting& faces, Waiting& edges, BoxPairsRoom& room, Next& next)
 {
   const Obb<Lanes> a = boxes_at(pairs.a, pairs.at), b = boxes_at(pairs.b, pairs.at);
   const BoxesInRows<Lanes> boxes = boxes_in_rows(a, b);
+  next.ask();
   const Choice choice = choice_of(boxes, tolerances_of(a, b));
+  next.ask();
   room.left_out |= choice.left_out != 0;
   if (choice.on_face == all_pairs)
   {
@@ -153,14 +153,14 @@ void answer_or_wait(const PairsInBlocks& pairs, Waiting& faces, Waiting& edges, 
         of.axis, choice.face, pairs.numbers(), room.faces[room.face_count / 16],
         room.face_count % 16);
     room.pointless |= any(pointless);
-    written(room.faces, room.face_count, width);
+    written(room.faces, room.face_count, width, next.faces);
   }
   else if (choice.on_edge == all_pairs)
   {
     answer_edges(
         a, boxes, choice.edge, pairs.numbers(), room.edges[room.edge_count / 16],
         room.edge_count % 16);
-    written(room.edges, room.edge_count, width);
+    written(room.edges, room.edge_count, width, next.edges);
   }
   else
   {
@@ -183,18 +183,21 @@ void answer_or_wait(const PairsInBlocks& pairs, Waiting& faces, Waiting& edges, 
     const SixteenBoxes* a, const SixteenBoxes* b, std::size_t count, BoxPairsRoom& room)
 {
   Waiting faces, edges;
+  Next next;
   for (std::size_t block = 0; block < count; ++block)
   {
+    next.a.begin(a + block + 1);
+    next.b.begin(b + block + 1);
     for (std::size_t at = 0; at < 16; at += width)
     {
       const auto first = static_cast<std::uint32_t>(16 * block + at);
-      answer_or_wait({a[block], b[block], at, first}, faces, edges, room);
+      answer_or_wait({a[block], b[block], at, first}, faces, edges, room, next);
     }
     const bool last = block + 1 == count;
     if (last || block % blocks_at_once == blocks_at_once - 1)
     {
-      answer_waiting(faces, last, room, answer_waiting_faces);
-      answer_waiting(edges, last, room, answer_waiting_edges);
+      answer_waiting(faces, last, room, next, answer_waiting_faces);
+      answer_waiting(edges, last, room, next, answer_waiting_edges);
     }
   }
 }

@@ -141,9 +141,9 @@ FourCorners<Real> corners_on_this(const FacingRectangles<Real>& r, const Real& h
   const Row from_u = u - Row(r.center_u), from_v = v - Row(r.center_v);
   const Row alpha = from_u * Row(r.q_v) - from_v * Row(r.q_u);
   const Row beta = from_v * Row(r.p_u) - from_u * Row(r.p_v);
-  const Real width = r.half_u + r.half_u, height = r.half_v + r.half_v;
-  const Real alpha_p = width * r.q_v, alpha_q = -height * r.q_u;
-  const Real beta_p = -width * r.p_v, beta_q = height * r.p_u;
+  const Real side_u = r.half_u + r.half_u, side_v = r.half_v + r.half_v;
+  const Real alpha_p = side_u * r.q_v, alpha_q = -side_v * r.q_u;
+  const Real beta_p = -side_u * r.p_v, beta_q = side_v * r.p_u;
   Pieces<Real> pieces;
   pieces.cut(alpha, alpha_p, alpha_q, area, -hair * r.half_q, least);
   pieces.cut(beta, beta_p, beta_q, area, -hair * r.half_p, least);
@@ -151,7 +151,7 @@ FourCorners<Real> corners_on_this(const FacingRectangles<Real>& r, const Real& h
   const Real p_slope = r.p_depth * per_area, q_slope = r.q_depth * per_area;
   const Row depth = Row(r.center_depth) + alpha * Row(p_slope) + beta * Row(q_slope);
   return {
-      along<Real>(u, pieces.corner, width, zero), along<Real>(v, pieces.corner, zero, height),
+      along<Real>(u, pieces.corner, side_u, zero), along<Real>(v, pieces.corner, zero, side_v),
       along<Real>(
           depth, pieces.corner, alpha_p * p_slope + beta_p * q_slope,
           alpha_q * p_slope + beta_q * q_slope),
