@@ -13,6 +13,7 @@
 
 #include "tests/05_resolution/meetings.hpp"
 #include "tests/catch.hpp"
+#include "tests/verdicts.hpp"
 
 #include <cmath>
 #include <map>
@@ -173,37 +174,16 @@ TEST_CASE("divided by n, a ball's speed is scaled by (1 - (1+e)/n) n times a pas
 // [verdicts]
 TEST_CASE("who holds and who fails at bounces of several points", "[case:S14][case:X18]")
 {
-  const std::vector<VerdictRow> rows = bounce_verdicts();
-  // As published, each point in turn, one pass, four passes.
-  const std::vector<std::vector<bool>> expected{
-      {false, false, false, true},
-      {false, false, false, true},
-      {false, true, true, true},
-      {false, true, true, true},
-      {true, true, true, true}};
-  REQUIRE(rows.size() == expected.size());
-  for (std::size_t row = 0; row < rows.size(); ++row)
-  {
-    for (std::size_t method = 0; method < 4; ++method)
-    {
-      INFO(rows[row].what << ": " << rows[row].verdicts[method].what);
-      CHECK(rows[row].verdicts[method].holds == expected[row][method]);
-    }
-  }
+  check_verdicts(
+      bounce_verdicts(), {"as published", "each point in turn", "one pass", "four passes"},
+      {"---+", "---+", "-+++", "-+++", "++++"});
 }
 
 TEST_CASE("who holds and who fails at pushes", "[case:X19][case:X20][case:X26]")
 {
-  const std::vector<VerdictRow> rows = response_verdicts();
   // The last cube is so large that its determinant is above the threshold.
-  const std::vector<bool> published_holds{false, false, false, false, true, false};
-  REQUIRE(rows.size() == published_holds.size());
-  for (std::size_t row = 0; row < rows.size(); ++row)
-  {
-    INFO(rows[row].what);
-    CHECK(rows[row].verdicts[0].holds == published_holds[row]);
-    CHECK(rows[row].verdicts[1].holds);
-  }
+  check_verdicts(
+      response_verdicts(), {"as published", "the chapter's"}, {"-+", "-+", "-+", "-+", "++", "-+"});
 }
 // [verdicts]
 

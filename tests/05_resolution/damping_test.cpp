@@ -9,6 +9,7 @@
 #include "common/math/vector.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/verdicts.hpp"
 
 #include <cmath>
 #include <limits>
@@ -217,22 +218,9 @@ TEST_CASE(
 // [damping_verdicts]
 TEST_CASE("who holds and who fails at damping", "[case:I5][case:I6][case:X22]")
 {
-  const std::vector<VerdictRow> rows = damping_verdicts();
-  // As published, 1 - c·step, 1/(1 + c·step), exp, exp amid the kick, damped_fall.
-  const std::vector<std::vector<bool>> expected{
-      {false, false, true, false, true, true},
-      {false, false, true, false, true, true},
-      {false, false, false, true, true, true},
-      {true, false, true, true, true, true},
-      {false, true, true, true, true, true}};
-  REQUIRE(rows.size() == expected.size());
-  for (std::size_t row = 0; row < rows.size(); ++row)
-  {
-    for (std::size_t method = 0; method < methods.size(); ++method)
-    {
-      INFO(rows[row].what << ", " << methods[method].name);
-      CHECK(rows[row].verdicts[method].holds == expected[row][method]);
-    }
-  }
+  check_verdicts(
+      damping_verdicts(),
+      {"as published", "1 - c·step", "1/(1 + c·step)", "exp", "exp amid the kick", "damped_fall"},
+      {"--+-++", "--+-++", "---+++", "+-++++", "-+++++"});
 }
 // [damping_verdicts]

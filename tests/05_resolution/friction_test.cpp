@@ -9,6 +9,7 @@
 
 #include "tests/05_resolution/meetings.hpp"
 #include "tests/catch.hpp"
+#include "tests/verdicts.hpp"
 
 #include <cmath>
 #include <limits>
@@ -380,22 +381,8 @@ TEST_CASE(
     "who holds and who fails at friction",
     "[case:S9][case:S10][case:S11][case:S12][case:S13][case:S28][long]")
 {
-  const std::vector<VerdictRow> rows = friction_verdicts();
-  // As published, box, pyramid, cone.
-  const std::vector<std::vector<bool>> expected{
-      {false, true, true, true},   {false, true, true, true},   {false, false, true, true},
-      {false, false, false, true}, {true, false, true, true},   {false, true, true, true},
-      {true, true, true, true},    {true, false, false, true},  {false, false, false, true},
-      {false, true, true, true},   {false, false, false, false}};
-  REQUIRE(rows.size() == expected.size());
-  for (std::size_t row = 0; row < rows.size(); ++row)
-  {
-    REQUIRE(rows[row].verdicts.size() == expected[row].size());
-    for (std::size_t method = 0; method < expected[row].size(); ++method)
-    {
-      INFO(rows[row].what << ": " << rows[row].verdicts[method].what);
-      CHECK(rows[row].verdicts[method].holds == expected[row][method]);
-    }
-  }
+  check_verdicts(
+      friction_verdicts(), {"as published", "box", "pyramid", "cone"},
+      {"-+++", "-+++", "--++", "---+", "+-++", "-+++", "++++", "+--+", "---+", "-+++", "----"});
 }
 // [verdicts]

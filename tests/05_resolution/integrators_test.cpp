@@ -12,6 +12,7 @@
 #include "common/math/rational.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/verdicts.hpp"
 
 #include <cmath>
 #include <limits>
@@ -398,35 +399,17 @@ TEST_CASE(
     "who holds and who fails at swinging and falling",
     "[case:I1][case:I2][case:I3][case:I10][case:I11]")
 {
-  const std::vector<VerdictRow> rows = integrator_verdicts();
-  // Explicit, implicit, symplectic Euler, velocity Verlet, RK4, implicit midpoint.
-  const std::vector<std::vector<bool>> expected{
-      {false, false, true, true, true, true},   {false, true, true, true, true, true},
-      {false, true, false, false, true, true},  {false, true, false, false, true, true},
-      {false, true, false, false, false, true}, {false, false, false, true, true, true},
-      {false, false, true, true, true, true},   {true, true, true, true, true, true}};
-  REQUIRE(rows.size() == expected.size());
-  for (std::size_t row = 0; row < rows.size(); ++row)
-  {
-    for (std::size_t method = 0; method < methods.size(); ++method)
-    {
-      INFO(rows[row].what << ", " << methods[method].name);
-      CHECK(rows[row].verdicts[method].holds == expected[row][method]);
-    }
-  }
+  check_verdicts(
+      integrator_verdicts(),
+      {"explicit", "implicit", "symplectic Euler", "velocity Verlet", "RK4", "implicit midpoint"},
+      {"--++++", "-+++++", "-+--++", "-+--++", "-+---+", "---+++", "--++++", "++++++"});
 }
 
 TEST_CASE("who holds and who fails: particle and spring", "[case:I7][case:X43]")
 {
-  const std::vector<VerdictRow> rows = published_verdicts();
-  const std::vector<bool> published{true, false, false, false, false, false, false, false};
-  REQUIRE(rows.size() == published.size());
-  for (std::size_t row = 0; row < rows.size(); ++row)
-  {
-    INFO(rows[row].what);
-    CHECK(rows[row].verdicts[0].holds == published[row]);
-    CHECK(rows[row].verdicts[1].holds);
-  }
+  check_verdicts(
+      published_verdicts(), {"as published", "the chapter's"},
+      {"++", "-+", "-+", "-+", "-+", "-+", "-+", "-+"});
 }
 // [integrator_verdicts]
 

@@ -9,6 +9,7 @@
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/verdicts.hpp"
 
 #include <cmath>
 #include <functional>
@@ -211,22 +212,9 @@ TEST_CASE("a needle's moment about its length is lost in rounding, and stays abo
 TEST_CASE("moments added up are right for one solid, without the rest of the matrix for some")
 {
   const std::vector<VerdictRow> rows = inertia_verdicts();
-  // Moments added up, parallel axes without products, combined.
-  const std::vector<std::vector<bool>> expected{
-      {true, true, true},
-      {false, true, true},
-      {false, true, true},
-      {false, false, true},
-      {false, false, true}};
-  REQUIRE(rows.size() == expected.size());
-  for (std::size_t row = 0; row < rows.size(); ++row)
-  {
-    for (std::size_t method = 0; method < 3; ++method)
-    {
-      INFO(rows[row].what << ": " << rows[row].verdicts[method].what);
-      CHECK(rows[row].verdicts[method].holds == expected[row][method]);
-    }
-  }
+  check_verdicts(
+      rows, {"moments added up", "parallel axes without products", "combined"},
+      {"+++", "-++", "-++", "--+", "--+"});
   CHECK(rows[1].verdicts[0].what == "off by 75 %"); // 8/6 of 16/3
 }
 // [inertia_verdicts]

@@ -7,6 +7,7 @@
 #include "common/math/rational.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/verdicts.hpp"
 
 #include <cmath>
 
@@ -220,22 +221,9 @@ TEST_CASE(
 // [verdicts]
 TEST_CASE("who holds and who fails at a cube inside the floor", "[case:S18]")
 {
-  const std::vector<VerdictRow> rows = correction_verdicts();
-  // Projection, Baumgarte, the same with a limit, Gauss–Seidel, split, soft.
-  const std::vector<std::vector<bool>> expected{
-      {true, false, false, true, true, true},
-      {false, false, true, false, true, true},
-      {false, false, false, true, true, true},
-      {true, true, true, true, true, true}};
-  REQUIRE(rows.size() == expected.size());
-  for (std::size_t row = 0; row < rows.size(); ++row)
-  {
-    REQUIRE(rows[row].verdicts.size() == expected[row].size());
-    for (std::size_t method = 0; method < expected[row].size(); ++method)
-    {
-      INFO(rows[row].what << ": " << rows[row].verdicts[method].what);
-      CHECK(rows[row].verdicts[method].holds == expected[row][method]);
-    }
-  }
+  check_verdicts(
+      correction_verdicts(),
+      {"projection", "Baumgarte", "the same with a limit", "Gauss–Seidel", "split", "soft"},
+      {"+--+++", "--+-++", "---+++", "++++++"});
 }
 // [verdicts]

@@ -9,6 +9,7 @@
 
 #include "tests/05_resolution/meetings.hpp"
 #include "tests/catch.hpp"
+#include "tests/verdicts.hpp"
 
 #include <cmath>
 #include <limits>
@@ -247,22 +248,9 @@ TEST_CASE("stopped at the floor in time, 10 m/s comes back as 10, unless forgott
 // [verdicts]
 TEST_CASE("who holds and who fails at drops", "[case:S15][case:S16][case:S17][case:J8]")
 {
-  const std::vector<VerdictRow> rows = drop_verdicts();
-  // Before gravity, after gravity, with threshold, at the touch, with threshold.
-  const std::vector<std::vector<bool>> expected{
-      {false, false, false, true, true}, {false, false, false, true, true},
-      {false, false, false, true, true}, {false, false, false, false, true},
-      {false, false, true, true, true},  {false, false, false, false, false},
-      {false, false, false, true, true}};
-  REQUIRE(rows.size() == expected.size());
-  for (std::size_t row = 0; row < rows.size(); ++row)
-  {
-    REQUIRE(rows[row].verdicts.size() == expected[row].size());
-    for (std::size_t method = 0; method < expected[row].size(); ++method)
-    {
-      INFO(rows[row].what << ": " << rows[row].verdicts[method].what);
-      CHECK(rows[row].verdicts[method].holds == expected[row][method]);
-    }
-  }
+  check_verdicts(
+      drop_verdicts(),
+      {"before gravity", "after gravity", "with threshold", "at the touch", "with threshold"},
+      {"---++", "---++", "---++", "----+", "--+++", "-----", "---++"});
 }
 // [verdicts]

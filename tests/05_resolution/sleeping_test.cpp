@@ -5,6 +5,7 @@
 #include "05_resolution/sleeping_cases.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/verdicts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -265,21 +266,9 @@ TEST_CASE("a ball with e = 0.39 or 0.8 sleeps within 6 s, if bounces of 2 g dt e
 // [verdicts]
 TEST_CASE("which rule puts whom to sleep", "[case:L1][case:L4]")
 {
-  const std::vector<VerdictRow> rows = sleep_verdicts();
-  // Slow, slow for 0.5 s, slow and still and steady.
-  const std::vector<std::vector<bool>> expected{
-      {false, true, true},  {false, false, true}, {false, false, true}, {false, false, false},
-      {false, false, true}, {false, false, true}, {false, false, true}, {true, true, true},
-      {false, true, true},  {false, true, true},  {false, true, false}, {false, false, false}};
-  REQUIRE(rows.size() == expected.size());
-  for (std::size_t row = 0; row < rows.size(); ++row)
-  {
-    for (std::size_t rule = 0; rule < 3; ++rule)
-    {
-      INFO(rows[row].what << ": " << rows[row].verdicts[rule].what);
-      CHECK(rows[row].verdicts[rule].holds == expected[row][rule]);
-    }
-  }
+  check_verdicts(
+      sleep_verdicts(), {"slow", "slow for 0.5 s", "slow and still and steady"},
+      {"-++", "--+", "--+", "---", "--+", "--+", "--+", "+++", "-++", "-++", "-+-", "---"});
 }
 
 TEST_CASE("what wakes a tower", "[case:L2]")

@@ -8,6 +8,7 @@
 #include "common/math/rational.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/verdicts.hpp"
 
 #include <array>
 #include <cmath>
@@ -67,22 +68,6 @@ double orientation_error(const std::string& name, double rate)
   const auto nothing = [](double, const Spinning<double>&) {};
   const Spinning<double> end = stepped(tennis_racket(), method_called(name), 10, rate, nothing);
   return angle_between(end.orientation, right);
-}
-
-/// The verdicts hold as expected, row by row, in the order of the methods.
-void expect_verdicts(
-    const std::vector<VerdictRow>& rows, const std::vector<std::vector<bool>>& expected)
-{
-  REQUIRE(rows.size() == expected.size());
-  for (std::size_t row = 0; row < rows.size(); ++row)
-  {
-    REQUIRE(rows[row].verdicts.size() == expected[row].size());
-    for (std::size_t method = 0; method < expected[row].size(); ++method)
-    {
-      INFO(rows[row].what << ", method " << method << ": " << rows[row].verdicts[method].what);
-      CHECK(rows[row].verdicts[method].holds == expected[row][method]);
-    }
-  }
 }
 
 } // namespace
@@ -178,11 +163,11 @@ TEST_CASE("at 50 rad/s and 60 Hz a quaternion added lags 150° a second, and gro
 
 TEST_CASE("who holds and who fails at steady spins", "[case:A5][case:A6][case:X24]")
 {
-  // Angles added, quaternion added, the same with length one, rotation_by. One axis alone is no
-  // trouble for angles.
-  expect_verdicts(
+  // One axis alone is no trouble for angles.
+  check_verdicts(
       turn_verdicts(),
-      {{true, false, false, true}, {false, false, false, true}, {false, false, false, true}});
+      {"angles added", "quaternion added", "the same with length one", "rotation_by"},
+      {"+--+", "---+", "---+"});
 }
 // [A5]
 
@@ -399,15 +384,11 @@ TEST_CASE("the racket, 10 s at 60 Hz: energy × 2.585, × 0.526, or no flip at a
 
 TEST_CASE("who holds and who fails at free spins", "[case:I4]")
 {
-  // No term, explicit, clamped, implicit, midpoint, Runge–Kutta, axes in turn, turned, finely.
-  const bool o = false, x = true;
-  expect_verdicts(
-      spin_verdicts(), {{o, o, o, o, x, x, x, x, x},
-                        {o, o, o, o, x, o, o, x, x},
-                        {o, o, o, o, x, x, o, x, x},
-                        {o, o, o, o, o, o, o, x, x},
-                        {o, o, o, o, x, o, o, x, x},
-                        {o, o, o, o, o, o, o, x, x}});
+  check_verdicts(
+      spin_verdicts(),
+      {"no term", "explicit", "clamped", "implicit", "midpoint", "Runge–Kutta", "axes in turn",
+       "turned", "finely"},
+      {"----+++++", "----+--++", "----++-++", "-------++", "----+--++", "-------++"});
 }
 // [I4]
 

@@ -8,6 +8,7 @@
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/verdicts.hpp"
 
 #include <array>
 #include <bit>
@@ -303,42 +304,18 @@ TEST_CASE("speculative leaves a ball of 10 m/s and e = 1 the gap over the step",
 // [verdicts]
 TEST_CASE("which balls who stops, lets by and lets bounce", "[case:J1][case:J2][case:J4][case:J8]")
 {
-  const std::vector<VerdictRow> rows = flight_verdicts();
-  // Discrete, 8 substeps, speculative to 2 cm, speculative, the same with full bounce, swept.
-  const std::vector<std::vector<bool>> expected{
-      {false, true, false, true, true, true},  {false, false, false, true, true, true},
-      {false, false, false, true, true, true}, {false, false, false, true, true, true},
-      {false, false, false, true, true, true}, {false, false, false, true, true, true},
-      {true, true, false, false, false, true}, {true, true, true, false, false, true},
-      {true, true, false, false, true, true},  {false, false, false, false, true, true}};
-  REQUIRE(rows.size() == expected.size());
-  for (std::size_t row = 0; row < rows.size(); ++row)
-  {
-    for (std::size_t method = 0; method < 6; ++method)
-    {
-      INFO(rows[row].what << ": " << rows[row].verdicts[method].what);
-      CHECK(rows[row].verdicts[method].holds == expected[row][method]);
-    }
-  }
+  check_verdicts(
+      flight_verdicts(),
+      {"discrete", "8 substeps", "speculative to 2 cm", "speculative", "the same with full bounce",
+       "swept"},
+      {"-+-+++", "---+++", "---+++", "---+++", "---+++", "---+++", "++---+", "+++--+", "++--++",
+       "----++"});
 }
 
 TEST_CASE("who finds when two boxes touch", "[case:J5][case:J6]")
 {
-  const std::vector<VerdictRow> rows = box_sweep_verdicts();
-  // Overlap at the end, halving, turning left out, swept_boxes.
-  const std::vector<std::vector<bool>> expected{
-      {true, false, true, true},
-      {false, true, true, true},
-      {false, false, true, true},
-      {false, true, false, true}};
-  REQUIRE(rows.size() == expected.size());
-  for (std::size_t row = 0; row < rows.size(); ++row)
-  {
-    for (std::size_t method = 0; method < 4; ++method)
-    {
-      INFO(rows[row].what << ": " << rows[row].verdicts[method].what);
-      CHECK(rows[row].verdicts[method].holds == expected[row][method]);
-    }
-  }
+  check_verdicts(
+      box_sweep_verdicts(), {"overlap at the end", "halving", "turning left out", "swept_boxes"},
+      {"+-++", "-+++", "--++", "-+-+"});
 }
 // [verdicts]
