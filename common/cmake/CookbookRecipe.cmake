@@ -114,7 +114,6 @@ function(cookbook_helper name)
   add_library(${name} STATIC EXCLUDE_FROM_ALL ${name}.cpp)
   target_link_libraries(${name} PUBLIC ${COOKBOOK_CHAPTER_TARGET} ${ARGN})
   cookbook_warnings(${name})
-  target_precompile_headers(${name} REUSE_FROM cookbook_program_headers)
 endfunction()
 
 # cookbook_precompiled(NAME HEADER [LIBRARY…]): headers that every program, or every test, reads first
@@ -206,8 +205,6 @@ function(cookbook_test_program target source)
   if(NOT target MATCHES "_accuracy_test$")
     cookbook_lightly(${target})
     target_precompile_headers(${target} REUSE_FROM cookbook_test_headers)
-  else()
-    target_precompile_headers(${target} REUSE_FROM cookbook_program_headers)
   endif()
 endfunction()
 
