@@ -31,6 +31,18 @@ struct VerdictRow
   std::vector<Verdict> verdicts; ///< as many as there are methods
 };
 
+/// The names of methods, in their order: the columns of a table.
+template <class Methods>
+std::vector<std::string> names_of(const Methods& methods)
+{
+  std::vector<std::string> names;
+  for (const auto& method : methods)
+  {
+    names.push_back(method.name);
+  }
+  return names;
+}
+
 /// The table as HTML, for a page to include; each row with an id can be linked to as `case-C4`, or
 /// with another mark, for a second table of the same cases on a page.
 ///

@@ -54,7 +54,7 @@ int main(int argc, char** argv)
           const std::string mark = part.name == "box_failures" ? "case" : part.name;
           save_figure(
               given, part.name + ".html",
-              verdict_table(part.caption, method_names(part), verdict_rows(part), mark));
+              verdict_table(part.caption, names_of(part.methods), verdict_rows(part), mark));
         }
       });
 }

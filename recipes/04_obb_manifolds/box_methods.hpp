@@ -57,15 +57,4 @@ inline Verdict verdict_on_decisions(const BoxMethod& method, bool needs_points)
 /// What the methods make of all cases; neighbours such as G9b have no id of their own.
 std::vector<VerdictRow> verdict_rows(const VerdictPart& part);
 
-/// The names of a part's methods.
-inline std::vector<std::string> method_names(const VerdictPart& part)
-{
-  std::vector<std::string> names;
-  for (const BoxMethod& method : part.methods)
-  {
-    names.push_back(method.name);
-  }
-  return names;
-}
-
 } // namespace cookbook

@@ -89,6 +89,7 @@ int main(int argc, char** argv)
         save_figure(given, "contact_reduction_yaw.svg", yaw_chart().svg());
         save_figure(
             given, "contact_reduction_verdicts.html",
-            verdict_table("Four points of eight", reduction_method_names(), reduction_verdicts()));
+            verdict_table(
+                "Four points of eight", names_of(reduction_methods()), reduction_verdicts()));
       });
 }

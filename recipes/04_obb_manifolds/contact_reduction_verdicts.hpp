@@ -84,15 +84,4 @@ inline std::vector<VerdictRow> reduction_verdicts()
   return rows;
 }
 
-/// The names of all ways, in the order of the verdicts.
-inline std::vector<std::string> reduction_method_names()
-{
-  std::vector<std::string> names;
-  for (const ReductionMethod& method : reduction_methods())
-  {
-    names.push_back(method.name);
-  }
-  return names;
-}
-
 } // namespace cookbook

@@ -97,6 +97,6 @@ int main(int argc, char** argv)
         draw(given);
         save_figure(
             given, "feature_memory_verdicts.html",
-            verdict_table("From frame to frame", frame_method_names(), frame_verdicts()));
+            verdict_table("From frame to frame", names_of(frame_methods()), frame_verdicts()));
       });
 }

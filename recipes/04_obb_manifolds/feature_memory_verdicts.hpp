@@ -120,17 +120,6 @@ inline Verdict verdict_on_points(const FrameMethod& method, const Frames& frames
 }
 // [frame_verdicts]
 
-/// The names of all methods, in the order of the verdicts.
-inline std::vector<std::string> frame_method_names()
-{
-  std::vector<std::string> names;
-  for (const FrameMethod& method : frame_methods())
-  {
-    names.push_back(method.name);
-  }
-  return names;
-}
-
 /// What all methods make of all cases; a neighbour of G10 has no id of its own.
 inline std::vector<VerdictRow> frame_verdicts()
 {

@@ -97,6 +97,6 @@ int main(int argc, char** argv)
         save_figure(
             given, "gjk_epa_verdicts.html",
             verdict_table(
-                "Four ways to run GJK and EPA", convex_method_names(), convex_verdicts()));
+                "Four ways to run GJK and EPA", names_of(convex_methods()), convex_verdicts()));
       });
 }

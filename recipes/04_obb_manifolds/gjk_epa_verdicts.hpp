@@ -129,15 +129,4 @@ inline std::vector<VerdictRow> convex_verdicts()
   return rows;
 }
 
-/// The names of all methods, in the order of the verdicts.
-inline std::vector<std::string> convex_method_names()
-{
-  std::vector<std::string> names;
-  for (const ConvexMethod& method : convex_methods())
-  {
-    names.push_back(method.name);
-  }
-  return names;
-}
-
 } // namespace cookbook

@@ -105,18 +105,6 @@ std::vector<BounceMethod<Real>> bounce_methods()
 }
 // [bounce_methods]
 
-/// The names of methods, in their order.
-template <class Method>
-std::vector<std::string> names(const std::vector<Method>& methods)
-{
-  std::vector<std::string> result;
-  for (const Method& method : methods)
-  {
-    result.push_back(method.name);
-  }
-  return result;
-}
-
 /// A number for a table: rounding errors below a millionth are none.
 inline std::string tidy(double value)
 {

@@ -37,14 +37,10 @@ void run(const Arguments& given)
   save_figure(given, "damping.svg", fall_figure().svg());
   save_figure(given, "damping_factor.svg", factor_figure().svg());
   save_figure(given, "damping_error.svg", error_figure().svg());
-  std::vector<std::string> names;
-  for (const DampingMethod& method : damping_methods())
-  {
-    names.push_back(method.name);
-  }
   save_figure(
       given, "damping_cases.html",
-      verdict_table("Ways to wear off a velocity.", names, damping_verdicts()));
+      verdict_table(
+          "Ways to wear off a velocity.", names_of(damping_methods()), damping_verdicts()));
 }
 
 } // namespace

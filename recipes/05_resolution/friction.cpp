@@ -74,7 +74,7 @@ void run(const Arguments& given)
       given, "friction_cases.html",
       verdict_table(
           "Slides, slopes and rolls that have closed forms, at 240 steps a second.",
-          friction_rule_names(), friction_verdicts()));
+          names_of(friction_rules()), friction_verdicts()));
 }
 
 } // namespace

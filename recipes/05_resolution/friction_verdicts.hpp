@@ -126,17 +126,6 @@ inline std::vector<FrictionCase> friction_cases()
       {"", "the same, spin left out", [=](const Rule& rule) { return rolls(no_spin, rule); }}};
 }
 
-/// The names of the rules.
-inline std::vector<std::string> friction_rule_names()
-{
-  std::vector<std::string> names;
-  for (const FrictionRule& rule : friction_rules())
-  {
-    names.push_back(rule.name);
-  }
-  return names;
-}
-
 /// The verdicts: a row for each case, a column for each rule.
 inline std::vector<VerdictRow> friction_verdicts()
 {

@@ -35,7 +35,7 @@ void run(const Arguments& given)
       verdict_table(
           "Bounces that lose nothing: each body comes down at 1 m/s and is to come up at 1 m/s, "
           "to 1 %, with a spin of at most 0.01 rad/s.",
-          names(bounce_methods<double>()), bounce_verdicts()));
+          names_of(bounce_methods<double>()), bounce_verdicts()));
   save_figure(
       given, "impulse_responses.html",
       verdict_table(

@@ -29,7 +29,7 @@ void run(const Arguments& given)
   save_figure(
       given, "integrators_cases.html",
       verdict_table(
-          "Things that swing and fall, by six integrators.", integrator_names(),
+          "Things that swing and fall, by six integrators.", names_of(integrators<double>()),
           integrator_verdicts()));
   save_figure(
       given, "integrators_published.html",

@@ -22,17 +22,6 @@ inline std::string decimals(double value, int count)
   return number(std::round(value * scale) / scale);
 }
 
-/// The names of the integrators, in their order.
-inline std::vector<std::string> integrator_names()
-{
-  std::vector<std::string> names;
-  for (const Integrator<double>& method : integrators<double>())
-  {
-    names.push_back(method.name);
-  }
-  return names;
-}
-
 // [integrator_verdicts]
 /// Whether the oscillator keeps its energy to 1 % over 10 s at 60 Hz.
 inline Verdict keeps_energy(const Integrator<double>& method)

@@ -96,17 +96,6 @@ inline std::vector<StackCase> stack_cases()
 }
 // [stack_cases]
 
-/// The names of the methods.
-inline std::vector<std::string> contact_method_names()
-{
-  std::vector<std::string> names;
-  for (const ContactMethod& method : contact_methods())
-  {
-    names.push_back(method.name);
-  }
-  return names;
-}
-
 /// The verdicts on stacks: a row for each, a column for each method.
 inline std::vector<VerdictRow> stack_verdicts()
 {

@@ -70,7 +70,7 @@ void run(const Arguments& given)
       verdict_table(
           "Stacks at 60 frames a second, nothing asleep: impulses, and positions with 1 small step "
           "of 20 passes or 20 of 1.",
-          contact_method_names(), stack_verdicts()));
+          names_of(contact_methods()), stack_verdicts()));
 }
 
 } // namespace

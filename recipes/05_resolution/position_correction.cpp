@@ -62,8 +62,8 @@ void run(const Arguments& given)
   save_figure(
       given, "position_correction_cases.html",
       verdict_table(
-          "A cube of 1 m that starts inside the floor, at 60 frames a second.", correction_names(),
-          correction_verdicts()));
+          "A cube of 1 m that starts inside the floor, at 60 frames a second.",
+          names_of(corrections()), correction_verdicts()));
 }
 
 } // namespace

@@ -111,17 +111,6 @@ inline std::vector<CorrectionCase> correction_cases()
 }
 // [correction_cases]
 
-/// The names of the ways.
-inline std::vector<std::string> correction_names()
-{
-  std::vector<std::string> names;
-  for (const Correction& way : corrections())
-  {
-    names.push_back(way.name);
-  }
-  return names;
-}
-
 /// The verdicts: a row for each case, a column for each way.
 inline std::vector<VerdictRow> correction_verdicts()
 {

@@ -54,7 +54,7 @@ void run(const Arguments& given)
       given, "restitution_cases.html",
       verdict_table(
           "A ball that is dropped, at 60 steps a second: which moment's speed is given back.",
-          bounce_rule_names(), drop_verdicts()));
+          names_of(bounce_rules()), drop_verdicts()));
 }
 
 } // namespace

@@ -98,17 +98,6 @@ inline std::vector<DropCase> drop_cases()
 }
 // [restitution_cases]
 
-/// The names of the rules.
-inline std::vector<std::string> bounce_rule_names()
-{
-  std::vector<std::string> names;
-  for (const BounceRule& rule : bounce_rules())
-  {
-    names.push_back(rule.name);
-  }
-  return names;
-}
-
 /// The verdicts on drops: a row for each, a column for each rule.
 inline std::vector<VerdictRow> drop_verdicts()
 {

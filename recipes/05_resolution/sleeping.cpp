@@ -14,16 +14,6 @@ namespace
 
 using namespace cookbook;
 
-std::vector<std::string> rule_names()
-{
-  std::vector<std::string> names;
-  for (const SleepRule& rule : sleep_rules())
-  {
-    names.push_back(rule.name);
-  }
-  return names;
-}
-
 // [print_slopes]
 void print_slopes(double speed)
 {
@@ -66,7 +56,7 @@ void draw(const Arguments& given)
   save_figure(
       given, "sleeping_cases.html",
       verdict_table(
-          "Balls, watched 60 times a second: who falls asleep when.", rule_names(),
+          "Balls, watched 60 times a second: who falls asleep when.", names_of(sleep_rules()),
           sleep_verdicts()));
   save_figure(
       given, "sleeping_waking.html",

@@ -18,17 +18,12 @@ using namespace cookbook;
 
 void save_tables(const Arguments& given)
 {
-  std::vector<std::string> methods;
-  for (const SpinMethod& method : spin_methods())
-  {
-    methods.push_back(method.name);
-  }
   save_figure(
       given, "spinning_bodies_cases.html",
       verdict_table(
           "Free spins at 60 Hz. I4: flips within 2 %, energy within 1 %, |L| within 0.1 %; L turns "
           "by no more than 0.01 rad.",
-          methods, spin_verdicts()));
+          names_of(spin_methods()), spin_verdicts()));
   save_figure(
       given, "spinning_bodies_turns.html",
       verdict_table(

@@ -15,18 +15,6 @@ namespace
 
 using namespace cookbook;
 
-/// The names of methods, in their order.
-template <class Method>
-std::vector<std::string> method_names(const std::vector<Method>& methods)
-{
-  std::vector<std::string> names;
-  for (const Method& method : methods)
-  {
-    names.push_back(method.name);
-  }
-  return names;
-}
-
 void print_speeds(double thickness, double radius, double step)
 {
   std::cout << "a ball may be pushed out behind the wall from "
@@ -78,11 +66,11 @@ void draw(const Arguments& given)
       given, "tunnelling_cases.html",
       verdict_table(
           "100 balls each, at 60 steps a second where nothing else is said.",
-          method_names(flight_methods()), flight_verdicts()));
+          names_of(flight_methods()), flight_verdicts()));
   save_figure(
       given, "tunnelling_boxes.html",
       verdict_table(
-          "The first touch of two boxes, to 0.1 ms.", method_names(box_sweep_methods()),
+          "The first touch of two boxes, to 0.1 ms.", names_of(box_sweep_methods()),
           box_sweep_verdicts()));
 }
 

@@ -43,7 +43,7 @@ std::map<std::string, Names> failing(std::size_t part)
 std::map<std::string, Verdict> row_of(std::size_t part, const std::string& id)
 {
   const VerdictPart judged = verdict_parts().at(part);
-  const std::vector<std::string> names = method_names(judged);
+  const std::vector<std::string> names = names_of(judged.methods);
   std::map<std::string, Verdict> said;
   for (const VerdictRow& row : verdict_rows(judged))
   {

@@ -262,7 +262,7 @@ TEST_CASE(
     "[case:G19]")
 {
   using Names = std::set<std::string>;
-  const std::vector<std::string> names = reduction_method_names();
+  const std::vector<std::string> names = names_of(reduction_methods());
   const std::vector<VerdictRow> rows = reduction_verdicts();
   const std::array<Names, 2> fails{Names{"reduced_over"}, Names{"four_deepest", "reduced_over"}};
   REQUIRE(rows.size() == fails.size());

@@ -264,7 +264,7 @@ TEST_CASE(
     "[case:G10][case:G20]")
 {
   using Names = std::set<std::string>;
-  const std::vector<std::string> names = frame_method_names();
+  const std::vector<std::string> names = names_of(frame_methods());
   const std::vector<VerdictRow> rows = frame_verdicts();
   const Names forgetful{
       "separating_axes", "edge_clipping", "face_clipping", "box_box", "box_box, by index"};

@@ -676,7 +676,7 @@ TEST_CASE("the table has a verdict of each method on each case", "[gjk][epa]")
   REQUIRE(rows.size() == convex_cases().size());
   for (const VerdictRow& row : rows)
   {
-    CHECK(row.verdicts.size() == convex_method_names().size());
+    CHECK(row.verdicts.size() == names_of(convex_methods()).size());
     CHECK(row.verdicts[0].holds);
   }
 }

@@ -382,7 +382,7 @@ TEST_CASE(
     "[case:S9][case:S10][case:S11][case:S12][case:S13][case:S28][long]")
 {
   check_verdicts(
-      friction_verdicts(), {"as published", "box", "pyramid", "cone"},
+      friction_verdicts(), names_of(friction_rules()),
       {"-+++", "-+++", "--++", "---+", "+-++", "-+++", "++++", "+--+", "---+", "-+++", "----"});
 }
 // [verdicts]

@@ -213,7 +213,7 @@ TEST_CASE("moments added up are right for one solid, without the rest of the mat
 {
   const std::vector<VerdictRow> rows = inertia_verdicts();
   check_verdicts(
-      rows, {"moments added up", "parallel axes without products", "combined"},
+      rows, {"moments added up", "parallel axes, diagonal only", "combined"},
       {"+++", "-++", "-++", "--+", "--+"});
   CHECK(rows[1].verdicts[0].what == "off by 75 %"); // 8/6 of 16/3
 }

@@ -208,7 +208,7 @@ TEST_CASE("who holds and who fails at stacks", "[case:S1][case:S2][case:S4][case
 {
   // As published; cold 8 and 20, warm 8 and 20 passes; positions 1 × 20, 20 × 1.
   check_verdicts(
-      stack_verdicts(), contact_method_names(),
+      stack_verdicts(), names_of(contact_methods()),
       {"-++++-+", "----+++", "----+++", " +++++ ", " +++++ ", " +++++ ", "------+", "----+++"});
 }
 #endif

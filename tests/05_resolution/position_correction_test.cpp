@@ -222,8 +222,6 @@ TEST_CASE(
 TEST_CASE("who holds and who fails at a cube inside the floor", "[case:S18]")
 {
   check_verdicts(
-      correction_verdicts(),
-      {"projection", "Baumgarte", "the same with a limit", "Gauss–Seidel", "split", "soft"},
-      {"+--+++", "--+-++", "---+++", "++++++"});
+      correction_verdicts(), names_of(corrections()), {"+--+++", "--+-++", "---+++", "++++++"});
 }
 // [verdicts]

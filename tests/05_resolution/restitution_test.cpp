@@ -249,8 +249,7 @@ TEST_CASE("stopped at the floor in time, 10 m/s comes back as 10, unless forgott
 TEST_CASE("who holds and who fails at drops", "[case:S15][case:S16][case:S17][case:J8]")
 {
   check_verdicts(
-      drop_verdicts(),
-      {"before gravity", "after gravity", "with threshold", "at the touch", "with threshold"},
+      drop_verdicts(), names_of(bounce_rules()),
       {"---++", "---++", "---++", "----+", "--+++", "-----", "---++"});
 }
 // [verdicts]

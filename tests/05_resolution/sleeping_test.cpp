@@ -267,7 +267,7 @@ TEST_CASE("a ball with e = 0.39 or 0.8 sleeps within 6 s, if bounces of 2 g dt e
 TEST_CASE("which rule puts whom to sleep", "[case:L1][case:L4]")
 {
   check_verdicts(
-      sleep_verdicts(), {"slow", "slow for 0.5 s", "slow and still and steady"},
+      sleep_verdicts(), names_of(sleep_rules()),
       {"-++", "--+", "--+", "---", "--+", "--+", "--+", "+++", "-++", "-++", "-+-", "---"});
 }
 

@@ -305,9 +305,7 @@ TEST_CASE("speculative leaves a ball of 10 m/s and e = 1 the gap over the step",
 TEST_CASE("which balls who stops, lets by and lets bounce", "[case:J1][case:J2][case:J4][case:J8]")
 {
   check_verdicts(
-      flight_verdicts(),
-      {"discrete", "8 substeps", "speculative to 2 cm", "speculative", "the same with full bounce",
-       "swept"},
+      flight_verdicts(), names_of(flight_methods()),
       {"-+-+++", "---+++", "---+++", "---+++", "---+++", "---+++", "++---+", "+++--+", "++--++",
        "----++"});
 }
@@ -315,7 +313,6 @@ TEST_CASE("which balls who stops, lets by and lets bounce", "[case:J1][case:J2][
 TEST_CASE("who finds when two boxes touch", "[case:J5][case:J6]")
 {
   check_verdicts(
-      box_sweep_verdicts(), {"overlap at the end", "halving", "turning left out", "swept_boxes"},
-      {"+-++", "-+++", "--++", "-+-+"});
+      box_sweep_verdicts(), names_of(box_sweep_methods()), {"+-++", "-+++", "--++", "-+-+"});
 }
 // [verdicts]
