@@ -1,5 +1,5 @@
 /// \file
-/// Catch2, whichever of its versions 2 and 3 is installed.
+/// Catch2, whichever of its versions 2 and 3 is installed, by the names of version 3.
 #pragma once
 
 #if __has_include(<catch2/catch_all.hpp>)
@@ -9,5 +9,12 @@
 namespace Catch
 {
 using Detail::Approx;
+namespace Matchers
+{
+inline auto ContainsSubstring(const std::string& text)
+{
+  return Contains(text);
 }
+} // namespace Matchers
+} // namespace Catch
 #endif

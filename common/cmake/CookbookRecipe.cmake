@@ -5,7 +5,7 @@ include(CheckCXXCompilerFlag)
 # cookbook_warnings(TARGET [OPTION…]): what this project asks of its own code, not of a game's.
 function(cookbook_warnings target)
   target_compile_options(${target} PRIVATE
-    -Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<BOOL:${PROJECT_IS_TOP_LEVEL}>:-Werror>
+    -Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<BOOL:${COOKBOOK_STRICT}>:-Werror>
     $<$<CONFIG:Release>:-O3> -fno-math-errno -ffp-contract=off ${ARGN})
   # g++ 12 warns of overlapping copies inside std::string that cannot happen.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)

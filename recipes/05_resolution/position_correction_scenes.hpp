@@ -155,7 +155,8 @@ inline std::vector<Correction> corrections()
 /// The cube after each frame, for some time [s]; first as it starts.
 inline std::vector<SunkCube> run_out(SunkCube cube, const Correction& way, double time)
 {
-  std::vector<SunkCube> rows{cube};
+  std::vector<SunkCube> rows;
+  rows.push_back(cube);
   for (int i = 0; i < int(std::lround(time / frame_time)); ++i)
   {
     way.advance(cube);

@@ -116,7 +116,8 @@ inline std::vector<Flight> flight(const Drop& drop, const BounceRule& rule)
   const double radius = ball.center.y() - drop.height;
   const double half = drop.gravity * drop.step / 2;
   ball.velocity.y() = half;
-  std::vector<Flight> rows{{0, drop.height, 0}};
+  std::vector<Flight> rows;
+  rows.push_back({0, drop.height, 0});
   for (int i = 1; i * drop.step <= drop.duration + drop.step / 2; ++i)
   {
     ball.velocity.y() -= 2 * half;

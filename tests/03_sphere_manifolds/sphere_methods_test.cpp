@@ -61,7 +61,7 @@ TEST_CASE("as published: unit spheres 1.9 apart move by 0.5 each where 0.05 is r
   const auto published = sphere_sphere_as_published(at_x(0, 1), at_x(1.9f, 1));
   const auto right = sphere_sphere(at_x(0, 1), at_x(1.9f, 1));
   CHECK(penetration_distance(*published) == 0.5f);
-  CHECK(penetration_distance(*right) == Approx(0.05).margin(1e-6)); // 4 ulp of 1, rounded up
+  CHECK(penetration_distance(*right) == Catch::Approx(0.05).margin(1e-6)); // 4 ulp of 1, rounded up
 }
 
 TEST_CASE("as published: spheres of radius 0.5, 0.6 apart, have depth 0; right is 0.4", "[case:C2]")
@@ -69,7 +69,7 @@ TEST_CASE("as published: spheres of radius 0.5, 0.6 apart, have depth 0; right i
   CHECK(sphere_sphere_as_published(at_x(0, 0.5f), at_x(0.6f, 0.5f))->depth == 0);
   CHECK(
       sphere_sphere(at_x(0, 0.5f), at_x(0.6f, 0.5f))->depth ==
-      Approx(0.4).margin(1e-6)); // 4 ulp of 1, rounded up
+      Catch::Approx(0.4).margin(1e-6)); // 4 ulp of 1, rounded up
 }
 
 TEST_CASE("as published: concentric and nearly concentric spheres do not touch", "[case:X02]")

@@ -46,7 +46,7 @@ void check_points(
   }
   for (const ContactPoint<Real>& point : manifold.points)
   {
-    CHECK(double(point.depth) == Approx(depth).margin(tolerance));
+    CHECK(double(point.depth) == Catch::Approx(depth).margin(tolerance));
     features.insert(point.feature);
   }
   CHECK(features.size() == places.size());
@@ -60,7 +60,7 @@ void check_manifold(
 {
   REQUIRE(manifold);
   CHECK((manifold->normal.template cast<double>() - normal).norm() <= rounding<Real>);
-  CHECK(double(manifold->depth) == Approx(depth).margin(rounding<Real>));
+  CHECK(double(manifold->depth) == Catch::Approx(depth).margin(rounding<Real>));
   check_points(*manifold, places, depth, rounding<Real>);
 }
 
@@ -258,7 +258,7 @@ TEST_CASE("a wrong verdict, an error of the depth and lost points are found", "[
   CHECK(box_check(pair, none).points_lost);
   Manifold<double> deeper = *right;
   deeper.depth += 0.01;
-  CHECK(box_check(pair, std::optional(deeper)).depth_error == Approx(0.01));
+  CHECK(box_check(pair, std::optional(deeper)).depth_error == Catch::Approx(0.01));
   const Manifold<double> single{
       right->normal, right->depth, ContactPoints<double, 8>(right->points[0])};
   CHECK(box_check(pair, std::optional(single)).points_lost);

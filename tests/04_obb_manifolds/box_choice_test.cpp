@@ -52,7 +52,7 @@ TEMPLATE_TEST_CASE("hair and margin go with the boxes' sizes", "[O9]", float, do
   {
     CHECK(tolerances.size == Real(6.875));
     CHECK(tolerances.hair == Real(27.5) * epsilon);
-    CHECK(tolerances.margin == Approx(0.00875).epsilon(1e-6));
+    CHECK(tolerances.margin == Catch::Approx(0.00875).epsilon(1e-6));
   }
 }
 // [tolerances]
@@ -71,15 +71,15 @@ TEMPLATE_TEST_CASE(
   {
     CAPTURE(degrees);
     const BoxesInRows<Real> parallel = turned_by<Real>(degrees);
-    CHECK(edge_bar<Real>(parallel, 4, tolerances) == Approx(3.8));
-    CHECK(edge_bar<Real>(parallel, Real(0.5), tolerances) == Approx(0.4375));
+    CHECK(edge_bar<Real>(parallel, 4, tolerances) == Catch::Approx(3.8));
+    CHECK(edge_bar<Real>(parallel, Real(0.5), tolerances) == Catch::Approx(0.4375));
     CHECK(edge_bar<Real>(parallel, Real(0.05), tolerances) == 0);
   }
   for (const double degrees : {1.4, 60.0, 121.5})
   {
     CAPTURE(degrees);
     const BoxesInRows<Real> oblique = turned_by<Real>(degrees);
-    CHECK(edge_bar<Real>(oblique, 4, tolerances) == Approx(3.999).epsilon(1e-6));
+    CHECK(edge_bar<Real>(oblique, 4, tolerances) == Catch::Approx(3.999).epsilon(1e-6));
     CHECK(edge_bar<Real>(oblique, Real(0.0005), tolerances) == 0);
   }
 }
@@ -137,7 +137,7 @@ TEMPLATE_TEST_CASE("axes of edges that are parallel are no axes", "[O4]", float,
     return least_edge(edges, Real(0.5));
   };
   CHECK(with_squared_length(1e-13).index == 4);
-  CHECK(with_squared_length(1e-13).squared_depth == Approx(1e-5));
+  CHECK(with_squared_length(1e-13).squared_depth == Catch::Approx(1e-5));
   CHECK_FALSE(with_squared_length(1e-15).found());
 }
 // [least]
@@ -217,7 +217,7 @@ TEMPLATE_TEST_CASE(
   const auto manifold = box_box(a, nearer);
   REQUIRE(manifold);
   CHECK(manifold->normal == Vector3<Real>(1, 0, 0));
-  CHECK(manifold->depth == Approx(most / 8));
+  CHECK(manifold->depth == Catch::Approx(most / 8));
   // Small boxes as far apart as numbers go are apart, not NaN.
   const Vector3<Real> unit(1, 1, 1);
   CHECK_FALSE(box_box(
@@ -260,9 +260,9 @@ TEMPLATE_TEST_CASE(
       deepest_point<Real>(a, b, Vector3<Real>(0, 1, 0), Real(0.125), 64);
   // B's lowest edge is at x = 0.5 + (0.25 − 0.5) / √2 …, and the axis z of both is the same.
   const double x = 0.5 + (0.25 - 0.5) * std::sqrt(0.5), y = 1.5 - 0.75 * std::sqrt(0.5) + 0.0625;
-  CHECK(double(point.position.x()) == Approx(x).epsilon(1e-6));
-  CHECK(double(point.position.y()) == Approx(std::min(y, 1.0)).epsilon(1e-6));
-  CHECK(std::abs(double(point.position.z()) - 0.25) == Approx(0.5).epsilon(1e-6));
+  CHECK(double(point.position.x()) == Catch::Approx(x).epsilon(1e-6));
+  CHECK(double(point.position.y()) == Catch::Approx(std::min(y, 1.0)).epsilon(1e-6));
+  CHECK(std::abs(double(point.position.z()) - 0.25) == Catch::Approx(0.5).epsilon(1e-6));
   CHECK(point.depth == Real(0.125));
   CHECK(point.feature == 64);
 }

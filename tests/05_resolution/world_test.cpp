@@ -268,7 +268,7 @@ TEST_CASE("a solver that there is not is answered with those there are")
 {
   CHECK_THROWS_WITH(
       run_world(named_scene("tower_1"), {.solver = "magic", .duration = 0}),
-      Catch::Contains("there is no solver 'magic'; there are direct,"));
+      Catch::Matchers::ContainsSubstring("there is no solver 'magic'; there are direct,"));
 }
 // [bad]
 
