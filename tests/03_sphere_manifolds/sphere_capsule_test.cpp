@@ -69,12 +69,36 @@ TEST_CASE("a capsule of length 0 is a sphere, and a ball out of reach has no man
   CHECK_FALSE(sphere_capsule<double>({{7, 1, 0}, 3.9}, slanted));
 }
 
-TEST_CASE("a ball centred on a capsule's axis parts from it along +y", "[case:C3]")
+// [on_the_axis]
+TEST_CASE("a ball centred on a capsule's axis parts from it square to the axis", "[case:C3]")
 {
-  const Manifold<double> manifold = sphere_capsule<double>({{0, 0, 0}, 0.5}, slanted).value();
-  CHECK(manifold.normal == Vector3<double>(0, 1, 0));
-  CHECK(manifold.depth == 1.5);
+  const auto normal_of = [](const Capsule<double>& capsule)
+  {
+    const Vector3<double> middle = (capsule.segment.start + capsule.segment.end) / 2;
+    const Manifold<double> manifold = sphere_capsule<double>({middle, 0.5}, capsule).value();
+    CHECK(manifold.depth == 1.5);
+    return manifold.normal;
+  };
+  // As close to +y as is square to the axis; +x where the axis itself is y.
+  CHECK((normal_of(slanted) - Vector3<double>(-0.8, 0.6, 0)).norm() <= rounding);
+  CHECK(normal_of({{{-2, 0, 0}, {2, 0, 0}}, 1}) == Vector3<double>(0, 1, 0));
+  CHECK(normal_of({{{0, 0, -2}, {0, 0, 2}}, 1}) == Vector3<double>(0, 1, 0));
+  CHECK(normal_of({{{0, -2, 0}, {0, 2, 0}}, 1}) == Vector3<double>(1, 0, 0));
+  CHECK(normal_of({{{1, 2, 3}, {1, 2, 3}}, 1}) == Vector3<double>(0, 1, 0));
 }
+
+TEST_CASE("a ball centred on the axis but for rounding still parts square to it", "[case:C3]")
+{
+  const Vector3<double> along = slanted.segment.end.normalized();
+  for (int i = 1; i < 1000; ++i)
+  {
+    const Vector3<double> center = slanted.segment.start + i * 0.001 * slanted.segment.end;
+    const Manifold<double> manifold = sphere_capsule<double>({center, 0.5}, slanted).value();
+    REQUIRE(std::abs(manifold.normal.dot(along)) <= rounding);
+    REQUIRE(manifold.depth == Catch::Approx(1.5).epsilon(rounding));
+  }
+}
+// [on_the_axis]
 
 TEST_CASE("a float ball 1e-6 from touching a 1 km capsule gets that gap right", "[P2]")
 {
