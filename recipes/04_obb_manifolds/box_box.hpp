@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <cstring>
 #include <optional>
+#include <utility>
 
 namespace cookbook
 {
@@ -29,22 +30,21 @@ Vector3<Real> vector_of(const Group<Real, 3>& group)
 }
 
 // [edge_manifold]
-/// The manifold on the axis of two edges: one point.
+/// The manifold on the axis of two edges, 3 i + j for a_i × b_j, along which the boxes overlap by
+/// `depth` [m]: one point.
 template <class Real>
 std::optional<Manifold<Real>>
-edge_manifold(const Obb<Real>& a, const BoxesInRows<Real>& boxes, const LeastEdge<Real>& edge)
+edge_manifold(const Obb<Real>& a, const BoxesInRows<Real>& boxes, int edges, const Real& depth)
 {
   const auto built = [&]
   {
-    const int i = edge.index / 3, j = edge.index % 3;
+    const int i = edges / 3, j = edges % 3;
     const EdgeContact<Real> contact = edge_contact<Real>(a, boxes, i, j);
-    const Real depth = std::sqrt(edge.squared_depth);
     Manifold<Real> manifold;
     manifold.normal = vector_of<Real>(contact.normal);
     manifold.depth = depth;
     manifold.points.push_back(
-        {vector_of<Real>(contact.position), depth,
-         static_cast<std::uint32_t>(64 * (6 + edge.index))});
+        {vector_of<Real>(contact.position), depth, static_cast<std::uint32_t>(64 * (6 + edges))});
     return manifold;
   };
   return std::optional<Manifold<Real>>(std::in_place, Build(built));
@@ -77,11 +77,12 @@ void write_point(ContactPoint<Real>& point, const Group<Real, 4>& numbers, std::
   point.feature = feature;
 }
 
-/// The manifold on the axis of a face: the corners of the polygon in which two faces overlap.
+/// The manifold on the axis of a face: the corners of the polygon in which two faces overlap, with
+/// gaps up to `widest_gap` [m]; a hair [m] decides no corner.
 template <class Real>
 std::optional<Manifold<Real>> face_manifold(
     const Obb<Real>& a, const Obb<Real>& b, const BoxesInRows<Real>& boxes,
-    const LeastFace<Real>& face, const Tolerances<Real>& tolerances)
+    const LeastFace<Real>& face, const Real& widest_gap, const Real& hair)
 {
   const bool of_a = face.index < 3;
   const Obb<Real>& box = of_a ? a : b;
@@ -90,7 +91,7 @@ std::optional<Manifold<Real>> face_manifold(
   {
     const FaceContact<Real> contact = face_contact<Real>(
         box, other, of_a ? boxes.rows : boxes.columns, of_a ? boxes.offset_a : boxes.offset_b,
-        of_a ? face.index : face.index - 3, kept_gap(face, tolerances), tolerances.hair);
+        of_a ? face.index : face.index - 3, widest_gap, hair);
     Manifold<Real> manifold;
     manifold.normal = contact.normal * (of_a ? Real(1) : Real(-1));
     manifold.depth = face.depth;
@@ -119,12 +120,19 @@ std::optional<Manifold<Real>> face_manifold(
 }
 // [face_manifold]
 
-// [box_manifold]
-/// The manifold of two boxes whose squares fit.
+// [box_choice]
+/// What the manifold of two boxes is built on: the edges, if they were found, or the face.
 template <class Real>
-std::optional<Manifold<Real>> box_manifold(
-    const Obb<Real>& a, const Obb<Real>& b, const BoxesInRows<Real>& boxes,
-    const Tolerances<Real>& tolerances)
+struct BoxChoice
+{
+  LeastFace<Real> face;
+  LeastEdge<Real> edge;
+};
+
+/// The choice for two boxes whose squares fit; nothing where they are apart.
+template <class Real>
+std::optional<BoxChoice<Real>>
+box_choice(const BoxesInRows<Real>& boxes, const Tolerances<Real>& tolerances)
 {
   using Row = Group<Real, 3>;
   const Row face_a = face_overlaps(boxes.half_a, boxes.columns, boxes.half_b, boxes.offset_a);
@@ -140,9 +148,26 @@ std::optional<Manifold<Real>> box_manifold(
     return std::nullopt;
   }
   const LeastFace<Real> face = least_face<Real>(face_a, face_b);
-  const LeastEdge<Real> edge = least_edge(edges, edge_bar(boxes, face.depth, tolerances));
-  return edge.found() ? edge_manifold(a, boxes, edge)
-                      : face_manifold(a, b, boxes, face, tolerances);
+  return BoxChoice<Real>{face, least_edge(edges, edge_bar(boxes, face.depth, tolerances))};
+}
+// [box_choice]
+
+// [box_manifold]
+/// The manifold of two boxes whose squares fit.
+template <class Real>
+std::optional<Manifold<Real>> box_manifold(
+    const Obb<Real>& a, const Obb<Real>& b, const BoxesInRows<Real>& boxes,
+    const Tolerances<Real>& tolerances)
+{
+  const std::optional<BoxChoice<Real>> choice = box_choice(boxes, tolerances);
+  if (!choice)
+  {
+    return std::nullopt;
+  }
+  const auto& [face, edge] = *choice;
+  return edge.found()
+             ? edge_manifold<Real>(a, boxes, edge.index, std::sqrt(edge.squared_depth))
+             : face_manifold(a, b, boxes, face, kept_gap(face, tolerances), tolerances.hair);
 }
 // [box_manifold]
 
@@ -188,6 +213,33 @@ template <class Real>
   return box_manifold(a, b, boxes, tolerances);
 }
 // [box_box]
+
+// [box_axis]
+/// The axis, 0 … 14, on which box_box() builds its manifold, and the overlap [m] along it; nothing
+/// where the boxes are apart.
+template <class Real>
+[[gnu::flatten]] std::optional<std::pair<int, Real>>
+box_axis(const Obb<Real>& a, const Obb<Real>& b)
+{
+  const BoxesInRows<Real> boxes = boxes_in_rows(a, b);
+  const Tolerances<Real> tolerances = tolerances_of(a, b);
+  if (!has_moderate_size(tolerances.size))
+  {
+    const std::optional<Manifold<Real>> found = box_box_at_unit_size(a, b);
+    return found ? std::optional(
+                       std::pair(static_cast<int>(found->points[0].feature / 64), found->depth))
+                 : std::nullopt;
+  }
+  const std::optional<BoxChoice<Real>> choice = box_choice(boxes, tolerances);
+  if (!choice)
+  {
+    return std::nullopt;
+  }
+  const auto& [face, edge] = *choice;
+  return edge.found() ? std::pair(6 + edge.index, Real(std::sqrt(edge.squared_depth)))
+                      : std::pair(face.index, face.depth);
+}
+// [box_axis]
 
 } // namespace COOKBOOK_INSTRUCTION_SET
 } // namespace cookbook

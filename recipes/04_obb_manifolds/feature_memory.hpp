@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace cookbook
 {
@@ -53,6 +54,21 @@ carried_by_id(const Manifold<Real>& before, const PerPoint<Warm>& warm, const Ma
 // [feature_id]
 
 // [on_axis]
+/// The direction of an axis, 0 … 14, of two boxes, of length one; it may point from B to A.
+template <class Real>
+Vector3<Real> axis_direction(const Obb<Real>& a, const Obb<Real>& b, int axis)
+{
+  switch (axis_kind(axis))
+  {
+  case AxisKind::face_of_a:
+    return a.axes.col(axis);
+  case AxisKind::face_of_b:
+    return b.axes.col(axis - 3);
+  default:
+    return a.axes.col((axis - 6) / 3).cross(b.axes.col((axis - 6) % 3)).normalized();
+  }
+}
+
 /// The overlap of two boxes along an axis, 0 … 14 [m]; negative if they are apart along it, and
 /// nothing if it comes from parallel edges.
 template <class Real>
@@ -64,16 +80,26 @@ std::optional<Real> overlap_on(const Obb<Real>& a, const Obb<Real>& b, int axis)
                                     : std::optional(along.overlap / sqrt(along.squared_length));
 }
 
-/// The manifold of two boxes on an axis, 0 … 14, that somebody chose; they must overlap along it by
-/// `depth` [m], zero or more.
+/// The manifold of two boxes on an axis, 0 … 14, that somebody chose, along which they overlap by
+/// `depth` [m]; below zero they are apart. Corners with a gap are kept up to `widest_gap` [m].
+template <class Real>
+std::optional<Manifold<Real>> box_box_on(
+    const Obb<Real>& a, const Obb<Real>& b, int axis, const Real& depth, const Real& widest_gap)
+{
+  const BoxesInRows<Real> boxes = boxes_in_rows(a, b);
+  return axis_kind(axis) == AxisKind::edges
+             ? edge_manifold(a, boxes, axis - 6, depth)
+             : face_manifold(
+                   a, b, boxes, LeastFace<Real>{depth, axis}, widest_gap, tolerances_of(a, b).hair);
+}
+
+/// The same with the gap that box_box() allows.
 template <class Real>
 std::optional<Manifold<Real>>
 box_box_on(const Obb<Real>& a, const Obb<Real>& b, int axis, const Real& depth)
 {
-  const BoxesInRows<Real> boxes = boxes_in_rows(a, b);
-  return axis_kind(axis) == AxisKind::edges
-             ? edge_manifold(a, boxes, LeastEdge<Real>{depth * depth, axis - 6})
-             : face_manifold(a, b, boxes, LeastFace<Real>{depth, axis}, tolerances_of(a, b));
+  return box_box_on(
+      a, b, axis, depth, kept_gap<Real>(LeastFace<Real>{depth, axis}, tolerances_of(a, b)));
 }
 // [on_axis]
 
@@ -90,26 +116,25 @@ Real axis_margin(const Obb<Real>& a, const Obb<Real>& b, Real depth)
   return Real(0.01) * smaller + Real(0.1) * depth;
 }
 
-/// The overlap [m] along an old axis, if that is kept though a new one was found to be the better;
-/// O17.
+/// The axis, 0 … 14, on which the manifold of this frame is built, and the overlap [m] along it:
+/// those of the frame before, −1 if there was none, or those that were found now; O17.
 ///
 /// A face is kept against faces and edges; a pair of edges only against other pairs of edges, for
 /// its one point shall not stay where a face has come to lie on a face.
 template <class Real>
-std::optional<Real>
-kept_overlap(const Obb<Real>& a, const Obb<Real>& b, int before, const Manifold<Real>& found)
+std::pair<int, Real>
+steady_axis(int before, const Obb<Real>& a, const Obb<Real>& b, const std::pair<int, Real>& found)
 {
-  const int now = axis_of_feature(found.points[0].feature);
+  const auto [now, depth] = found;
   const bool edge_for_face =
-      axis_kind(before) == AxisKind::edges && axis_kind(now) != AxisKind::edges;
-  if (before == now || edge_for_face)
+      before >= 0 && axis_kind(before) == AxisKind::edges && axis_kind(now) != AxisKind::edges;
+  if (before < 0 || before == now || edge_for_face)
   {
-    return std::nullopt;
+    return found;
   }
   const std::optional<Real> overlap = overlap_on(a, b, before);
-  const bool kept =
-      overlap && *overlap >= Real(0) && *overlap <= found.depth + axis_margin(a, b, found.depth);
-  return kept ? overlap : std::nullopt;
+  const bool kept = overlap && *overlap >= Real(0) && *overlap <= depth + axis_margin(a, b, depth);
+  return kept ? std::pair(before, *overlap) : found;
 }
 // [keeps_axis]
 
@@ -136,10 +161,12 @@ next_frame(const ContactMemory<Real, Warm>& before, const Obb<Real>& a, const Ob
   {
     return now;
   }
-  const int axis = axis_of(before.manifold);
-  if (const std::optional<Real> overlap = kept_overlap(a, b, axis, *now.manifold))
+  const int found = axis_of(now.manifold);
+  const auto [axis, overlap] =
+      steady_axis(axis_of(before.manifold), a, b, std::pair(found, now.manifold->depth));
+  if (axis != found)
   {
-    now.manifold = box_box_on(a, b, axis, *overlap);
+    now.manifold = box_box_on(a, b, axis, overlap);
   }
   now.warm = carried_by_id(*before.manifold, before.warm, *now.manifold);
   return now;

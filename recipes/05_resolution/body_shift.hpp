@@ -5,8 +5,7 @@
 /// positions.
 
 #include "05_resolution/island_points.hpp"
-
-#include <cmath>
+#include "05_resolution/rotation_by.hpp"
 
 namespace cookbook
 {
@@ -26,12 +25,8 @@ inline void turn(RigidBody& body, const Vector3<double>& rotation)
 /// Gives a body the velocities that lead from where it was to where it is, in a time [s].
 inline void velocities_from(const RigidBody& before, RigidBody& now, double time)
 {
-  const Quaternion<double> turned = now.orientation * before.orientation.conjugate();
-  const Vector3<double> sine = turned.w() < 0 ? Vector3<double>(-turned.vec()) : turned.vec();
-  const double length = sine.norm();
-  const double half_angle = std::atan2(length, std::abs(turned.w()));
   now.velocity = (now.position - before.position) / time;
-  now.angular_velocity = (length > 0 ? 2 * half_angle / (length * time) : 0) * sine;
+  now.angular_velocity = turn_between<double>(before.orientation, now.orientation) / time;
 }
 
 /// Shifts a body by a push [kg m], world, at an arm [m], world, from its centre of mass.

@@ -68,12 +68,13 @@ public:
   }
 };
 
-/// All pairs of bodies whose bounds overlap, the smaller number first, in order of number;
-/// TooManyContacts if there are more than 100 for each body.
+/// Calls `meet(i, j)` for all pairs of bodies whose bounds overlap, the smaller number first; it
+/// says whether to go on.
 ///
 /// The bounds come in any order and are left in that of their lower ends along x. What was in order
 /// in the frame before is nearly so now, and sorted by a few exchanges.
-inline std::vector<std::pair<int, int>> overlapping_pairs(std::vector<Bounds>& bounds)
+template <class Meet>
+void each_overlap(std::vector<Bounds>& bounds, const Meet& meet)
 {
   const auto low = [](const Bounds& one) { return one.box.min().x(); };
   for (std::size_t i = 1; i < bounds.size(); ++i)
@@ -83,8 +84,6 @@ inline std::vector<std::pair<int, int>> overlapping_pairs(std::vector<Bounds>& b
       std::swap(bounds[j], bounds[j - 1]);
     }
   }
-  const std::size_t most = 100 * bounds.size();
-  std::vector<std::pair<int, int>> pairs;
   for (std::size_t i = 0; i < bounds.size(); ++i)
   {
     const double end = bounds[i].box.max().x();
@@ -92,13 +91,32 @@ inline std::vector<std::pair<int, int>> overlapping_pairs(std::vector<Bounds>& b
     {
       if (bounds[i].box.intersects(bounds[j].box))
       {
-        pairs.push_back(std::minmax(bounds[i].body, bounds[j].body));
-        if (pairs.size() > most)
+        const auto [first, second] = std::minmax(bounds[i].body, bounds[j].body);
+        if (!meet(first, second))
         {
-          throw TooManyContacts(bounds.size(), most);
+          return;
         }
       }
     }
+  }
+}
+
+/// All pairs of bodies whose bounds overlap, in order of number; TooManyContacts if there are more
+/// than 100 for each body.
+inline std::vector<std::pair<int, int>> overlapping_pairs(std::vector<Bounds>& bounds)
+{
+  const std::size_t most = 100 * bounds.size();
+  std::vector<std::pair<int, int>> pairs;
+  each_overlap(
+      bounds,
+      [&](int a, int b)
+      {
+        pairs.emplace_back(a, b);
+        return pairs.size() <= most;
+      });
+  if (pairs.size() > most)
+  {
+    throw TooManyContacts(bounds.size(), most);
   }
   std::sort(pairs.begin(), pairs.end());
   return pairs;

@@ -37,7 +37,6 @@ struct DirectContact
 /// All of an island.
 struct DirectSystem
 {
-  std::vector<int> number; ///< of each body of the world in the island
   std::vector<DirectBody> bodies;
   std::vector<DirectContact> contacts;
   std::vector<DirectPoint> points;
@@ -55,10 +54,18 @@ inline std::size_t place_of(int number)
   return static_cast<std::size_t>(number);
 }
 
+/// The number in an island of a body of the world; −1 if it is none of its bodies.
+inline int number_in(const Island& island, int body)
+{
+  const auto found = std::lower_bound(island.bodies.begin(), island.bodies.end(), body);
+  const bool there = found != island.bodies.end() && *found == body;
+  return there ? static_cast<int>(found - island.bodies.begin()) : -1;
+}
+
 /// Adds a contact and its points to a system.
 inline void gather(
-    DirectSystem& system, IslandView world, const WorldContact& contact, double step,
-    const DirectSettings& settings)
+    DirectSystem& system, IslandView world, const Island& island, const WorldContact& contact,
+    double step, const DirectSettings& settings)
 {
   const RigidBody& a = world.bodies[place_of(contact.a)];
   const RigidBody& b = world.bodies[place_of(contact.b)];
@@ -76,7 +83,7 @@ inline void gather(
                                    : std::numeric_limits<double>::infinity();
   }
   system.contacts.push_back(
-      {system.number[place_of(contact.a)], system.number[place_of(contact.b)], &contact, first,
+      {number_in(island, contact.a), number_in(island, contact.b), &contact, first,
        system.points.size(), settings.compliance * (a.inverse_mass + b.inverse_mass)});
 }
 
@@ -89,11 +96,9 @@ inline void gather(
   system.velocities.clear();
   system.contacts.clear();
   system.points.clear();
-  system.number.resize(world.bodies.size(), -1);
   for (const int i : island.bodies)
   {
     const RigidBody& body = world.bodies[place_of(i)];
-    system.number[place_of(i)] = static_cast<int>(system.bodies.size());
     Vector6 velocity;
     velocity << body.velocity, body.angular_velocity;
     system.velocities.push_back(velocity);
@@ -104,11 +109,7 @@ inline void gather(
   }
   for (const int i : island.contacts)
   {
-    gather(system, world, world.contacts[place_of(i)], step, settings);
-  }
-  for (const int i : island.bodies)
-  {
-    system.number[place_of(i)] = -1;
+    gather(system, world, island, world.contacts[place_of(i)], step, settings);
   }
 }
 

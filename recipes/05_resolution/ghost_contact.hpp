@@ -63,9 +63,9 @@ inline bool is_ghost(
   return is_ghost(ball, box, normal, gap, margin);
 }
 
-/// Two balls never are.
-inline bool
-is_ghost(const Sphere<double>&, const Sphere<double>&, const Vector3<double>&, double, double)
+/// No other two shapes pass each other by.
+template <class A, class B>
+bool is_ghost(const A&, const B&, const Vector3<double>&, double, double)
 {
   return false;
 }

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace cookbook
@@ -19,7 +21,7 @@ namespace cookbook
 /// bounces there: they part already, or are too slow, or will not touch in this step [s].
 inline double impact_target(const IslandPoint& point, const Vector3<double>& gravity, double step)
 {
-  const double speed = parting_speed(point), apart = gap(point);
+  const double speed = parting_speed(point), apart = point.apart;
   if (speed >= 0 || apart > -speed * step)
   {
     return -1;
@@ -34,19 +36,74 @@ inline double impact_target(const IslandPoint& point, const Vector3<double>& gra
 }
 // [impact_target]
 
-// [impacts]
+// [impact_points]
 /// A point that bounces, or may be pushed by one that does.
 struct ImpactPoint
 {
   IslandPoint point;
-  WorldPoint sum; ///< what this impact alone has given
-  double target;  ///< [m/s]
+  double target;       ///< [m/s]
+  WorldPoint sum = {}; ///< what this impact alone has given
 };
 
+/// Brings points to a share of their targets, and keeps the others from closing, one after the
+/// other until all are right to a billionth, or after 200 rounds.
+inline void reach_targets(std::vector<ImpactPoint>& points, double share)
+{
+  double fastest = 0;
+  for (ImpactPoint& one : points)
+  {
+    one.sum = {};
+    one.point.sum = &one.sum;
+    fastest = std::max({fastest, one.target, -parting_speed(one.point)});
+  }
+  double missing = fastest;
+  for (int round = 0; round < 200 && missing > 1e-14 * fastest; ++round)
+  {
+    missing = 0;
+    for (ImpactPoint& one : points)
+    {
+      const double before = one.sum.impulse;
+      const double target = share * one.target;
+      add_impulse(one.point, one.point.normal_mass * (target - parting_speed(one.point)));
+      add_friction(one.point);
+      missing = std::max(missing, std::abs(one.sum.impulse - before) / one.point.normal_mass);
+    }
+  }
+}
+
+/// Lets points bounce, with as much of their restitution as leaves these bodies no more energy than
+/// they had: with friction the whole of it may give them some.
+inline void bounce(std::vector<ImpactPoint>& points, std::span<RigidBody* const> bodies)
+{
+  std::vector<RigidBody> before;
+  double energy_before = 0;
+  for (const RigidBody* const body : bodies)
+  {
+    before.push_back(*body);
+    energy_before += kinetic_energy(*body);
+  }
+  for (const double share : {1.0, 0.8, 0.6, 0.4, 0.2, 0.0})
+  {
+    double energy = 0;
+    reach_targets(points, share);
+    for (const RigidBody* const body : bodies)
+    {
+      energy += kinetic_energy(*body);
+    }
+    if (energy <= energy_before * (1 + 1e-9))
+    {
+      return;
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+    {
+      *bodies[i] = before[i];
+    }
+  }
+}
+// [impact_points]
+
+// [impacts]
 /// Lets the bodies of an island bounce; nothing if none is about to.
-///
-/// Points that bounce are brought to their targets, points that touch beside them are kept from
-/// closing, one after the other until all are right to a billionth, or after 200 rounds.
 inline void impacts(IslandView world, const Island& island, double step)
 {
   const auto bouncy = [&](int i)
@@ -55,32 +112,27 @@ inline void impacts(IslandView world, const Island& island, double step)
   {
     return;
   }
-  std::vector<ImpactPoint> all;
-  double fastest = 0;
+  std::vector<ImpactPoint> points;
+  bool any = false;
   for (const IslandPoint& point : points_of(world, island))
   {
     const double target = impact_target(point, world.gravity, step);
-    if (target >= 0 || gap(point) <= 0)
+    any = any || target > 0;
+    if (target >= 0 || point.apart <= 0)
     {
-      all.push_back({point, *point.sum, std::max(target, 0.0)});
-      all.back().sum.impulse = 0;
-      all.back().sum.friction.setZero();
+      points.push_back({point, std::max(target, 0.0)});
     }
-    fastest = std::max(fastest, target);
   }
-  double missing = fastest;
-  for (int round = 0; round < 200 && missing > 1e-9 * fastest; ++round)
+  if (!any)
   {
-    missing = 0;
-    for (ImpactPoint& one : all)
-    {
-      one.point.sum = &one.sum;
-      const double before = one.sum.impulse;
-      add_impulse(one.point, one.point.normal_mass * (one.target - parting_speed(one.point)));
-      add_friction(one.point);
-      missing = std::max(missing, std::abs(one.sum.impulse - before) / one.point.normal_mass);
-    }
+    return;
   }
+  std::vector<RigidBody*> bodies;
+  for (const int i : island.bodies)
+  {
+    bodies.push_back(&world.bodies[static_cast<std::size_t>(i)]);
+  }
+  bounce(points, bodies);
 }
 // [impacts]
 

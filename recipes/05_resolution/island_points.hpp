@@ -6,6 +6,7 @@
 #include "05_resolution/island.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -55,8 +56,30 @@ struct IslandPoint
   WorldPoint* sum;              ///< its impulses so far, which the next frame finds again
   Vector3<double> arm_a, arm_b; ///< [m], world, at the start of the frame
   double normal_mass;           ///< [kg], what an impulse along the normal feels, 1/K
-  double friction_mass;         ///< [kg], the least that one across it feels
+  double friction_mass;         ///< [kg], what one across it feels: the lesser of two directions
+  double apart;                 ///< [m], the gap; solvers with small steps carry it on
 };
+
+/// Finds what impulses at a point feel, with the bodies as they are turned now.
+inline void find_masses(IslandPoint& point)
+{
+  const Vector3<double>& normal = point.contact->normal();
+  const Vector3<double> u = normal.unitOrthogonal(), v = normal.cross(u);
+  const auto felt = [&](const Vector3<double>& way)
+  { return inverse_mass_between(*point.a, *point.b, point.arm_a, point.arm_b, way); };
+  point.normal_mass = 1 / felt(normal);
+  point.friction_mass = 1 / std::max(felt(u), felt(v));
+}
+
+/// A contact point of an island, its bodies as they are.
+inline IslandPoint
+island_point(RigidBody& a, RigidBody& b, const WorldContact& contact, WorldPoint& of)
+{
+  const double apart = gap(a, b, contact.normal(), of);
+  IslandPoint point{&a, &b, &contact, &of, a.axes * of.on_a, b.axes * of.on_b, 0, 0, apart};
+  find_masses(point);
+  return point;
+}
 
 /// The points of an island, contact by contact; friction of the frame before is turned into the
 /// plane of the contact as it is now.
@@ -68,16 +91,11 @@ inline std::vector<IslandPoint> points_of(IslandView world, const Island& island
     WorldContact& contact = world.contacts[static_cast<std::size_t>(number)];
     RigidBody& a = world.bodies[static_cast<std::size_t>(contact.a)];
     RigidBody& b = world.bodies[static_cast<std::size_t>(contact.b)];
-    const Vector3<double>& n = contact.normal();
-    const Vector3<double> u = n.unitOrthogonal(), v = n.cross(u);
+    const Vector3<double>& normal = contact.normal();
     for (WorldPoint& point : contact.points())
     {
-      const Vector3<double> arm_a = a.axes * point.on_a, arm_b = b.axes * point.on_b;
-      const auto felt = [&](const Vector3<double>& way)
-      { return inverse_mass_between(a, b, arm_a, arm_b, way); };
-      point.friction -= point.friction.dot(n) * n;
-      points.push_back(
-          {&a, &b, &contact, &point, arm_a, arm_b, 1 / felt(n), 1 / std::max(felt(u), felt(v))});
+      point.friction -= point.friction.dot(normal) * normal;
+      points.push_back(island_point(a, b, contact, point));
     }
   }
   return points;

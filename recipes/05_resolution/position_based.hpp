@@ -3,7 +3,7 @@
 /// \file
 /// \brief Many contacts by positions: small steps, each corrected until nothing overlaps (XPBD).
 
-#include "05_resolution/body_shift.hpp"
+#include "05_resolution/position_point.hpp"
 #include "05_resolution/restitution.hpp"
 
 #include <algorithm>
@@ -23,83 +23,6 @@ struct PositionSettings
   double correction_speed = 1; ///< [m/s], no overlap is taken away faster
 };
 // [position_settings]
-
-// [compliant_change]
-/// What a correction adds [kg m] to its sum so far, for a constraint that is off by `error` [m];
-/// R15.
-///
-/// `inverse_mass` [1/kg] is the constraint's, `compliance` [1/kg] the material's over the square of
-/// the small step: α̃. Zero where nothing can move.
-template <class Real>
-Real compliant_change(
-    const Real& error, const Real& inverse_mass, const Real& compliance, const Real& so_far)
-{
-  const Real felt = inverse_mass + compliance;
-  return felt == Real(0) ? Real(0) : Real((-error - compliance * so_far) / felt);
-}
-// [compliant_change]
-
-// [position_point]
-/// A contact point during a small step.
-struct PositionPoint
-{
-  IslandPoint point;
-  Vector3<double> held;                             ///< [m], from A's point to B's, while it sticks
-  double parted = 0;                                ///< [m/s], parting speed before the small step
-  double pressed = 0;                               ///< [kg m], along the normal, zero or more
-  Vector3<double> rubbed = Vector3<double>::Zero(); ///< [kg m], on B, across the normal
-};
-
-/// Where B's point is [m] as seen from A's.
-inline Vector3<double> between(const IslandPoint& point)
-{
-  return point.b->position + arm_now(*point.b, point.sum->on_b) - point.a->position -
-         arm_now(*point.a, point.sum->on_a);
-}
-
-/// Takes an overlap away, or as much of it as the compliance asks; R15.
-inline void correct_gap(PositionPoint& one, double compliance, double most)
-{
-  const Vector3<double>& normal = one.point.contact->normal();
-  const double inverse_mass = shift_inverse_mass(one.point, normal);
-  const double error = std::max(gap(one.point), -most);
-  const double change = compliant_change(error, inverse_mass, compliance, one.pressed);
-  const double sum = std::max(0.0, one.pressed + change);
-  shift_apart(one.point, (sum - one.pressed) * normal);
-  one.pressed = sum;
-}
-
-/// How far [m] B's surface has slipped at a point since it began to stick.
-inline Vector3<double> slip(const PositionPoint& one)
-{
-  const Vector3<double>& normal = one.point.contact->normal();
-  const Vector3<double> way = between(one.point) - one.held;
-  return way - way.dot(normal) * normal;
-}
-
-/// Takes a slip back with a friction within the cone; R6.
-///
-/// Where the cone does not allow that the point slides, and sticks anew where it has come to.
-inline void correct_slip(PositionPoint& one)
-{
-  const Vector3<double> way = slip(one);
-  const double length = way.norm();
-  if (one.pressed == 0 || length == 0)
-  {
-    return;
-  }
-  const double inverse_mass = shift_inverse_mass(one.point, way / length);
-  const Vector3<double> wanted = one.rubbed - way / inverse_mass;
-  const double most = one.point.contact->friction * one.pressed, size = wanted.norm();
-  const Vector3<double> sum = std::min(1.0, most / size) * wanted;
-  shift_apart(one.point, sum - one.rubbed);
-  one.rubbed = sum;
-  if (size > most)
-  {
-    one.held = between(one.point);
-  }
-}
-// [position_point]
 
 // [small_step]
 /// Lets a point that was pressed rest, or part as it did before, however fast it was pushed out.
@@ -125,15 +48,23 @@ position_points(IslandView world, const Island& island, double small)
   for (const IslandPoint& point : points_of(world, island))
   {
     const Vector3<double> owed = point.sum->friction * small / point.friction_mass;
-    points.push_back({point, between(point) - owed});
+    points.push_back({point, owed});
     point.sum->impulse = 0;
   }
   return points;
 }
 
+/// Brings a point up to date with where its bodies are.
+inline void update(IslandPoint& point)
+{
+  point = island_point(*point.a, *point.b, *point.contact, *point.sum);
+}
+
 /// Begins a small step at a point.
 inline void begin(PositionPoint& one)
 {
+  update(one.point);
+  hold(one);
   one.parted = parting_speed(one.point);
   one.pressed = 0;
   one.rubbed.setZero();
@@ -143,10 +74,12 @@ inline void begin(PositionPoint& one)
 /// still owes a point that sticks, as the impulse that would take its slip back.
 inline void end(PositionPoint& one, double small, double threshold)
 {
+  update(one.point);
   correct_speed(one, threshold);
   one.point.sum->impulse += one.pressed / small;
-  const Vector3<double> owed = one.pressed > 0 ? slip(one) : Vector3<double>(0, 0, 0);
-  one.point.sum->friction = owed * one.point.friction_mass / small;
+  const bool touches = one.pressed > 0 || gap(one.point) <= threshold * small;
+  one.owed = touches ? slip(one) : Vector3<double>(0, 0, 0);
+  one.point.sum->friction = one.owed * one.point.friction_mass / small;
 }
 
 /// Moves the bodies of an island on by a step [s]; R15, R16.

@@ -23,8 +23,9 @@ struct RigidBody
   Vector3<double> angular_velocity; ///< [rad/s], world
   double inverse_mass;              ///< [1/kg]; 0: fixed
   Vector3<double> moments;          ///< [kg m²], along the body's axes; 0 where it is fixed
-  Matrix3<double> axes;             ///< [1], the orientation as a matrix
+  Matrix3<double> axes;             ///< [1], the orientation as a matrix; a ball's stay the world's
   Matrix3<double> inverse_inertia;  ///< [1/(kg m²)], world
+  bool round;                       ///< a ball: where it touches does not turn with it
 };
 
 /// True if no push moves the body.
@@ -50,14 +51,31 @@ inline bool is_finite(const RigidBody& body)
          body.velocity.allFinite() && body.angular_velocity.allFinite();
 }
 
-/// Brings the matrices of a body up to date with its orientation.
+/// Brings the matrices of a body up to date with its orientation; a ball's are the same in all.
 inline void update_axes(RigidBody& body)
 {
+  if (body.round)
+  {
+    return;
+  }
   body.axes = body.orientation.toRotationMatrix();
   if (!is_fixed(body))
   {
     body.inverse_inertia = world_inverse_inertia(body.moments, body.axes);
   }
+}
+
+/// The energy [J] of a body's motion; zero if it is fixed.
+inline double kinetic_energy(const RigidBody& body)
+{
+  if (is_fixed(body))
+  {
+    return 0;
+  }
+  const Vector3<double> spin = body.axes.transpose() * body.angular_velocity;
+  return (body.velocity.squaredNorm() / body.inverse_mass +
+          spin.cwiseProduct(body.moments).dot(spin)) /
+         2;
 }
 
 /// Moves a body with its velocities for a time [s].
@@ -91,15 +109,18 @@ inline MassProperties<double> mass_properties(const SceneBody& body)
 inline RigidBody rigid_body(const SceneBody& body)
 {
   const bool fixed = body.mass == 0;
+  const Vector3<double> moments = fixed ? Vector3<double>(0, 0, 0) : mass_properties(body).moments;
   RigidBody made{
       body.position,
       body.orientation.normalized(),
       body.velocity,
       body.angular_velocity,
       fixed ? 0 : inverse_of(body.mass),
-      fixed ? Vector3<double>(0, 0, 0) : mass_properties(body).moments,
+      moments,
       Matrix3<double>::Identity(),
-      Matrix3<double>::Zero()};
+      fixed ? Matrix3<double>(Matrix3<double>::Zero())
+            : world_inverse_inertia<double>(moments, Matrix3<double>::Identity()),
+      std::holds_alternative<SphereShape>(body.shape)};
   update_axes(made);
   return made;
 }

@@ -34,7 +34,7 @@ struct SequentialSettings
 inline double
 target_speed(const IslandPoint& point, double step, const SequentialSettings& settings)
 {
-  const double apart = gap(point);
+  const double apart = point.apart;
   if (apart > 0 || settings.position_iterations > 0)
   {
     return std::min(0.0, -apart / step);

@@ -7,6 +7,8 @@
 #include "05_resolution/position_correction.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace cookbook
@@ -29,7 +31,7 @@ struct SoftSettings
 inline void
 correct(IslandPoint& point, const Softness<double>& spring, double small, double correction_speed)
 {
-  const double apart = gap(point);
+  const double apart = point.apart;
   const bool open = apart > 0;
   const Softness<double> how = open ? rigid<double>() : spring;
   const double bias = open ? apart / small : std::max(how.bias_rate * apart, -correction_speed);
@@ -37,6 +39,24 @@ correct(IslandPoint& point, const Softness<double>& spring, double small, double
   add_impulse(point, -wanted - how.impulse_scale * point.sum->impulse);
   add_friction(point);
 }
+
+/// The largest angle [rad] by which a box of an island turns in a time [s].
+inline double largest_turn(IslandView world, const Island& island, double time)
+{
+  double fastest = 0; // squared
+  for (const int i : island.bodies)
+  {
+    const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
+    fastest = std::max(fastest, body.round ? 0 : body.angular_velocity.squaredNorm());
+  }
+  return time * std::sqrt(fastest);
+}
+
+/// A box that turns by more than this [rad] feels pushes otherwise afterwards.
+inline constexpr double noticed_turn = 0.05;
+/// A box that turns by more than this [rad] in a frame lies in other overlaps before it is out of
+/// those that were found: it is not pushed out of them, which would only give it energy.
+inline constexpr double confusing_turn = 1;
 
 /// Turns impulses of a whole frame into those of one of its small steps, or back.
 inline void scale_impulses(std::vector<IslandPoint>& points, double scale)
@@ -59,6 +79,8 @@ soft_steps(IslandView world, const Island& island, double step, const SoftSettin
   const double small = step / settings.substeps;
   const Softness<double> spring =
       softness(settings.frequency / small, settings.damping_ratio, small);
+  const double correction_speed =
+      largest_turn(world, island, step) > confusing_turn ? 0 : settings.correction_speed;
   scale_impulses(points, 1.0 / settings.substeps);
   for (int i = 0; i < settings.substeps; ++i)
   {
@@ -72,15 +94,24 @@ soft_steps(IslandView world, const Island& island, double step, const SoftSettin
     }
     for (IslandPoint& point : points)
     {
-      correct(point, spring, small, settings.correction_speed);
+      correct(point, spring, small, correction_speed);
     }
     for (const int body : island.bodies)
     {
       move(world.bodies[static_cast<std::size_t>(body)], small);
     }
+    const bool turned = largest_turn(world, island, small) > noticed_turn;
     for (IslandPoint& point : points)
     {
-      correct(point, rigid<double>(), small, settings.correction_speed);
+      point.apart += small * parting_speed(point);
+      if (turned)
+      {
+        find_masses(point);
+      }
+    }
+    for (IslandPoint& point : points)
+    {
+      correct(point, rigid<double>(), small, correction_speed);
     }
   }
   scale_impulses(points, settings.substeps);

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <map>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,7 +23,8 @@ namespace cookbook
 /// The recommended solver: direct where that finds an answer, and soft steps where it does not, as
 /// in impacts and dense heaps.
 ///
-/// Where it has not found one it lets some frames pass before it tries again: 1, 2, 4, up to 16.
+/// Where it has not found one it lets some frames pass before it tries again: 1, 2, 4, up to 16. A
+/// copy remembers what the original did, and goes on by itself.
 class DirectOrSoft
 {
 public:
@@ -34,7 +34,7 @@ public:
   /// Moves an island on by a step [s].
   void operator()(IslandView world, const Island& island, double step)
   {
-    Tries& tries = (*tries_)[island.bodies.front()];
+    Tries& tries = tries_[island.bodies.front()];
     if (tries.frames_to_wait > 0)
     {
       --tries.frames_to_wait;
@@ -62,8 +62,7 @@ private:
   };
 
   SoftSettings soft_;
-  // What each island's first body remembers; shared by copies of the solver.
-  std::shared_ptr<std::map<int, Tries>> tries_ = std::make_shared<std::map<int, Tries>>();
+  std::map<int, Tries> tries_; // by the island's first body
 };
 // [direct_or_soft]
 

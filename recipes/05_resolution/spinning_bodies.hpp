@@ -155,8 +155,8 @@ Spinning<Real> turned(const Spinning<Real>& body, const Vector3<Real>& moments, 
 // [turned]
 
 // [turned_finely]
-/// The same in five shares of the step, the third of them backwards, so that the errors of second
-/// and third order cancel: of fourth order.
+/// The same as turned() in five shares of the step, the third of them backwards, so that the errors
+/// of second and third order cancel: of fourth order.
 template <class Real>
 Spinning<Real> turned_finely(Spinning<Real> body, const Vector3<Real>& moments, Real step)
 {

@@ -23,40 +23,73 @@ struct SweptHit
 // [swept_hit]
 
 // [first_touch]
+/// What a moving sphere sees of a convex shape, at one time; rates are those of the whole time.
+template <class Real>
+struct Outlook
+{
+  Direction<Real> ahead; ///< to the nearest point of the shape's surface, and how far it is [m]
+  Real closing;          ///< [m], what the gap loses at the present rate
+  Real pull = Real(0);   ///< [m], how fast that rate grows by itself, where it is steady
+};
+
 /// The most steps that an advance takes.
 inline constexpr int most_advances = 64;
 
-/// Advances a sphere by what its gap allows, again and again, until it touches; P20 without spin.
+/// Advances a sphere by what its gap allows, again and again, until it touches; P20.
 ///
-/// `gap(offset)` is the direction to a convex shape, and how far away it is [m], once the sphere
-/// has moved by `offset` [m]. Gaps and approaches up to `rounding` [m] count as none. Nothing where
-/// the sphere never touches or parts from the start; time 0 where it overlaps at the start and goes
-/// on inwards. After `most_advances` it stops short, where it is: it has not touched yet.
-template <class Real, class Gap>
+/// `look(time)` is the outlook at a time, from `start` to 1. On a path that curves, or past a shape
+/// that turns, the gap closes faster and faster, but by no more than `bend` [m] in the whole time.
+/// Gaps and approaches up to `rounding` [m] count as none. Nothing where the sphere never touches
+/// or parts for good; the start where it overlaps there and goes on inwards. After `most_advances`
+/// it stops short, where it is: it has not touched yet.
+template <class Real, class Look>
 std::optional<SweptHit<Real>>
-first_touch(const Vector3<Real>& displacement, const Real& rounding, const Gap& gap)
+first_touch(const Real& start, const Real& bend, const Real& rounding, const Look& look)
 {
-  Real time(0);
-  Direction<Real> ahead = gap(Vector3<Real>(Vector3<Real>::Zero()));
+  using std::max, std::sqrt;
+  const bool bends = bend > Real(0);
+  Real time = start;
+  Outlook<Real> now = look(time);
   for (int i = 0; i < most_advances; ++i)
   {
-    const Real approach = displacement.dot(ahead.unit);
-    if (!(approach > rounding))
+    const Real closing = now.closing, gap = max(now.ahead.length, Real(0));
+    const bool closes = closing > rounding || (closing >= -rounding && now.pull > Real(0));
+    if (!closes && !bends)
     {
       return std::nullopt;
     }
-    if (ahead.length <= rounding)
+    if (closes && gap <= rounding)
     {
-      return SweptHit<Real>{time, ahead.unit};
+      return SweptHit<Real>{time, now.ahead.unit};
     }
-    time += ahead.length / approach;
+    // The time in which `closing` and `bend` together use the gap up.
+    const Real root = bends ? sqrt(closing * closing + Real(2) * bend * gap) : closing;
+    const Real safe =
+        closing > Real(0) ? Real(2) * gap / (closing + root) : (root - closing) / bend;
+    const bool stuck = bends && (gap <= rounding || 2 * i >= most_advances);
+    time += stuck ? max(safe, Real(2) / Real(most_advances)) : safe;
     if (!(time <= Real(1)))
     {
       return std::nullopt;
     }
-    ahead = gap(Vector3<Real>(time * displacement));
+    now = look(time);
   }
-  return SweptHit<Real>{time, ahead.unit};
+  return SweptHit<Real>{time, now.ahead.unit};
+}
+
+/// The same straight past a shape that stands still: `gap(offset)` is the direction to it and how
+/// far away it is [m], once the sphere has moved by `offset` [m] of a displacement [m].
+template <class Real, class Gap>
+std::optional<SweptHit<Real>>
+first_touch(const Vector3<Real>& displacement, const Real& rounding, const Gap& gap)
+{
+  return first_touch<Real>(
+      Real(0), Real(0), rounding,
+      [&](const Real& time)
+      {
+        const Direction<Real> ahead = gap(Vector3<Real>(time * displacement));
+        return Outlook<Real>{ahead, displacement.dot(ahead.unit)};
+      });
 }
 // [first_touch]
 

@@ -3,6 +3,7 @@
 /// \file
 /// \brief A world of bodies that fall, meet, bounce and rest: everything in this book, in one step.
 
+#include "05_resolution/ball_sweeps.hpp"
 #include "05_resolution/free_flight.hpp"
 #include "05_resolution/impacts.hpp"
 #include "05_resolution/world_checks.hpp"
@@ -38,6 +39,7 @@ public:
     for (const SceneBody& body : scene_.bodies)
     {
       bounds_.push_back({{}, static_cast<int>(bodies_.size())});
+      has_balls_ = has_balls_ || std::holds_alternative<SphereShape>(body.shape);
       bodies_.push_back(rigid_body(body));
     }
   }
@@ -46,9 +48,8 @@ public:
   const std::vector<RigidBody>& bodies() const { return bodies_; }        ///< in its order
   const std::vector<WorldContact>& contacts() const { return contacts_; } ///< of the last step
   const std::vector<RigidBody>& bodies_before() const { return before_; } ///< as that began
-  /// [s], since the start.
-  double time() const { return static_cast<double>(steps_) * scene_.step; }
-  bool sleeps(std::size_t body) const { return sleep_[body].asleep; } ///< whether a body does
+  double time() const { return double(steps_) * scene_.step; }            ///< [s], since the start
+  bool sleeps(std::size_t body) const { return sleep_[body].asleep; }     ///< whether a body does
 
   /// How far apart [m] two bodies may be and still be in contact: what a fall from rest covers in
   /// two steps, so that a solver knows of a touch before there is an overlap.
@@ -79,7 +80,8 @@ public:
   void step()
   {
     find_contacts();
-    before_ = bodies_;
+    start_ = before_ = bodies_;
+    falls_.assign(bodies_.size(), false);
     const std::vector<int> numbers = island_numbers(bodies_, contacts_);
     if (may_sleep_)
     {
@@ -92,6 +94,7 @@ public:
         advance(island);
       }
     }
+    sweep_balls([&](int body) { wake(sleep_, numbers, body); });
     finish();
     ++steps_;
   }
@@ -115,45 +118,48 @@ private:
   void advance(const Island& island)
   {
     const IslandView view{bodies_, contacts_, scene_.gravity};
+    const bool touches = !island.contacts.empty();
     for (const int i : island.bodies)
     {
       RigidBody& body = bodies_[index(i)];
       body.velocity += scene_.step * body.inverse_mass * forces_[index(i)];
     }
-    if (!island.contacts.empty())
+    if (touches)
     {
       impacts(view, island, scene_.step);
-      start_.resize(bodies_.size());
-      for (const int i : island.bodies)
-      {
-        start_[index(i)] = bodies_[index(i)];
-      }
+    }
+    for (const int i : island.bodies)
+    {
+      start_[index(i)] = bodies_[index(i)];
+    }
+    if (touches)
+    {
       solver_(view, island, scene_.step);
     }
     for (const int i : island.bodies)
     {
-      move(index(i), !island.contacts.empty());
+      fall_unless_pushed(index(i), touches);
     }
   }
 
-  /// Has a body fly that nothing has pushed; a ball stops at what would be in its way.
-  void move(std::size_t i, bool solved)
+  /// Has a body fall freely that nothing has pushed.
+  void fall_unless_pushed(std::size_t i, bool solved)
   {
-    if (solved && was_pushed(bodies_[i], start_[i], scene_.gravity, scene_.step))
+    falls_[i] = !solved || !was_pushed(bodies_[i], start_[i], scene_.gravity, scene_.step);
+    if (falls_[i])
     {
-      return;
+      bodies_[i] = flown(start_[i], scene_.gravity, scene_.step);
     }
-    if (solved)
+  }
+
+  /// Has balls bounce off what they would have passed through; `woken(i)` is told of who is hit.
+  void sweep_balls(const std::function<void(int)>& woken)
+  {
+    if (has_balls_)
     {
-      bodies_[i] = start_[i];
-    }
-    if (std::holds_alternative<SphereShape>(scene_.bodies[i].shape))
-    {
-      fly_ball(scene_, bodies_, i, scene_.step, [this](std::size_t other) { return gone_[other]; });
-    }
-    else
-    {
-      bodies_[i] = flown(bodies_[i], scene_.gravity, scene_.step);
+      StepCourses step{scene_, contacts_, falls_, gone_};
+      set_out(step, start_, bodies_);
+      BallSweeps(step, bodies_, woken).run();
     }
   }
 
@@ -182,10 +188,11 @@ private:
   Scene scene_;
   IslandSolver solver_;
   bool may_sleep_;
+  bool has_balls_ = false;
   long steps_ = 0;
   std::vector<RigidBody> bodies_, before_, start_;
   std::vector<Vector3<double>> forces_;
-  std::vector<bool> gone_;
+  std::vector<bool> gone_, falls_;
   std::vector<SleepState<double>> sleep_;
   std::vector<Bounds> bounds_;
   std::vector<WorldContact> contacts_;

@@ -44,10 +44,7 @@ inline double energy(std::span<const RigidBody> bodies, const Vector3<double>& g
   {
     if (!is_fixed(body))
     {
-      const double mass = 1 / body.inverse_mass;
-      const Vector3<double> spin = body.axes.transpose() * body.angular_velocity;
-      sum += mass * (body.velocity.squaredNorm() / 2 - gravity.dot(body.position)) +
-             spin.cwiseProduct(body.moments).dot(spin) / 2;
+      sum += kinetic_energy(body) - gravity.dot(body.position) / body.inverse_mass;
     }
   }
   return sum;

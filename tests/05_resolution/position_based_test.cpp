@@ -197,10 +197,10 @@ TEST_CASE("ten cubes on 20 small steps: 1 mm down, 1 cm aside in 20 s", "[case:S
   CHECK(most.drift < 1e-2);
 }
 
-TEST_CASE("as published, five cubes have collapsed after a second", "[case:S2][case:X27]")
+TEST_CASE("as published, five cubes have collapsed after 1.5 s", "[case:S2][case:X27]")
 {
   const StackMeasures most = stack_measures(scenes::tower(5), published_method().solver(), 10);
-  CHECK((most.fell > 0 && most.fell < 1));
+  CHECK((most.fell > 0 && most.fell < 1.5));
 }
 
 #if !defined(COOKBOOK_FEWER_PAIRS) // minutes under sanitizers; the runs above take the same paths

@@ -254,13 +254,13 @@ TEST_CASE("warm, the speed after a frame is ρ^s (2 v − v of the frame before)
   }
 }
 
-TEST_CASE("ten cubes at 8 passes a frame: cold they fall by 4 s, warm by 10 s", "[case:S2]")
+TEST_CASE("ten cubes at 8 passes a frame: cold they fall by 4 s, warm by 15 s", "[case:S2]")
 {
   const auto falls = [](const ContactMethod& method)
   { return stack_measures(scenes::tower(10), method.solver(), 20).fell; };
   const double cold = falls(impulse_method(false, 8)), warm = falls(impulse_method(true, 8));
   CHECK((cold > 0 && cold < 4));
-  CHECK((warm > cold && warm < 10));
+  CHECK((warm > cold && warm < 15));
   CHECK(falls(impulse_method(true, 20)) == 0);
 }
 

@@ -1,0 +1,367 @@
+/// \file
+/// Balls on their way through a step: nothing is passed, nothing hangs in the air, and a bounce has
+/// its friction.
+
+#include "04_obb_manifolds/box_draws.hpp"
+#include "05_resolution/scene_bodies.hpp"
+#include "05_resolution/solvers.hpp"
+#include "05_resolution/world_measures.hpp"
+
+#include "tests/catch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace cookbook;
+
+namespace
+{
+
+#ifdef COOKBOOK_FEWER_PAIRS
+constexpr int tries = 500;
+#else
+constexpr int tries = 10'000;
+#endif
+
+/// A number whose logarithm is spread evenly.
+double evenly(BoxDraw& draw, double least, double most)
+{
+  return least * std::pow(most / least, draw.between(0, 1));
+}
+
+World after(const Scene& scene, int steps, const std::string& solver = "direct")
+{
+  World world(scene, solver_named(solver));
+  for (int i = 0; i < steps; ++i)
+  {
+    world.step();
+  }
+  return world;
+}
+
+/// What a wall does when a ball comes.
+enum class Wall
+{
+  fixed, ///< nothing moves it
+  light, ///< a plate of 1 cm and more and 5 to 100 kg, which stands on the ground
+  comes  ///< flies towards the ball at 1 to 100 m/s
+};
+
+/// A ball at a wall.
+struct Shot
+{
+  Scene scene;
+  int steps; ///< after which the ball would be far behind the wall
+};
+
+/// A ball of 2 mm to 20 cm at 1 to 1,000 m/s, at a wall of 1 mm to 5 cm, square or aslant to it; a
+/// light wall, which gives way, is met by balls of 1 cm and more at up to 50 m/s.
+Shot shot(BoxDraw& draw, bool rolls, Wall kind)
+{
+  const bool light = kind == Wall::light;
+  const double radius = evenly(draw, light ? 0.01 : 0.002, 0.2);
+  const double speed = evenly(draw, 1, light ? 50 : 1000);
+  const double half = evenly(draw, light ? 0.005 : 0.0005, 0.025);
+  const double aslant = draw.between(-0.7, 0.7);
+  const double start = draw.between(0.01, 2) + radius + half;
+  Scene scene;
+  const double size = light ? 1 : 3 + speed / 10;
+  scene.bodies.push_back(
+      draw.whole(2) == 0 ? ground() : box_body("ground", {100, 1, 100}, {0, -1, 0}, 0));
+  SceneBody ball = ball_body("ball", radius, {-start, rolls ? radius : 1.5, 0});
+  ball.velocity = speed * Vector3<double>(1, 0, aslant).normalized();
+  ball.angular_velocity = Vector3<double>(0, 1, 0).cross(ball.velocity) / radius;
+  ball.restitution = draw.whole(2) == 0 ? 0 : draw.between(0, 1);
+  SceneBody wall = box_body("wall", {half, size, 2 * size}, {0, size, 0}, 0);
+  if (light)
+  {
+    wall.mass = evenly(draw, 5, 100);
+  }
+  if (kind == Wall::comes)
+  {
+    wall.mass = 1e6;
+    wall.position.y() = size + 0.1; // clear of the ground
+    wall.velocity = {-evenly(draw, 1, 100), 0, 0};
+  }
+  scene.bodies.push_back(wall);
+  scene.bodies.push_back(ball);
+  return {scene, 2 + static_cast<int>(60 * 3 * start / speed)};
+}
+
+/// Where the ball is as seen from the wall.
+Vector3<double> seen_from_wall(const World& world)
+{
+  const RigidBody &wall = world.bodies()[1], &ball = world.bodies()[2];
+  return wall.axes.transpose() * (ball.position - wall.position);
+}
+
+/// Whether the ball goes through the wall, and not round it.
+bool goes_through(const Shot& shot, const std::string& solver)
+{
+  World world(shot.scene, solver_named(solver));
+  const Vector3<double> half = std::get<BoxShape>(shot.scene.bodies[1].shape).half_extents;
+  for (int i = 0; i < shot.steps; ++i)
+  {
+    const Vector3<double> before = seen_from_wall(world);
+    world.step();
+    const Vector3<double> now = seen_from_wall(world);
+    if (before.x() < 0 && now.x() >= 0)
+    {
+      const Vector3<double> cut = before + (now - before) * (before.x() / (before.x() - now.x()));
+      if (std::abs(cut.y()) < half.y() && std::abs(cut.z()) < half.z())
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+// [walls]
+TEST_CASE(
+    "10,000 balls that roll at 1 to 1,000 m/s do not pass a wall of 1 mm to 5 cm, nor, up to 50 "
+    "m/s, a "
+    "plate that stands",
+    "[case:J1]")
+{
+  for (const char* const solver : {"direct", "soft_steps"})
+  {
+    for (const Wall kind : {Wall::fixed, Wall::light})
+    {
+      BoxDraw draw(1);
+      for (int i = 0; i < tries / 4; ++i)
+      {
+        const Shot one = shot(draw, true, kind);
+        CAPTURE(solver, static_cast<int>(kind), i);
+        REQUIRE_FALSE(goes_through(one, solver));
+      }
+    }
+  }
+}
+
+TEST_CASE("nor 10,000 balls in flight a wall that comes towards them at 1 to 100 m/s", "[case:J1]")
+{
+  BoxDraw draw(2);
+  for (int i = 0; i < tries; ++i)
+  {
+    Shot one = shot(draw, false, Wall::comes);
+    one.scene.gravity.setZero();
+    CAPTURE(i);
+    REQUIRE_FALSE(goes_through(one, "direct"));
+  }
+}
+// [walls]
+
+// [two_balls]
+TEST_CASE("10,000 pairs of balls that fly at each other do not pass each other", "[case:J1]")
+{
+  BoxDraw draw(3);
+  for (int i = 0; i < tries; ++i)
+  {
+    Scene scene;
+    scene.gravity.setZero();
+    double reach = 0;
+    for (const double side : {-1.0, 1.0})
+    {
+      const double radius = evenly(draw, 0.002, 0.2);
+      reach += radius;
+      SceneBody ball = ball_body(side < 0 ? "left" : "right", radius, {side * 1.5, 0, 0});
+      ball.mass = evenly(draw, 0.01, 100);
+      ball.velocity = {-side * evenly(draw, 1, 1000), 0, 0};
+      ball.restitution = draw.between(0, 1);
+      scene.bodies.push_back(ball);
+    }
+    const double apart = draw.between(0, 0.9) * reach, turn = draw.between(0, 6.3);
+    scene.bodies[0].position += apart * Vector3<double>(0, std::cos(turn), std::sin(turn));
+    const Vector3<double> before = momentum(World(scene, solver_named("direct")).bodies());
+    const World end = after(scene, 200);
+    CAPTURE(i);
+    // They touch, so they part otherwise than they would have.
+    REQUIRE(end.bodies()[0].velocity != scene.bodies[0].velocity);
+    REQUIRE((momentum(end.bodies()) - before).norm() <= 1e-12 * before.norm() + 1e-9);
+    const Vector3<double> way = end.bodies()[1].position - end.bodies()[0].position;
+    const Vector3<double> parting = end.bodies()[1].velocity - end.bodies()[0].velocity;
+    REQUIRE(way.norm() >= reach * (1 - 1e-9));
+    REQUIRE(way.dot(parting) >= -1e-9 * way.norm() * parting.norm());
+  }
+}
+// [two_balls]
+
+// [go_on_falling]
+TEST_CASE("60 swarms of 20 balls that touch in flight fall as one body does", "[R3]")
+{
+  for (int seed = 0; seed < 60; ++seed)
+  {
+    BoxDraw draw(static_cast<std::uint32_t>(seed));
+    Scene scene;
+    const double radius = evenly(draw, 0.002, 2);
+    Vector3<double> place(0, 0, 0);
+    for (int i = 0; i < 20; ++i)
+    {
+      SceneBody ball = ball_body(numbered("ball", i), radius, place);
+      ball.velocity = draw.whole(2) * draw.between(0, 20) * radius * draw.direction();
+      ball.angular_velocity = 10 * draw.vector(-1, 1);
+      ball.restitution = draw.whole(2) * 0.5;
+      scene.bodies.push_back(ball);
+      // In a row that touches, as in a falling chain, or heaped together.
+      place += 2 * radius * (seed % 2 == 0 ? Vector3<double>(1, 0, 0) : draw.direction());
+    }
+    World world(scene, solver_named(seed % 3 == 0 ? "direct" : "soft_steps"));
+    const Vector3<double> before = momentum(world.bodies());
+    for (int step = 1; step <= 120; ++step)
+    {
+      world.step();
+      const Vector3<double> expected = before + 20 * world.time() * scene.gravity;
+      CAPTURE(seed, step);
+      REQUIRE((momentum(world.bodies()) - expected).norm() <= 1e-9 * expected.norm());
+    }
+  }
+}
+
+TEST_CASE("100 balls let go in a pit are at its bottom after 4 s, none in mid-air")
+{
+  Scene scene;
+  scene.bodies.push_back(ground());
+  for (const double side : {-1.0, 1.0})
+  {
+    scene.bodies.push_back(
+        box_body(side < 0 ? "left" : "right", {0.1, 4, 4}, {1.6 * side, 4, 0}, 0));
+    scene.bodies.push_back(
+        box_body(side < 0 ? "back" : "front", {4, 4, 0.1}, {0, 4, 1.6 * side}, 0));
+  }
+  BoxDraw draw(5);
+  for (int i = 0; i < 100; ++i)
+  {
+    const Vector3<double> place(0.55 * (i % 5 - 2), 0.3 + 0.6 * (i / 25), 0.55 * (i / 5 % 5 - 2));
+    SceneBody ball = ball_body(numbered("ball", i), 0.25, place + draw.vector(0, 0.01));
+    ball.restitution = 0.3;
+    scene.bodies.push_back(ball);
+  }
+  const World world = after(scene, 240);
+  for (std::size_t i = 5; i < scene.bodies.size(); ++i)
+  {
+    const RigidBody& ball = world.bodies()[i];
+    CAPTURE(i, ball.position.transpose(), ball.velocity.transpose());
+    // Whoever moves slowly is carried: by the ground, or by somebody below.
+    const bool carried =
+        ball.position.y() < 0.26 ||
+        std::any_of(
+            world.contacts().begin(), world.contacts().end(),
+            [&](const WorldContact& contact)
+            {
+              const double up = contact.normal().y() * (static_cast<std::size_t>(contact.b) == i);
+              const double down =
+                  -contact.normal().y() * (static_cast<std::size_t>(contact.a) == i);
+              return up + down > 0.01;
+            });
+    CHECK((carried || ball.velocity.norm() > 0.1));
+  }
+}
+// [go_on_falling]
+
+// [friction_of_bounces]
+TEST_CASE("10,000 thrown balls bounce as friction's closed form says, slipping or not", "[R2][R6]")
+{
+  BoxDraw draw(6);
+  int slipped = 0;
+  for (int i = 0; i < tries; ++i)
+  {
+    const double radius = evenly(draw, 0.002, 2), down = evenly(draw, 2, 300);
+    const double along = draw.between(-1, 1) * down, spin = draw.between(-1, 1) * down / radius;
+    const double restitution = draw.between(0, 1), friction = draw.between(0, 1);
+    Scene scene;
+    scene.gravity.setZero();
+    scene.bodies = {ground(), ball_body("ball", radius, {0, radius + down / 60 / 3, 0})};
+    scene.bodies[0].friction = scene.bodies[1].friction = friction;
+    scene.bodies[1].restitution = restitution;
+    scene.bodies[1].velocity = {along, -down, 0};
+    scene.bodies[1].angular_velocity = {0, 0, spin};
+    const RigidBody end = after(scene, 1).bodies()[1];
+    // The lowest point slides at v + ω r; 2/7 of that stops it, and the cone allows μ (1 + e) v_n.
+    const double sliding = along + spin * radius, most = friction * (1 + restitution) * down;
+    const double change = std::clamp(2.0 / 7 * sliding, -most, most);
+    slipped += std::abs(change) == most ? 1 : 0;
+    CAPTURE(i, radius, down, along, spin, restitution, friction);
+    REQUIRE(end.velocity.y() == Catch::Approx(restitution * down).epsilon(1e-9));
+    REQUIRE(end.velocity.x() == Catch::Approx(along - change).margin(1e-9 * down));
+    REQUIRE(
+        end.angular_velocity.z() * radius ==
+        Catch::Approx(spin * radius - 2.5 * change).margin(1e-9 * down));
+  }
+  CHECK(slipped > tries / 10);
+  CHECK(slipped < tries * 9 / 10);
+}
+
+TEST_CASE("50 balls without friction hop over a floor for 10 s and keep their speed along it")
+{
+  BoxDraw draw(7);
+  for (int i = 0; i < 50; ++i)
+  {
+    Scene scene;
+    scene.bodies = {ground(), ball_body("ball", evenly(draw, 0.01, 1), {0, 3, 0})};
+    scene.bodies[0].friction = 0;
+    scene.bodies[1].restitution = draw.whole(2) == 0 ? 1 : draw.between(0, 1);
+    scene.bodies[1].velocity = evenly(draw, 0.1, 100) * draw.direction();
+    const Vector3<double> before = scene.bodies[1].velocity;
+    World world(scene, solver_named("direct"));
+    const double most = energy(world.bodies(), scene.gravity);
+    for (int step = 0; step < 600; ++step)
+    {
+      world.step();
+      const Vector3<double> now = world.bodies()[1].velocity;
+      CAPTURE(i, step);
+      REQUIRE(std::hypot(now.x() - before.x(), now.z() - before.z()) <= 1e-12 * before.norm());
+      REQUIRE(energy(world.bodies(), scene.gravity) <= most * (1 + 1e-12));
+    }
+  }
+}
+// [friction_of_bounces]
+
+// [misses]
+TEST_CASE("10,000 balls that pass an edge by up to a radius keep their velocity to the last bit")
+{
+  BoxDraw draw(8);
+  for (int i = 0; i < tries; ++i)
+  {
+    const double radius = evenly(draw, 0.002, 0.2), speed = evenly(draw, 1, 1000);
+    Scene scene;
+    scene.gravity.setZero();
+    scene.bodies = {box_body("wall", {0.01, 1, 1}, {0, 0, 0}, 0)};
+    const double beside = 1 + radius * (1 + evenly(draw, 1e-6, 1));
+    scene.bodies.push_back(ball_body("ball", radius, {draw.between(-2, -1), beside, 0}));
+    scene.bodies[1].velocity = {speed, 0, 0};
+    const RigidBody end = after(scene, 2 + static_cast<int>(60 * 4 / speed)).bodies()[1];
+    CAPTURE(i, radius, speed);
+    REQUIRE(end.velocity == scene.bodies[1].velocity);
+  }
+}
+// [misses]
+
+// [sleepers]
+TEST_CASE("a fast ball wakes the tower that it hits")
+{
+  Scene scene;
+  scene.bodies = {ground()};
+  for (int i = 0; i < 3; ++i)
+  {
+    scene.bodies.push_back(cube_body(numbered("cube", i), {0, i + 0.5, 0}));
+  }
+  scene.bodies.push_back(ball_body("ball", 0.05, {-200, 2.5, 0}));
+  scene.bodies.back().velocity = {150, 0, 0};
+  scene.gravity.setZero();
+  World world(scene, solver_named("direct"), true);
+  for (int i = 0; i < 70; ++i)
+  {
+    world.step();
+  }
+  CHECK(world.sleeps(3));
+  for (int i = 0; i < 20; ++i)
+  {
+    world.step();
+  }
+  CHECK_FALSE(world.sleeps(3));
+  CHECK(world.bodies()[3].velocity.x() > 1);
+}
+// [sleepers]

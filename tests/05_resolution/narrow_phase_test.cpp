@@ -1,0 +1,166 @@
+/// \file
+/// Where the contacts of a world are: on both surfaces, for every pair of shapes; and balls of all
+/// sizes that roll on them.
+
+#include "04_obb_manifolds/box_draws.hpp"
+#include "05_resolution/narrow_phase.hpp"
+#include "05_resolution/scene_bodies.hpp"
+#include "05_resolution/solver_names.hpp"
+#include "05_resolution/world_runs.hpp"
+#include "05_resolution/world_scenes.hpp"
+
+#include "tests/catch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+using namespace cookbook;
+
+namespace
+{
+
+using Shape = decltype(SceneBody::shape);
+
+// [surface_distance]
+/// How far [m] a point is from the surface of a shape, in the body's own frame.
+struct FromSurface
+{
+  const RigidBody& body;
+  Vector3<double> point; ///< in the body's frame
+
+  double operator()(const SphereShape& ball) const { return std::abs(point.norm() - ball.radius); }
+  double operator()(const BoxShape& box) const
+  {
+    return std::abs(signed_distance_box<double>(point, box.half_extents).length);
+  }
+  double operator()(const PlaneShape& plane) const
+  {
+    const Vector3<double> place = body.position + body.axes * point;
+    return std::abs(plane.normal.dot(place) - plane.offset);
+  }
+};
+// [surface_distance]
+
+/// A shape at random, of a size [m]: 0 ball, 1 box, 2 plane.
+SceneBody drawn(BoxDraw& draw, int kind, double size)
+{
+  const Vector3<double> half = size * draw.vector(0.2, 1);
+  SceneBody body = box_body("body", half, size * draw.vector(-1, 1));
+  if (draw.whole(4) > 0)
+  {
+    body.orientation = Quaternion<double>(draw.rotation());
+  }
+  if (kind == 0)
+  {
+    body.shape = SphereShape{size * draw.between(0.2, 1)};
+  }
+  if (kind == 2)
+  {
+    const Vector3<double> normal = draw.direction();
+    body = {.name = "plane", .shape = PlaneShape{normal, normal.dot(body.position)}};
+  }
+  return body;
+}
+
+/// The farthest that a point of a contact is from its surface [of the pair's size], over many pairs
+/// of shapes that touch, overlap or are a margin apart.
+struct Surfaces
+{
+  int contacts = 0;
+  double farthest = 0;
+
+  void ask(BoxDraw& draw, int kind_a, int kind_b)
+  {
+    const double size = std::ldexp(1.0, draw.whole(21) - 10), margin = 0.01 * size;
+    const SceneBody a = drawn(draw, kind_a, size), b = drawn(draw, kind_b, size);
+    const RigidBody body_a = rigid_body(a), body_b = rigid_body(b);
+    WorldContact contact;
+    std::visit(UpdateContact{contact, body_a, body_b, margin}, a.shape, b.shape);
+    if (!contact.memory.manifold)
+    {
+      return;
+    }
+    ++contacts;
+    for (const WorldPoint& point : contact.points())
+    {
+      const double from_a = std::visit(FromSurface{body_a, point.on_a}, a.shape);
+      const double from_b = std::visit(FromSurface{body_b, point.on_b}, b.shape);
+      farthest = std::max({farthest, from_a / size, from_b / size});
+    }
+  }
+};
+
+} // namespace
+
+// [on_surfaces]
+TEST_CASE("the two points of a contact lie on the two surfaces: 10,000 of each pair of shapes")
+{
+  const std::pair<int, int> pairs[] = {{0, 0}, {0, 1}, {1, 0}, {2, 0},
+                                       {0, 2}, {2, 1}, {1, 2}, {1, 1}};
+  for (const auto& [kind_a, kind_b] : pairs)
+  {
+    BoxDraw draw(11);
+    Surfaces surfaces;
+    while (surfaces.contacts < 10'000)
+    {
+      surfaces.ask(draw, kind_a, kind_b);
+    }
+    CAPTURE(kind_a, kind_b);
+    CHECK(surfaces.farthest <= 1e-12);
+  }
+}
+// [on_surfaces]
+
+// [rolls]
+/// How fast [m/s] a ball ends that starts at 7 m/s without spin, and how fast its surface turns.
+std::pair<double, double> rolled(const std::string& solver, bool on_box, double radius)
+{
+  Scene scene = named_scene("rolling");
+  if (on_box)
+  {
+    scene.bodies[0].shape = BoxShape{{30, 1, 30}};
+    scene.bodies[0].position.y() = -1;
+  }
+  scene.bodies[1].shape = SphereShape{radius};
+  scene.bodies[1].position.y() = radius;
+  const BodyState end = run_world(scene, {.solver = solver}).frames.back().bodies[1];
+  return {end.velocity.x(), -end.angular_velocity.z() * radius};
+}
+
+TEST_CASE(
+    "balls of 2 m to 2 mm slide at 7 m/s until they roll at 5, on a plane and on a box", "[R27]")
+{
+  for (const std::string& solver : solver_names())
+  {
+    for (const bool on_box : {false, true})
+    {
+      for (const double radius : {2.0, 0.25, 0.02, 0.002})
+      {
+        if (solver != "position_based")
+        {
+          CAPTURE(solver, on_box, radius);
+          const auto [speed, turning] = rolled(solver, on_box, radius);
+          CHECK(speed == Catch::Approx(5).epsilon(1e-9));
+          CHECK(turning == Catch::Approx(5).epsilon(1e-9));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE(
+    "corrected positions roll by chords, sin φ for φ a small step, and lose a ball of 2 mm",
+    "[R27]")
+{
+  for (const double radius : {2.0, 0.25, 0.02})
+  {
+    CAPTURE(radius);
+    const auto [speed, turning] = rolled("position_based", false, radius);
+    const double angle = turning / radius / 1200; // of a small step
+    CHECK(turning / speed == Catch::Approx(angle / std::sin(angle)).epsilon(1e-9));
+    CHECK(speed + 0.4 * turning == Catch::Approx(7).epsilon(1e-3 * angle * angle + 1e-9));
+  }
+  CHECK(rolled("position_based", false, 0.002).first < 3);
+}
+// [rolls]

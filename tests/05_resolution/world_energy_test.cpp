@@ -1,0 +1,155 @@
+/// \file
+/// Who makes energy out of nothing: random scenes that nothing drives, under every solver.
+
+#include "04_obb_manifolds/box_draws.hpp"
+#include "05_resolution/scene_bodies.hpp"
+#include "05_resolution/solver_names.hpp"
+#include "05_resolution/world_runs.hpp"
+
+#include "tests/catch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+using namespace cookbook;
+
+namespace
+{
+
+#ifdef COOKBOOK_FEWER_PAIRS
+constexpr int scenes_of_a_kind = 3;
+#else
+constexpr int scenes_of_a_kind = 50;
+#endif
+
+/// A number whose logarithm is spread evenly.
+double evenly(BoxDraw& draw, double least, double most)
+{
+  return least * std::pow(most / least, draw.between(0, 1));
+}
+
+// [passive_scenes]
+/// What is in a scene.
+enum class Kind
+{
+  balls,  ///< one to three that slide, spin and roll
+  plates, ///< the same of plates, ten to two hundred times as wide as thick
+  boxes,  ///< the same of boxes
+  thrown, ///< eight of all three, that fall on the ground
+  stack   ///< twelve of all three, one on top of the other
+};
+
+/// A ball, a plate or a box of about a size [m], at the origin.
+SceneBody drawn(BoxDraw& draw, int kind, double size)
+{
+  const double radius = size * draw.between(0.5, 1), height = size * draw.between(0.005, 0.05);
+  SceneBody body = ball_body("body", radius, {0, 0, 0});
+  if (kind > 0)
+  {
+    Vector3<double> half = size * draw.vector(0.3, 1);
+    half.y() = kind == 1 ? height : half.y();
+    body.shape = BoxShape{half};
+  }
+  body.mass = evenly(draw, 100, 10'000) * std::pow(size, 3);
+  return body;
+}
+
+/// How high [m] above the ground a body's centre is when it lies flat on it.
+double lying(const SceneBody& body)
+{
+  const BoxShape* const box = std::get_if<BoxShape>(&body.shape);
+  return box ? box->half_extents.y() : std::get<SphereShape>(body.shape).radius;
+}
+
+/// A scene at random, on a plane or on a box: bodies of 2 mm to 2 m, of 2 cm and more where there
+/// are many, that move by up to ten times their size a second and turn by up to half a turn a step.
+Scene passive_scene(Kind kind, int seed)
+{
+  BoxDraw draw(static_cast<std::uint32_t>(5 * seed + static_cast<int>(kind)));
+  const bool many = kind == Kind::thrown || kind == Kind::stack;
+  const double size = evenly(draw, many ? 0.02 : 0.002, 2), pace = std::sqrt(10 * size);
+  Scene scene{.duration = 4};
+  scene.bodies.push_back(ground());
+  if (draw.whole(2) == 0)
+  {
+    scene.bodies[0] = box_body("ground", {100 + 100 * size, 1, 100 + 100 * size}, {0, -1, 0}, 0);
+  }
+  const double friction = draw.whole(4) == 0 ? 0 : draw.between(0, 1.5);
+  const double restitution = draw.whole(2) == 0 ? 0 : draw.between(0, 1);
+  const int count = kind == Kind::thrown ? 8 : kind == Kind::stack ? 12 : 1 + draw.whole(3);
+  double height = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    SceneBody body = drawn(draw, many ? draw.whole(3) : static_cast<int>(kind), size);
+    body.name = numbered("body", i);
+    body.position = {4 * size * i, lying(body), 0};
+    if (kind == Kind::stack)
+    {
+      body.position = {0, height + lying(body), 0};
+      height += 2 * lying(body);
+    }
+    else
+    {
+      body.velocity = pace * draw.between(0, 3) * draw.direction();
+      body.angular_velocity = pace / size * draw.between(0, 6) * draw.direction();
+      body.velocity.y() *= i == 0 && !many ? 0 : 1; // the first lies and slides
+    }
+    if (many ? kind == Kind::thrown : i > 0)
+    {
+      body.orientation = Quaternion<double>(draw.rotation());
+      body.position.y() = size * draw.between(2, 5);
+    }
+    body.friction = scene.bodies[0].friction = friction;
+    body.restitution = restitution;
+    scene.bodies.push_back(body);
+  }
+  return scene;
+}
+// [passive_scenes]
+
+/// In how many scenes of a kind a solver's energy is once above that of the start.
+int gaining(const std::string& solver, Kind kind)
+{
+  int count = 0;
+  for (int seed = 0; seed < scenes_of_a_kind; ++seed)
+  {
+    const WorldRun run = run_world(passive_scene(kind, seed), {.solver = solver});
+    const bool gains = run.energy_most > run.energy_start + 1e-9 * std::abs(run.energy_start);
+    count += gains ? 1 : 0;
+    UNSCOPED_INFO(seed << ": " << (run.energy_most / run.energy_start - 1));
+  }
+  return count;
+}
+
+} // namespace
+
+// [passive]
+TEST_CASE("250 scenes that nothing drives gain no energy in 4 s, directly or in soft steps", "[R4]")
+{
+  for (const char* const solver : {"direct", "soft_steps"})
+  {
+    for (const Kind kind : {Kind::balls, Kind::plates, Kind::boxes, Kind::thrown, Kind::stack})
+    {
+      CAPTURE(solver, static_cast<int>(kind));
+      CHECK(gaining(solver, kind) == 0);
+    }
+  }
+}
+
+TEST_CASE("balls gain none under any solver", "[R4]")
+{
+  for (const std::string& solver : solver_names())
+  {
+    CAPTURE(solver);
+    CHECK(gaining(solver, Kind::balls) == 0);
+  }
+}
+
+TEST_CASE("stacks do under warm impulses, boxes and stacks under corrected positions", "[R4]")
+{
+  CHECK(gaining("sequential_impulses", Kind::stack) > 0);
+  CHECK(gaining("position_based", Kind::boxes) > 0);
+  CHECK(gaining("position_based", Kind::stack) > 0);
+}
+// [passive]
