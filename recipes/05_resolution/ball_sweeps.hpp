@@ -62,9 +62,9 @@ private:
   static std::pair<int, int> pair_of(int i, int j) { return {std::min(i, j), std::max(i, j)}; }
   std::pair<int, int> versions(int a, int b) const
   {
-    return {versions_[place(a)], versions_[place(b)]};
+    return {versions_[place_of(a)], versions_[place_of(b)]};
   }
-  bool falls(int i) const { return step_.falls[place(i)]; }
+  bool falls(int i) const { return step_.falls[place_of(i)]; }
 
   /// Writes down when two bodies touch, if they do so after a time [s].
   void look_for(int i, int j, double time)
@@ -78,9 +78,10 @@ private:
     const int ball = is_ball(step_, i) && falls_first ? i : j, other = i + j - ball;
     const double slack = pressed(step_, pair_of(i, j)) ? reach(step_, ball) / 100 : 0;
     const TouchOnCourse touch{
-        step_.courses[place(ball)], step_.courses[place(other)], time, duration_, slack};
+        step_.courses[place_of(ball)], step_.courses[place_of(other)], time, duration_, slack};
     const std::vector<SceneBody>& bodies = step_.scene.bodies;
-    if (const auto hit = std::visit(touch, bodies[place(ball)].shape, bodies[place(other)].shape))
+    if (const auto hit =
+            std::visit(touch, bodies[place_of(ball)].shape, bodies[place_of(other)].shape))
     {
       touches_.push({hit->time * duration_, ball, other, hit->normal, versions(ball, other)});
     }
@@ -92,7 +93,7 @@ private:
     for (int j = 0; j < static_cast<int>(ends_.size()); ++j)
     {
       const bool balls = is_ball(step_, i) || is_ball(step_, j);
-      if (j != i && balls && !step_.gone[place(j)] && may_meet(step_, i, j, time))
+      if (j != i && balls && !step_.gone[place_of(j)] && may_meet(step_, i, j, time))
       {
         look_for(i, j, time);
       }
@@ -102,16 +103,16 @@ private:
   /// A body at a time [s] of its course, as fast as it is there.
   RigidBody at(int i, double time) const
   {
-    const Course& course = step_.courses[place(i)];
-    if (falls(i) || versions_[place(i)] > 0)
+    const Course& course = step_.courses[place_of(i)];
+    if (falls(i) || versions_[place_of(i)] > 0)
     {
       RigidBody body = flown(course.start, course.acceleration, time - course.since);
       body.position = course.place_at(time);
       return body;
     }
     RigidBody body = course.pose_at(time);
-    body.velocity = ends_[place(i)].velocity;
-    body.angular_velocity = ends_[place(i)].angular_velocity;
+    body.velocity = ends_[place_of(i)].velocity;
+    body.angular_velocity = ends_[place_of(i)].angular_velocity;
     return body;
   }
 
@@ -120,7 +121,7 @@ private:
     const int ball = touch.ball, other = touch.other;
     RigidBody a = at(ball, touch.time), b = at(other, touch.time);
     WorldContact contact = touch_contact(step_.scene, {ball, other}, a, b, touch.normal);
-    const bool tired = ++touched_[place(ball)] > most_touches_a_step;
+    const bool tired = ++touched_[place_of(ball)] > most_touches_a_step;
     const double slow = tired ? std::numeric_limits<double>::infinity()
                               : std::min(threshold_, reach(step_, ball) / (2 * duration_));
     const double approach = bounce(a, b, contact, slow);
@@ -147,7 +148,7 @@ private:
   /// others: they are pushed in this step, and move in the next.
   bool goes_on(int i) const
   {
-    return !is_fixed(ends_[place(i)]) && (is_ball(step_, i) || falls(i));
+    return !is_fixed(ends_[place_of(i)]) && (is_ball(step_, i) || falls(i));
   }
 
   void pass_on(int i, const RigidBody& body, double time)
@@ -158,8 +159,8 @@ private:
     }
     else
     {
-      ends_[place(i)].velocity = body.velocity;
-      ends_[place(i)].angular_velocity = body.angular_velocity;
+      ends_[place_of(i)].velocity = body.velocity;
+      ends_[place_of(i)].angular_velocity = body.angular_velocity;
     }
   }
 
@@ -167,17 +168,17 @@ private:
   /// it leans on.
   void go_on(int i, const RigidBody& body, double time, const BallTouch* leaning)
   {
-    Course& course = step_.courses[place(i)];
+    Course& course = step_.courses[place_of(i)];
     course = {body, time, body.velocity, course.acceleration, course.spin};
     if (leaning)
     {
-      hold_back(course, step_.courses[place(leaning->other)], leaning->normal);
+      hold_back(course, step_.courses[place_of(leaning->other)], leaning->normal);
     }
-    RigidBody& end = ends_[place(i)];
+    RigidBody& end = ends_[place_of(i)];
     end = flown(body, course.acceleration, duration_ - time);
     end.position = course.place_at(duration_);
     course.spin = spin_between(body, end, duration_ - time);
-    ++versions_[place(i)];
+    ++versions_[place_of(i)];
     look_around(i, time);
   }
 

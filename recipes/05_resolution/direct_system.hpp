@@ -48,12 +48,6 @@ struct DirectSystem
 };
 // [direct_system]
 
-/// A number of a body or contact as a place in a list.
-inline std::size_t place_of(int number)
-{
-  return static_cast<std::size_t>(number);
-}
-
 /// The number in an island of a body of the world; −1 if it is none of its bodies.
 inline int number_in(const Island& island, int body)
 {

@@ -13,7 +13,8 @@ namespace cookbook
 ///
 /// A turn about m × ω, with m the angular momentum, moves the spin across both: there its energy
 /// changes most. The angle is right to first order. Where it would be large, the spin is so near to
-/// an axis of the body that its energy hardly depends on it, and stays as it is.
+/// an axis of the body that its energy hardly depends on it, and stays as it is; and so it does
+/// where rounding is all that is missing.
 template <class Real>
 Spinning<Real> with_twice_energy(
     const Spinning<Real>& body, const Vector3<Real>& moments, const Real& twice_energy)
@@ -22,7 +23,8 @@ Spinning<Real> with_twice_energy(
   const Vector3<Real> momentum = moments.cwiseProduct(spin), axis = momentum.cross(spin);
   const Real missing = (twice_energy - momentum.dot(spin)) / Real(2);
   const Vector3<Real> turn = axis * (missing / axis.squaredNorm());
-  if (!(turn.norm() < Real(0.1)))
+  const Real rounding = Real(16) * std::numeric_limits<Real>::epsilon() * twice_energy;
+  if (std::abs(missing) <= rounding || !(turn.norm() < Real(0.1)))
   {
     return body;
   }

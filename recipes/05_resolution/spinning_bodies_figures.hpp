@@ -88,7 +88,7 @@ inline plot::Chart spin_energy_figure()
   const FreeSpin scene = tennis_racket();
   const double energy = doubled_energy({Quaternion<double>::Identity(), scene.spin}, scene.moments);
   const std::vector<SpinMethod> methods = spin_methods();
-  for (const std::size_t i : {1u, 2u, 3u, 5u, 6u, 7u, 8u})
+  for (const std::size_t i : {1u, 2u, 3u, 5u, 6u, 7u, 9u})
   {
     std::vector<Eigen::Vector2d> points;
     double worst = 0;
@@ -116,14 +116,14 @@ inline plot::Chart spin_cost_figure()
   plot::Chart chart(
       "spinning_bodies_cost", "", {"stages a second", plot::Scale::log},
       {"orientation after 10 s, off by [rad]", plot::Scale::log});
-  chart.describe("The error of an orientation against the work, for seven ways to step.")
+  chart.describe("The error of an orientation against the work, for eight ways to step.")
       .legend(plot::Legend::below);
   const FreeSpin scene = tennis_racket();
   const std::vector<SpinMethod> methods = spin_methods();
   const auto nothing = [](double, const Spinning<double>&) {};
   const Quaternion<double> right = true_orientation(scene, 10);
-  const std::vector<int> stages{0, 1, 1, 1, 4, 4, 1, 1, 5};
-  for (const std::size_t i : {2u, 3u, 4u, 5u, 6u, 7u, 8u})
+  const std::vector<int> stages{0, 1, 1, 1, 4, 4, 1, 1, 1, 5};
+  for (const std::size_t i : {2u, 3u, 4u, 5u, 6u, 7u, 8u, 9u})
   {
     std::vector<Eigen::Vector2d> points;
     for (double rate = 15; rate < 4000 / stages[i]; rate *= 2)

@@ -4,6 +4,7 @@
 /// \brief Free spins and the ways to step them, and what is measured on the way.
 
 #include "05_resolution/spin_steps.hpp"
+#include "05_resolution/spin_with_energy.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,8 @@ struct SpinMethod
   std::function<Spinning<double>(const Spinning<double>&, const Vector3<double>&, double)> step;
 };
 
-/// All that compete; the last but one is the one to take, the last the finest.
+/// All that compete; of the last three the first is the cheapest, the second the one to take for a
+/// world, the third the finest.
 inline std::vector<SpinMethod> spin_methods()
 {
   return {
@@ -34,6 +36,7 @@ inline std::vector<SpinMethod> spin_methods()
       {"Runge–Kutta", runge_kutta_spin<double>},
       {"axes in turn", axes_in_turn<double>},
       {"turned", turned<double>},
+      {"turned_with_energy", turned_with_energy<double>},
       {"turned_finely", turned_finely<double>}};
 }
 // [spin_methods]

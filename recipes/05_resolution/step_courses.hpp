@@ -31,23 +31,17 @@ struct StepCourses
   std::vector<double> ways = {};          ///< [m], how far any point of a body went
 };
 
-/// A number of a body as a place in a list.
-inline std::size_t place(int number)
-{
-  return static_cast<std::size_t>(number);
-}
-
 /// True if a body is a ball.
 inline bool is_ball(const StepCourses& step, int i)
 {
-  return std::holds_alternative<SphereShape>(step.scene.bodies[place(i)].shape);
+  return std::holds_alternative<SphereShape>(step.scene.bodies[place_of(i)].shape);
 }
 
 /// How far [m] a body reaches from its centre.
 inline double reach(const StepCourses& step, int i)
 {
   return std::visit(
-      [](const auto& shape) { return reach_of(shape); }, step.scene.bodies[place(i)].shape);
+      [](const auto& shape) { return reach_of(shape); }, step.scene.bodies[place_of(i)].shape);
 }
 
 /// Writes down the courses of all bodies, from where a step began to where it ended.
@@ -74,7 +68,7 @@ inline double smallest_ball(const StepCourses& step)
   double smallest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < static_cast<int>(step.scene.bodies.size()); ++i)
   {
-    if (is_ball(step, i) && !step.gone[place(i)])
+    if (is_ball(step, i) && !step.gone[place_of(i)])
     {
       smallest = std::min(smallest, reach(step, i));
     }
@@ -86,15 +80,15 @@ inline double smallest_ball(const StepCourses& step)
 /// if the two went by more than its radius. What goes by less cannot get behind a surface.
 inline bool in_danger(const StepCourses& step, int ball, int other)
 {
-  const double way = step.ways[place(ball)] + step.ways[place(other)];
-  return is_ball(step, ball) && (step.falls[place(ball)] || way > reach(step, ball));
+  const double way = step.ways[place_of(ball)] + step.ways[place_of(other)];
+  return is_ball(step, ball) && (step.falls[place_of(ball)] || way > reach(step, ball));
 }
 
 /// All that a body may have touched in a step that ended at a pose.
 inline Bounds bounds_on_way(const StepCourses& step, int i, const RigidBody& end)
 {
-  const Course& course = step.courses[place(i)];
-  const auto& shape = step.scene.bodies[place(i)].shape;
+  const Course& course = step.courses[place_of(i)];
+  const auto& shape = step.scene.bodies[place_of(i)].shape;
   const double bulge = step.scene.step * step.scene.step / 8 * course.acceleration.norm();
   const double wider = course.spin.isZero(0) ? bulge : bulge + reach(step, i);
   Bounds bounds{bounds_of(course.start, shape, wider), i};
@@ -109,16 +103,16 @@ pairs_in_danger(const StepCourses& step, std::span<const RigidBody> ends)
   const double harmless = smallest_ball(step) / 2;
   const auto fast = [&](int i)
   {
-    const bool falling_ball = step.falls[place(i)] && is_ball(step, i);
-    return falling_ball || step.ways[place(i)] > harmless;
+    const bool falling_ball = step.falls[place_of(i)] && is_ball(step, i);
+    return falling_ball || step.ways[place_of(i)] > harmless;
   };
   std::vector<Bounds> bounds;
   bool any = false;
   for (int i = 0; i < static_cast<int>(ends.size()); ++i)
   {
-    if (!step.gone[place(i)])
+    if (!step.gone[place_of(i)])
     {
-      bounds.push_back(bounds_on_way(step, i, ends[place(i)]));
+      bounds.push_back(bounds_on_way(step, i, ends[place_of(i)]));
       any = any || fast(i);
     }
   }
@@ -143,10 +137,10 @@ inline bool may_meet(const StepCourses& step, int i, int j, double time)
   const double left = step.scene.step - time;
   const auto way = [&](const Course& of)
   { return left * (of.velocity_at(time).norm() + left * of.acceleration.norm()); };
-  const Course &a = step.courses[place(i)], &b = step.courses[place(j)];
+  const Course &a = step.courses[place_of(i)], &b = step.courses[place_of(j)];
   const double near = reach(step, i) + reach(step, j) + way(a) + way(b);
-  return std::holds_alternative<PlaneShape>(step.scene.bodies[place(i)].shape) ||
-         std::holds_alternative<PlaneShape>(step.scene.bodies[place(j)].shape) ||
+  return std::holds_alternative<PlaneShape>(step.scene.bodies[place_of(i)].shape) ||
+         std::holds_alternative<PlaneShape>(step.scene.bodies[place_of(j)].shape) ||
          (a.place_at(time) - b.place_at(time)).norm() <= near;
 }
 // [in_danger]

@@ -73,7 +73,7 @@ public:
     wake_neighbours(sleep_, bodies_, contacts_, static_cast<int>(body));
     fix(bodies_.at(body));
     gone_[body] = true;
-    std::erase_if(bounds_, [body](const Bounds& bound) { return index(bound.body) == body; });
+    std::erase_if(bounds_, [body](const Bounds& bound) { return place_of(bound.body) == body; });
   }
 
   /// Goes on by one step of the scene.
@@ -89,29 +89,30 @@ public:
     }
     for (const Island& island : islands_of(numbers, contacts_))
     {
-      if (!sleep_[index(island.bodies.front())].asleep)
+      if (!sleep_[place_of(island.bodies.front())].asleep)
       {
         advance(island);
       }
     }
-    sweep_balls([&](int body) { wake(sleep_, numbers, body); });
+    if (has_balls_)
+    {
+      sweep_balls([&](int body) { wake(sleep_, numbers, body); });
+    }
     finish();
     ++steps_;
   }
 
 private:
-  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
   void find_contacts()
   {
     for (Bounds& bound : bounds_)
     {
-      const std::size_t i = index(bound.body);
+      const std::size_t i = place_of(bound.body);
       bound.box = bounds_of(bodies_[i], scene_.bodies[i].shape, margin() / 2);
     }
     contacts_ = next_contacts(
         scene_, bodies_, contacts_, overlapping_pairs(bounds_), margin(),
-        [this](int body) { return is_fixed(bodies_[index(body)]) || sleeps(index(body)); });
+        [this](int body) { return is_fixed(bodies_[place_of(body)]) || sleeps(place_of(body)); });
   }
 
   /// Moves an island: forces, bounces, contacts; and what no contact has pushed flies on.
@@ -121,8 +122,8 @@ private:
     const bool touches = !island.contacts.empty();
     for (const int i : island.bodies)
     {
-      RigidBody& body = bodies_[index(i)];
-      body.velocity += scene_.step * body.inverse_mass * forces_[index(i)];
+      RigidBody& body = bodies_[place_of(i)];
+      body.velocity += scene_.step * body.inverse_mass * forces_[place_of(i)];
     }
     if (touches)
     {
@@ -130,7 +131,7 @@ private:
     }
     for (const int i : island.bodies)
     {
-      start_[index(i)] = bodies_[index(i)];
+      start_[place_of(i)] = bodies_[place_of(i)];
     }
     if (touches)
     {
@@ -138,7 +139,7 @@ private:
     }
     for (const int i : island.bodies)
     {
-      fall_unless_pushed(index(i), touches);
+      fall_unless_pushed(place_of(i), touches);
     }
   }
 
@@ -155,12 +156,9 @@ private:
   /// Has balls bounce off what they would have passed through; `woken(i)` is told of who is hit.
   void sweep_balls(const std::function<void(int)>& woken)
   {
-    if (has_balls_)
-    {
-      StepCourses step{scene_, contacts_, falls_, gone_};
-      set_out(step, start_, bodies_);
-      BallSweeps(step, bodies_, woken).run();
-    }
+    StepCourses step{scene_, contacts_, falls_, gone_};
+    set_out(step, start_, bodies_);
+    BallSweeps(step, bodies_, woken).run();
   }
 
   /// Watches who rests, and keeps bodies whose numbers have overflowed where they were, fixed.

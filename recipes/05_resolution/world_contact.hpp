@@ -6,10 +6,17 @@
 #include "04_obb_manifolds/feature_memory.hpp"
 #include "05_resolution/rigid_body.hpp"
 
+#include <cstddef>
 #include <span>
 
 namespace cookbook
 {
+
+/// A number of a body or contact as a place in a list.
+inline std::size_t place_of(int number)
+{
+  return static_cast<std::size_t>(number);
+}
 
 // [world_contact]
 /// What a solver knows of a contact point; carried from frame to frame.

@@ -119,6 +119,48 @@ bool goes_through(const Shot& shot, const std::string& solver)
 
 } // namespace
 
+// [P23]
+TEST_CASE(
+    "a ball 1 m above the floor touches after sqrt(2 / g), thrown down at 3 m/s sooner", "[P23]")
+{
+  for (const double down : {0.0, 3.0})
+  {
+    const double gravity = 9.81, step = 1;
+    int looks = 0;
+    const auto look = [&](double share)
+    {
+      ++looks;
+      const double fallen = down * share + gravity / 2 * share * share;
+      return Outlook<double>{{{0, -1, 0}, 1 - fallen}, down + gravity * share, gravity};
+    };
+    const auto hit = first_touch<double>(0, gravity * step * step, 1e-14, look);
+    REQUIRE(hit);
+    // The root of v t + g t² / 2 = 1.
+    CHECK(
+        hit->time ==
+        Catch::Approx((std::sqrt(down * down + 2 * gravity) - down) / gravity).epsilon(1e-14));
+    CHECK(looks <= 3);
+  }
+}
+
+TEST_CASE(
+    "a bar of 2 m that turns at 1 rad/s meets a ball beside its middle when geometry says", "[P23]")
+{
+  // Seen along the axis of the turn: a bar of half height 0.1, a ball of 0.1 m at (0.8, 0.6).
+  RigidBody bar = rigid_body(box_body("bar", {1, 0.1, 1}, {0, 0, 0}));
+  RigidBody ball = rigid_body(ball_body("ball", 0.1, {0.8, 0.6, 0}));
+  RigidBody turned = bar;
+  turned.orientation = rotation_by<double>({0, 0, 1});
+  const Course of_bar = straight_course(bar, turned, 1), of_ball = straight_course(ball, ball, 1);
+  const TouchOnCourse touch{of_ball, of_bar, 0, 1, 0};
+  const auto hit = touch(SphereShape{0.1}, BoxShape{{1, 0.1, 1}});
+  REQUIRE(hit);
+  // The ball is 1 m from the middle at an angle of atan(3/4); its surface meets the bar's upper
+  // face where it is 0.2 above the bar's plane: sin(atan(3/4) - t) = 0.2.
+  CHECK(hit->time == Catch::Approx(std::atan(0.75) - std::asin(0.2)).epsilon(1e-12));
+}
+// [P23]
+
 // [walls]
 TEST_CASE(
     "10,000 balls that roll at 1 to 1,000 m/s do not pass a wall of 1 mm to 5 cm, nor, up to 50 "
