@@ -151,6 +151,16 @@ function(cookbook_recipe name)
   cookbook_test(${name} ${ARGN})
 endfunction()
 
+# cookbook_refusal(NAME WORDS [ARGUMENT…]): the program NAME, called like this, refuses with the words.
+function(cookbook_refusal name words)
+  if(COOKBOOK_TESTS AND COOKBOOK_RECIPES)
+    list(JOIN ARGN " " called)
+    add_test(NAME "${name} refuses ${called}" COMMAND ${name} ${ARGN})
+    set_tests_properties("${name} refuses ${called}" PROPERTIES
+      LABELS "${COOKBOOK_CHAPTER};${name}" TIMEOUT 60 PASS_REGULAR_EXPRESSION "error: ${words}")
+  endif()
+endfunction()
+
 # cookbook_chart(NAME [LIBRARY…]): a program that measures time; its chart belongs to the book and is
 # built with it. Only its unit tests run in ctest; sanitizers leave them out, for what they link is
 # large.

@@ -1,7 +1,6 @@
 #include "common/plot/panel.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <stdexcept>
 
 namespace cookbook::plot
@@ -119,38 +118,6 @@ Panel Grid::panel(const std::string& id) const
 std::string Grid::svg() const
 {
   return document(name_, panel(name_));
-}
-
-void save(const std::filesystem::path& file, const std::string& text)
-{
-  const auto fail = [&file](const std::string& why)
-  { throw std::runtime_error("cannot write " + file.string() + ": " + why); };
-  std::error_code error;
-  if (file.has_parent_path())
-  {
-    std::filesystem::create_directories(file.parent_path(), error);
-    if (error)
-    {
-      fail(error.message());
-    }
-  }
-  std::filesystem::path part = file;
-  part += ".part";
-  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-  stream << text;
-  stream.close();
-  if (!stream)
-  {
-    std::filesystem::remove(part, error);
-    fail("the folder or the disk does not take it");
-  }
-  std::filesystem::rename(part, file, error);
-  if (error)
-  {
-    std::error_code ignored;
-    std::filesystem::remove(part, ignored);
-    fail(error.message());
-  }
 }
 
 } // namespace cookbook::plot

@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -71,18 +70,5 @@ private:
   int columns_;
   std::vector<std::function<Panel(const std::string&)>> panels_;
 };
-
-/// Writes a text to a file in one step: a temporary file beside it, then a rename.
-///
-/// Throws std::runtime_error that names the file where it cannot be written; what was there
-/// before then stays untouched. Missing folders are made.
-void save(const std::filesystem::path& file, const std::string& text);
-
-/// Saves the SVG of a figure, chart or grid.
-template <class Figure>
-void save_svg(const std::filesystem::path& file, const Figure& figure)
-{
-  save(file, figure.svg());
-}
 
 } // namespace cookbook::plot

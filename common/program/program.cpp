@@ -1,9 +1,11 @@
 #include "common/program/program.hpp"
 
+#include "common/program/whole_file.hpp"
+
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <sstream>
 
@@ -82,10 +84,86 @@ void describe(CLI::App& app, Arguments& arguments)
   }
 }
 
-int run_body(const Arguments& arguments, const std::function<void(const Arguments&)>& body)
+/// What is wrong with options given together; empty: nothing.
+std::string wrong_together(const CLI::App& app, const Arguments& arguments)
+{
+  const auto given = [&app](const std::string& name) { return app.count("--" + name) != 0; };
+  for (const Option& option : arguments.options)
+  {
+    if (!given(option.name))
+    {
+      continue;
+    }
+    if (!option.needs.empty() && std::none_of(option.needs.begin(), option.needs.end(), given))
+    {
+      std::string needed;
+      for (const std::string& name : option.needs)
+      {
+        needed += (needed.empty() ? "--" : " or --") + name;
+      }
+      return "--" + option.name + " would be ignored without " + needed;
+    }
+    for (const std::string& other : option.excludes)
+    {
+      if (given(other))
+      {
+        return "--" + other + " would be ignored beside --" + option.name + "; give one of them";
+      }
+    }
+  }
+  return "";
+}
+
+/// Whether figures are expected: not where pairs are printed, unless a folder is named for them.
+bool draws_figures(const CLI::App& app, const Arguments& arguments)
+{
+  const auto prints_instead = [&app](const Option& option)
+  { return !option.draws && app.count("--" + option.name) != 0; };
+  return app.count("--out") != 0 ||
+         (arguments.pairs.empty() &&
+          std::none_of(arguments.options.begin(), arguments.options.end(), prints_instead));
+}
+
+/// Tries the places that the program will write to; throws std::runtime_error.
+void check_places(const Arguments& arguments, bool draws)
+{
+  if (draws)
+  {
+    check_place(arguments.out / (arguments.name + ".svg"));
+  }
+  for (const Option& written : arguments.options)
+  {
+    if (written.file != FileUse::written || written.value.empty())
+    {
+      continue;
+    }
+    const auto refuse_if_read = [&](const std::string& name, const std::filesystem::path& file)
+    {
+      std::error_code not_there;
+      if (std::filesystem::equivalent(written.value, file, not_there))
+      {
+        throw std::runtime_error(
+            "--" + written.name + " would overwrite what --" + name + " reads");
+      }
+    };
+    refuse_if_read("pairs", arguments.pairs);
+    for (const Option& read : arguments.options)
+    {
+      if (read.file == FileUse::read)
+      {
+        refuse_if_read(read.name, read.value);
+      }
+    }
+    check_place(written.value);
+  }
+}
+
+int run_body(
+    const Arguments& arguments, bool draws, const std::function<void(const Arguments&)>& body)
 {
   try
   {
+    check_places(arguments, draws);
     HeldOutput output;
     body(arguments);
     output.release();
@@ -119,20 +197,18 @@ int run_program(
     std::cerr << arguments.name << ": error: " << error.what() << " (try --help)\n";
     return 2;
   }
-  return run_body(arguments, body);
+  if (const std::string wrong = wrong_together(app, arguments); !wrong.empty())
+  {
+    std::cerr << arguments.name << ": error: " << wrong << " (try --help)\n";
+    return 2;
+  }
+  return run_body(arguments, draws_figures(app, arguments), body);
 }
 
 void save_figure(const Arguments& arguments, const std::string& figure, const std::string& content)
 {
   const std::filesystem::path path = arguments.out / figure;
-  std::error_code failure;
-  std::filesystem::create_directories(arguments.out, failure);
-  std::ofstream file(path, std::ios::binary);
-  file << content << std::flush;
-  if (!file)
-  {
-    throw std::runtime_error("cannot write the figure " + path.string());
-  }
+  save_whole(path, content);
   std::cerr << "figure: " << path.string() << '\n';
 }
 

@@ -12,6 +12,14 @@
 namespace cookbook
 {
 
+/// What becomes of the file that an option names.
+enum class FileUse
+{
+  none,   ///< the option names no file
+  read,   ///< it is read
+  written ///< it is written
+};
+
 /// One further option of a program, `--name VALUE`; or only `--name`, where there is one choice.
 struct Option
 {
@@ -19,6 +27,11 @@ struct Option
   std::string help;                 ///< one sentence
   std::string value;                ///< the default; afterwards what the reader chose
   std::vector<std::string> choices; ///< the values allowed; empty: any
+
+  std::vector<std::string> needs{};    ///< options: without any of them this one would be ignored
+  std::vector<std::string> excludes{}; ///< options that would be ignored beside this one
+  FileUse file = FileUse::none;        ///< what becomes of the file that it names
+  bool draws = true;                   ///< whether figures are drawn where it is given
 };
 
 /// What a program is called with, and what it can be called with.
@@ -38,11 +51,14 @@ struct Arguments
 /// Runs a program: reads its arguments, then calls `body` with them.
 ///
 /// Returns the exit status: 0, 1 where `body` throws (its sentence goes to standard error), 2 for
-/// wrong arguments. Standard output is written only when `body` has come to its end.
+/// wrong arguments. Standard output is written only when `body` has come to its end. Before `body`
+/// begins, the places are tried that it will write to: `--out`, and the files of options; a file
+/// that is also read is refused.
 int run_program(
     int argc, char** argv, Arguments arguments, const std::function<void(const Arguments&)>& body);
 
-/// Writes `<out>/<figure>` and says so on standard error; throws std::runtime_error if it cannot.
+/// Writes `<out>/<figure>`, whole or not at all, and says so on standard error; throws
+/// std::runtime_error if it cannot.
 void save_figure(const Arguments& arguments, const std::string& figure, const std::string& content);
 
 /// A line on standard error that counts up while long work goes on; silent unless a person watches.

@@ -155,7 +155,7 @@ std::string manifolds_csv(const std::vector<std::optional<Manifold<Real, Capacit
 /// The option with which a reader chooses the number type of --pairs.
 inline Option scalar_option()
 {
-  return {"scalar", "number type for --pairs", "double", {"float", "double"}};
+  return {"scalar", "number type for --pairs", "double", {"float", "double"}, {"pairs"}};
 }
 
 // [print_pairs]

@@ -61,10 +61,6 @@ void print_manifolds()
 void run(const Arguments& given)
 {
   const bool compares = !given.value("compare").empty();
-  if (given.pairs.empty() && compares)
-  {
-    throw std::runtime_error("--compare needs your own pairs: --pairs FILE");
-  }
   if (!given.pairs.empty())
   {
     return compares ? compare_box_methods(given) : print_own_manifolds(given);
@@ -83,7 +79,12 @@ int main(int argc, char** argv)
       .pairs_header = box_pairs_header,
       .options = {
           scalar_option(),
-          {"method", "who answers --pairs", "box_box", box_manifold_names()},
-          {"compare", "time and check every method on --pairs instead", "", {"yes"}}}};
+          {"method", "who answers --pairs", "box_box", box_manifold_names(), {"pairs"}},
+          {"compare",
+           "time and check every method on --pairs instead",
+           "",
+           {"yes"},
+           {"pairs"},
+           {"method", "scalar"}}}};
   return run_program(argc, argv, arguments, run);
 }

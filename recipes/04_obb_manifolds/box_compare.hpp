@@ -5,6 +5,7 @@
 
 #include "04_obb_manifolds/box_measured.hpp"
 #include "04_obb_manifolds/boxes_file.hpp"
+#include "common/program/whole_file.hpp"
 
 #include <iostream>
 #include <random>
@@ -89,6 +90,7 @@ inline Table compared_table(const std::vector<MeasuredBoxMethod>& methods)
 /// Times and checks every method on the pairs of --pairs: a table, and a chart in --out.
 inline void compare_box_methods(const Arguments& arguments)
 {
+  check_place(arguments.out / "box_compare.svg");
   const BoxPairLists given = own_box_pairs(arguments);
   const std::vector<MeasuredBoxMethod> methods = compared_methods(given, {});
   const BoxAccuracy& first = methods[0].accuracy;

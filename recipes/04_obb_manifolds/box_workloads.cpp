@@ -107,8 +107,12 @@ int main(int argc, char** argv)
       .name = "box_workloads",
       .summary = "Ten named sets of pairs of boxes, and any of them as a file for --pairs.",
       .options = {
-          {"csv", "print the pairs of this workload instead", "", box_workload_names()},
-          {"count", "how many pairs to print", "1000", {}}}};
+          {.name = "csv",
+           .help = "print the pairs of this workload instead",
+           .value = "",
+           .choices = box_workload_names(),
+           .draws = false},
+          {"count", "how many pairs to print", "1000", {}, {"csv"}}}};
   return run_program(
       argc, argv, arguments,
       [](const Arguments& given)

@@ -12,11 +12,10 @@
 #include "05_resolution/world_scenes.hpp"
 #include "05_resolution/world_tables.hpp"
 #include "common/program/program.hpp"
+#include "common/program/whole_file.hpp"
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <stdexcept>
 
 namespace
 {
@@ -27,28 +26,17 @@ using namespace cookbook;
 Scene scene_of(const Arguments& given)
 {
   const std::string& file = given.value("scene-file");
-  if (!file.empty() && !given.value("scene").empty())
-  {
-    throw std::invalid_argument("--scene and --scene-file name two scenes; give one of them");
-  }
   return file.empty() ? named_scene(given.value("scene")) : read_scene(std::filesystem::path(file));
 }
 
 void save_frames(const Arguments& given, const Scene& scene, const std::vector<Frame>& frames)
 {
   const std::string& file = given.value("frames");
-  if (file.empty())
+  if (!file.empty())
   {
-    return;
+    save_whole(file, [&](std::ostream& stream) { write_frames(stream, scene, frames); });
+    std::cerr << "frames: " << file << "\n";
   }
-  std::ofstream stream(file);
-  write_frames(stream, scene, frames);
-  stream.close();
-  if (!stream)
-  {
-    throw std::runtime_error("cannot write " + file);
-  }
-  std::cerr << "frames: " << file << "\n";
 }
 
 // [run_scene]
@@ -93,17 +81,24 @@ void run(const Arguments& given)
 
 int main(int argc, char** argv)
 {
+  const std::vector<std::string> scene{"scene", "scene-file"};
   const Arguments arguments{
       .name = "world",
       .summary = "Runs a scene in a world with any solver: overlap, drift, energy, time. Without "
                  "--scene or --scene-file, five scenes with all solvers.",
       .options = {
-          {"scene", "one of\n" + scene_list(), "", {}},
-          {"scene-file", "a JSON file with your own scene, instead of --scene", "", {}},
-          {"solver", "how contacts are solved", "direct", solver_names()},
-          {"substeps", "small steps in a frame; 0: what the solver takes itself", "0", {}},
-          {"duration", "how long to run [s]; the scene's own if left out", "", {}},
-          {"sleep", "whether bodies that rest are left out", "no", {"no", "yes"}},
-          {"frames", "a CSV file for every body in every step", "", {}}}};
+          {"scene", "one of\n" + scene_list(), "", {}, {}, {"scene-file"}},
+          {"scene-file", "a JSON file with your own scene", "", {}, {}, {}, FileUse::read},
+          {"solver", "how contacts are solved", "direct", solver_names(), scene},
+          {"substeps", "small steps in a frame; 0: what the solver takes itself", "0", {}, scene},
+          {"duration", "how long to run [s]; the scene's own if left out", "", {}, scene},
+          {"sleep", "whether bodies that rest are left out", "no", {"no", "yes"}, scene},
+          {"frames",
+           "a CSV file for every body in every step",
+           "",
+           {},
+           scene,
+           {},
+           FileUse::written}}};
   return run_program(argc, argv, arguments, run);
 }

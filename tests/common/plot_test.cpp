@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <set>
 #include <sstream>
@@ -452,22 +450,4 @@ TEST_CASE("empty figures and charts are drawn, too", "[plot]")
   CHECK_NOTHROW(Chart("c", "", {"x", Scale::log}, {"y"}).svg());
   CHECK_NOTHROW(BarChart("b", "", {"v"}).svg());
   CHECK_NOTHROW(Grid("g", "", 2).svg());
-}
-
-TEST_CASE("saving makes the folders, replaces the file and leaves no other", "[plot]")
-{
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / "cookbook_plot_test_save";
-  std::filesystem::remove_all(folder);
-  const std::filesystem::path file = folder / "deep" / "figure.svg";
-  save(file, "first");
-  save(file, "second");
-  std::ostringstream content;
-  content << std::ifstream(file).rdbuf();
-  CHECK(content.str() == "second");
-  CHECK(std::distance(std::filesystem::directory_iterator(folder / "deep"), {}) == 1);
-  // A folder stands where the file should go.
-  CHECK(count(refusal([&] { save(folder / "deep", "x"); }), "cannot write") == 1);
-  CHECK_THROWS_AS(save(file / "below_a_file.svg", "x"), std::runtime_error);
-  std::filesystem::remove_all(folder);
 }

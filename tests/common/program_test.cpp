@@ -4,11 +4,17 @@
 #include "common/program/csv.hpp"
 #include "common/program/program.hpp"
 #include "common/program/table.hpp"
+#include "common/program/whole_file.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/common/run_program.hpp"
 
+#include <csignal>
+#include <fstream>
 #include <sstream>
+
+#include <sys/resource.h>
+#include <unistd.h>
 
 using namespace cookbook;
 
@@ -34,6 +40,54 @@ std::string complaint(const std::string& text, const std::string& header = "x,y"
   }
   return "";
 }
+
+/// A folder that is gone after the test.
+struct Folder
+{
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("cookbook_program_" + std::to_string(getpid()));
+
+  Folder() { std::filesystem::create_directories(path); }
+  ~Folder() { std::filesystem::remove_all(path); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+};
+
+std::string text_of(const std::filesystem::path& file)
+{
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+auto files_in(const std::filesystem::path& folder)
+{
+  return std::distance(std::filesystem::directory_iterator(folder), {});
+}
+
+/// As long as this lives, no file may grow beyond so many bytes: like a disk that is full.
+class SmallFiles
+{
+public:
+  explicit SmallFiles(rlim_t most)
+  {
+    signal_ = std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small{most, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~SmallFiles()
+  {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, signal_);
+  }
+  SmallFiles(const SmallFiles&) = delete;
+  SmallFiles& operator=(const SmallFiles&) = delete;
+
+private:
+  rlimit before_{};
+  void (*signal_)(int) = nullptr;
+};
 
 } // namespace
 
@@ -158,6 +212,135 @@ TEST_CASE("a figure that cannot be written is named", "[program]")
   arguments.out = "/proc/no/such/folder";
   CHECK_THROWS_WITH(
       save_figure(arguments, "x.svg", "<svg/>"),
-      "cannot write the figure /proc/no/such/folder/x.svg");
+      "cannot write /proc/no/such/folder/x.svg: No such file or directory");
   CHECK_THROWS_AS(arguments.value("scalar"), std::logic_error);
+}
+
+TEST_CASE("options that would be ignored are refused before the run", "[program]")
+{
+  const Arguments arguments{
+      .name = "demo",
+      .summary = "",
+      .options = {
+          {"scene", "", "", {}, {}, {"scene-file"}},
+          {"scene-file", "", "", {}},
+          {"solver", "", "direct", {}, {"scene", "scene-file"}}}};
+  bool ran = false;
+  const auto called = [&](std::vector<std::string> words)
+  {
+    ran = false;
+    return run(
+        std::move(words), [&](const Arguments&) { ran = true; }, arguments);
+  };
+  const Run alone = called({"demo", "--solver", "soft"});
+  CHECK(alone.status == 2);
+  CHECK(
+      alone.err ==
+      "demo: error: --solver would be ignored without --scene or --scene-file (try --help)\n");
+  CHECK_FALSE(ran);
+  CHECK(called({"demo", "--solver", "soft", "--scene-file", "x"}).status == 0);
+  CHECK(ran);
+  const Run both = called({"demo", "--scene-file", "x", "--scene", "y"});
+  CHECK(both.status == 2);
+  CHECK(both.err.find("--scene-file would be ignored beside --scene;") != std::string::npos);
+  CHECK_FALSE(ran);
+}
+
+TEST_CASE("what cannot be written, or is read, is refused before the run", "[program]")
+{
+  const Folder folder;
+  const std::filesystem::path scene = folder.path / "scene.json";
+  save_whole(scene, "a scene");
+  std::filesystem::create_symlink(scene, folder.path / "link.csv");
+  const Arguments arguments{
+      .name = "demo",
+      .summary = "",
+      .options = {
+          {"scene-file", "", "", {}, {}, {}, FileUse::read},
+          {"frames", "", "", {}, {}, {}, FileUse::written}}};
+  bool ran = false;
+  const auto complaint_about = [&](std::vector<std::string> words)
+  {
+    ran = false;
+    words.insert(words.begin(), {"demo", "--scene-file", scene.string()});
+    const Run result = run(
+        std::move(words),
+        [&](const Arguments& given)
+        {
+          ran = true;
+          if (!given.value("frames").empty())
+          {
+            save_whole(given.value("frames"), "frames");
+          }
+        },
+        arguments);
+    CHECK(result.status == (ran ? 0 : 1));
+    return result.err;
+  };
+  const std::string overwrites = "demo: error: --frames would overwrite what --scene-file reads\n";
+  const auto in_folder = [&](const char* name) { return (folder.path / name).string(); };
+  CHECK(complaint_about({"--frames", scene.string()}) == overwrites);
+  CHECK(complaint_about({"--frames", in_folder("./scene.json")}) == overwrites);
+  CHECK(complaint_about({"--frames", in_folder("link.csv")}) == overwrites);
+  CHECK(
+      complaint_about({"--frames", in_folder("")}) ==
+      "demo: error: cannot write " + in_folder("") + ": it is a folder\n");
+  CHECK(
+      complaint_about({"--frames", in_folder("scene.json/x.csv")}).find("cannot write") !=
+      std::string::npos);
+  CHECK(
+      complaint_about({"--out", in_folder("scene.json")}).find("cannot write") !=
+      std::string::npos);
+  CHECK_FALSE(ran);
+  CHECK(text_of(scene) == "a scene");
+
+  CHECK(complaint_about({"--frames", in_folder("new/frames.csv")}).empty());
+  CHECK(text_of(folder.path / "new/frames.csv") == "frames");
+  CHECK(complaint_about({"--frames", "/dev/null"}).empty());
+  CHECK(std::filesystem::is_character_file("/dev/null"));
+  CHECK(files_in(folder.path) == 3); // scene.json, link.csv and new
+}
+
+TEST_CASE("a file is written whole or not at all, and leaves no other", "[program]")
+{
+  const Folder folder;
+  const std::filesystem::path file = folder.path / "deep" / "figure.svg";
+  save_whole(file, "first");
+  save_whole(file, "second");
+  CHECK(text_of(file) == "second");
+  std::filesystem::create_symlink(file, folder.path / "link.svg");
+  save_whole(folder.path / "link.svg", "third");
+  CHECK(text_of(file) == "third");
+  CHECK_THROWS_WITH(
+      save_whole(
+          file,
+          [](std::ostream& stream)
+          {
+            stream << "half";
+            throw std::runtime_error("out of ideas");
+          }),
+      "cannot write " + file.string() + ": out of ideas");
+  CHECK_THROWS_AS(save_whole(folder.path / "deep", "x"), std::runtime_error);
+  CHECK_THROWS_AS(save_whole(file / "below_a_file.svg", "x"), std::runtime_error);
+  CHECK_THROWS_AS(save_whole("", "x"), std::runtime_error);
+  CHECK(text_of(file) == "third");
+  CHECK(files_in(file.parent_path()) == 1);
+}
+
+TEST_CASE("a disk that is full leaves what was there", "[program]")
+{
+  const Folder folder;
+  const std::filesystem::path file = folder.path / "frames.csv";
+  save_whole(file, "kept");
+  {
+    const SmallFiles only(4096);
+    CHECK_THROWS_WITH(
+        save_whole(file, std::string(1 << 20, 'x')),
+        "cannot write " + file.string() + ": File too large");
+  }
+  CHECK(text_of(file) == "kept");
+  CHECK(files_in(folder.path) == 1);
+  CHECK_THROWS_WITH(
+      save_whole("/dev/full", "x"), "cannot write /dev/full: No space left on device");
+  CHECK(std::filesystem::is_character_file("/dev/full"));
 }

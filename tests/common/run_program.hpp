@@ -18,7 +18,16 @@ struct Run
   std::string err;
 };
 
-inline Run run(std::vector<std::string> words, const std::function<void(const Arguments&)>& body)
+/// What the programs of these tests can be called with, unless a test says otherwise.
+inline const Arguments demo{
+    .name = "demo",
+    .summary = "A demonstration.",
+    .pairs_header = "ax,ay,az,ar,bx,by,bz,br",
+    .options = {{"scalar", "number type", "double", {"float", "double"}}}};
+
+inline Run
+run(std::vector<std::string> words, const std::function<void(const Arguments&)>& body,
+    const Arguments& arguments = demo)
 {
   std::vector<char*> argv;
   for (std::string& word : words)
@@ -29,11 +38,6 @@ inline Run run(std::vector<std::string> words, const std::function<void(const Ar
   std::ostringstream err;
   std::streambuf* const old_out = std::cout.rdbuf(out.rdbuf());
   std::streambuf* const old_err = std::cerr.rdbuf(err.rdbuf());
-  const Arguments arguments{
-      .name = "demo",
-      .summary = "A demonstration.",
-      .pairs_header = "ax,ay,az,ar,bx,by,bz,br",
-      .options = {{"scalar", "number type", "double", {"float", "double"}}}};
   const int status = run_program(static_cast<int>(argv.size()), argv.data(), arguments, body);
   std::cout.rdbuf(old_out);
   std::cerr.rdbuf(old_err);
