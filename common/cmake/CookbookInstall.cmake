@@ -15,23 +15,24 @@ function(cookbook_install_target target)
   endif()
 endfunction()
 
-# cookbook_install(TARGET FOLDER): the headers of a folder below the repository's include roots, but not
-# those that only tests, programs and pages need.
-function(cookbook_install target folder)
+# cookbook_install(TARGET FOLDER…): the headers of folders below the repository's include roots, but
+# not those in trials, nor the inner loops of batches, nor what needs more than Eigen.
+function(cookbook_install target)
   cookbook_install_target(${target})
   if(NOT COOKBOOK_INSTALL)
     return()
   endif()
-  file(RELATIVE_PATH below_recipes ${PROJECT_SOURCE_DIR}/recipes ${folder})
-  if(below_recipes MATCHES "^\\.\\.")
-    file(RELATIVE_PATH below_recipes ${PROJECT_SOURCE_DIR} ${folder})
-  endif()
-  install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cookbook/${below_recipes}
-    FILES_MATCHING PATTERN "*.hpp"
-    REGEX "_(cases|chart|chart_[a-z]+|failures|figures|file|kernel|methods|pitfalls|scenes|speed|tables|truth|verdicts)\\.hpp$" EXCLUDE
-    REGEX "_(check|compare|contenders|draws|error|every_method|flops|kinds|measured|option|peer_[a-z]+|quality|runs|steadiness|workloads)\\.hpp$" EXCLUDE
-    REGEX "_(published_pairs|published_rates|workload_contents)\\.hpp$" EXCLUDE
-    REGEX "math/rational\\.hpp$" EXCLUDE)
+  foreach(folder IN LISTS ARGN)
+    file(RELATIVE_PATH below ${PROJECT_SOURCE_DIR}/recipes ${folder})
+    if(below MATCHES "^\\.\\.")
+      file(RELATIVE_PATH below ${PROJECT_SOURCE_DIR} ${folder})
+    endif()
+    install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cookbook/${below}
+      FILES_MATCHING PATTERN "*.hpp"
+      PATTERN "trial" EXCLUDE
+      PATTERN "*_kernel.hpp" EXCLUDE
+      PATTERN "math/rational.hpp" EXCLUDE)
+  endforeach()
 endfunction()
 
 if(COOKBOOK_INSTALL)

@@ -33,7 +33,7 @@ function(cookbook_lightly target)
   endif()
 endfunction()
 
-# cookbook_chapter(NAME [NEEDS CHAPTER]): the headers in this folder as the target cookbook::NAME.
+# cookbook_chapter(NAME [NEEDS CHAPTER]): the headers of this folder's rooms as the target cookbook::NAME.
 #
 # The folder's number and name are the chapter's label in ctest.
 function(cookbook_chapter name)
@@ -56,9 +56,9 @@ function(cookbook_chapter name)
   cmake_language(DEFER CALL cookbook_tests_together)
 endfunction()
 
-# cookbook_program(NAME): the target NAME from NAME.cpp; part of a recipe and of a chart.
+# cookbook_program(NAME): the target NAME from its room, NAME/NAME.cpp; part of a recipe and of a chart.
 function(cookbook_program name)
-  add_executable(${name} ${name}.cpp)
+  add_executable(${name} ${name}/${name}.cpp)
   target_link_libraries(${name} PRIVATE ${COOKBOOK_CHAPTER_TARGET} cookbook_tools ${ARGN})
   cookbook_warnings(${name})
   target_precompile_headers(${name} REUSE_FROM cookbook_program_headers)
@@ -66,16 +66,16 @@ function(cookbook_program name)
 endfunction()
 
 # cookbook_batch(NAME [LIBRARY…]): the library cookbook::NAME from NAME_dispatch.cpp, NAME_blocks.cpp
-# where there is one, and NAME_kernel.cpp; the last, the inner loop, is compiled once for each
-# instruction set.
+# where there is one, and NAME_kernel.cpp in the room NAME; the last, the inner loop, is compiled once
+# for each instruction set.
 #
 # It is always optimised, and without Eigen's own vectors, so that no function of another file, compiled
 # for a newer processor, is left for the linker to choose.
 function(cookbook_batch name)
   set(library cookbook_${name})
-  add_library(${library} STATIC ${COOKBOOK_WHEN_NEEDED} ${name}_dispatch.cpp)
-  if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${name}_blocks.cpp)
-    target_sources(${library} PRIVATE ${name}_blocks.cpp)
+  add_library(${library} STATIC ${COOKBOOK_WHEN_NEEDED} ${name}/${name}_dispatch.cpp)
+  if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/${name}_blocks.cpp)
+    target_sources(${library} PRIVATE ${name}/${name}_blocks.cpp)
   endif()
   add_library(cookbook::${name} ALIAS ${library})
   set_target_properties(${library} PROPERTIES EXPORT_NAME ${name})
@@ -99,7 +99,7 @@ function(cookbook_batch name)
     target_compile_definitions(${library} PRIVATE COOKBOOK_KERNELS_X86)
   endif()
   foreach(set IN LISTS instruction_sets)
-    add_library(${name}_${set} OBJECT ${COOKBOOK_WHEN_NEEDED} ${name}_kernel.cpp)
+    add_library(${name}_${set} OBJECT ${COOKBOOK_WHEN_NEEDED} ${name}/${name}_kernel.cpp)
     target_link_libraries(${name}_${set} PRIVATE ${COOKBOOK_CHAPTER_TARGET})
     target_compile_definitions(${name}_${set} PRIVATE
       COOKBOOK_INSTRUCTION_SET=${set} EIGEN_DONT_VECTORIZE)
@@ -109,9 +109,10 @@ function(cookbook_batch name)
   cookbook_install_target(${library})
 endfunction()
 
-# cookbook_helper(NAME [LIBRARY…]): NAME.cpp, compiled once for several programs and tests.
-function(cookbook_helper name)
-  add_library(${name} STATIC EXCLUDE_FROM_ALL ${name}.cpp)
+# cookbook_helper(ROOM NAME [LIBRARY…]): ROOM/trial/NAME.cpp, compiled once for several programs and
+# tests.
+function(cookbook_helper room name)
+  add_library(${name} STATIC EXCLUDE_FROM_ALL ${room}/trial/${name}.cpp)
   target_link_libraries(${name} PUBLIC ${COOKBOOK_CHAPTER_TARGET} ${ARGN})
   cookbook_warnings(${name})
 endfunction()
@@ -131,20 +132,18 @@ if(COOKBOOK_RECIPES)
   add_custom_target(recipes)
 endif()
 
-# cookbook_recipe(NAME [LIBRARY…]): NAME.hpp, NAME.cpp and NAME.expected make the program NAME, the
-# checks of its output and its figures, and the tests in tests/CHAPTER/NAME_test.cpp.
+# cookbook_recipe(NAME [LIBRARY…]): NAME.hpp, NAME.cpp and NAME.expected in the room NAME make the
+# program NAME, the checks of its output and its figures, and the tests in tests/CHAPTER/NAME_test.cpp.
 function(cookbook_recipe name)
   set_property(GLOBAL APPEND PROPERTY COOKBOOK_RECIPE_NAMES ${name})
   if(COOKBOOK_RECIPES)
     cookbook_program(${name} ${ARGN})
   endif()
   if(COOKBOOK_TESTS AND COOKBOOK_RECIPES)
-    add_test(NAME ${name}.output COMMAND ${CMAKE_COMMAND}
-      -D program=$<TARGET_FILE:${name}> -D name=${name}
-      -D expected=${CMAKE_CURRENT_SOURCE_DIR}/${name}.expected
-      -D figures=${PROJECT_SOURCE_DIR}/chapters/figures/${COOKBOOK_CHAPTER}
-      -D drawn=${CMAKE_CURRENT_BINARY_DIR}/${name}.drawn
-      -P ${PROJECT_SOURCE_DIR}/common/cmake/check_output.cmake)
+    add_test(NAME ${name}.output COMMAND sh ${PROJECT_SOURCE_DIR}/common/cmake/check_output.sh compare
+      $<TARGET_FILE:${name}> ${name} ${CMAKE_CURRENT_SOURCE_DIR}/${name}/${name}.expected
+      ${PROJECT_SOURCE_DIR}/chapters/figures/${COOKBOOK_CHAPTER}
+      ${CMAKE_CURRENT_BINARY_DIR}/${name}.drawn)
     set_tests_properties(${name}.output PROPERTIES
       LABELS "${COOKBOOK_CHAPTER};${name}" TIMEOUT 300)
   endif()

@@ -2,11 +2,9 @@
 
 add_library(cookbook_test_main INTERFACE)
 target_include_directories(cookbook_test_main INTERFACE ${PROJECT_SOURCE_DIR})
-find_package(Catch2 3 CONFIG QUIET)
-if(Catch2_FOUND)
+if(Catch2_VERSION VERSION_GREATER_EQUAL 3)
   target_link_libraries(cookbook_test_main INTERFACE Catch2::Catch2WithMain)
 else()
-  find_package(Catch2 2.13 CONFIG REQUIRED)
   add_library(cookbook_catch_main STATIC ${PROJECT_SOURCE_DIR}/tests/catch_main.cpp)
   target_link_libraries(cookbook_catch_main PUBLIC Catch2::Catch2)
   cookbook_lightly(cookbook_catch_main)

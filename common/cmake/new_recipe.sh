@@ -2,9 +2,9 @@
 # Lays out a new recipe: new_recipe.sh ROOT CHAPTER NAME. ./cookbook new calls it.
 set -eu
 root=$1 chapter=$2 name=$3
-recipe="$root/recipes/$chapter/$name"
+recipe="$root/recipes/$chapter/$name/$name"
 test="$root/tests/$chapter/${name}_test.cpp"
-mkdir -p "$root/tests/$chapter"
+mkdir -p "$root/tests/$chapter" "$root/recipes/$chapter/$name"
 
 cat >"$recipe.hpp" <<END
 #pragma once
@@ -33,7 +33,7 @@ cat >"$recipe.cpp" <<END
 /// \\file
 /// \\brief One sentence that says what the program prints and draws.
 
-#include "$chapter/$name.hpp"
+#include "$chapter/$name/$name.hpp"
 #include "common/program/program.hpp"
 #include "common/program/table.hpp"
 
@@ -60,7 +60,7 @@ cat >"$test" <<END
 /// \\file
 /// What holds for $name.
 
-#include "$chapter/$name.hpp"
+#include "$chapter/$name/$name.hpp"
 
 #include "tests/catch.hpp"
 

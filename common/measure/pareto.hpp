@@ -3,7 +3,9 @@
 /// \file
 /// \brief Which methods are worth having: those that none beats in both cost and error.
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace cookbook::measure
@@ -35,5 +37,17 @@ std::size_t knee(
     const std::vector<CostAndError>& methods, const std::vector<std::size_t>& front,
     double least_error);
 // [knee]
+
+/// The least time that any peer takes on a workload [ns]; infinite without peers.
+template <class Measured>
+double fastest_peer(const std::vector<Measured>& methods, std::size_t workload)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const Measured& method : methods)
+  {
+    least = method.peer ? std::min(least, method.ns[workload]) : least;
+  }
+  return least;
+}
 
 } // namespace cookbook::measure

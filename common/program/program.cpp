@@ -1,6 +1,6 @@
 #include "common/program/program.hpp"
 
-#include "common/program/whole_file.hpp"
+#include "common/files/whole_file.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -16,6 +16,16 @@ std::string number(double value)
   return std::string(text, result.ptr);
 }
 
+std::string rounded(double value)
+{
+  if (!std::isfinite(value) || value <= 0)
+  {
+    return std::isfinite(value) ? "0" : "–";
+  }
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
+  return number(std::round(value / unit) * unit);
+}
+
 Table::Table(std::vector<std::string> header)
 {
   rows_.push_back(std::move(header));

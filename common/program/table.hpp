@@ -12,6 +12,10 @@ namespace cookbook
 /// A number with at most four significant digits and no negative zero, such as 0.05 or 1.25e-07.
 std::string number(double value);
 
+/// A number rounded to two significant digits; 0 for what is not above zero, – for infinite or
+/// none.
+std::string rounded(double value);
+
 /// Rows under a header, each column as wide as its widest cell; numbers and the names of their
 /// columns stand at the right.
 class Table

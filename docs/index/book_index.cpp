@@ -181,9 +181,7 @@ std::string listing(const House& house, const std::string& folder, const std::st
   {
     for (const TextFile& one : files)
     {
-      const std::string path = folder + "/" + file;
-      if (one.path.size() > path.size() &&
-          one.path.compare(one.path.size() - path.size(), path.size(), path) == 0)
+      if (chapter_folder(one.path) == folder && fs::path(one.path).filename() == file)
       {
         text += "## " + heading + "\n\n<span class=\"path\">" + escaped(one.path) +
                 "</span>\n\n\\include " + whole(file) + "\n\n";
@@ -207,13 +205,11 @@ std::map<std::string, Summaries> summaries(const House& house)
     {
       for (const TextFile& file : *files)
       {
-        const fs::path path = file.path;
-        const std::string name = path.filename().string();
+        const std::string name = fs::path(file.path).filename().string();
         const std::size_t start = name.size() - std::min(ending.size(), name.size());
         if (name.substr(start) == ending && (files == &house.tests) == (ending == "_test.cpp"))
         {
-          found[path.parent_path().filename().string()].emplace(
-              name.substr(0, start), summary(file.text));
+          found[chapter_folder(file.path)].emplace(name.substr(0, start), summary(file.text));
         }
       }
     }

@@ -116,6 +116,13 @@ inline std::string stem(const std::string& path)
   return std::filesystem::path(path).stem().string();
 }
 
+/// The name of the chapter's folder in a path: 03_sphere_manifolds; empty if there is none.
+inline std::string chapter_folder(const std::string& path)
+{
+  const auto folders = matches(path, R"((?:^|/)(\d\d_\w+)/)");
+  return folders.empty() ? std::string{} : folders.front();
+}
+
 /// The chapter a path belongs to: the two digits that open one of its parts; empty if there are
 /// none.
 inline std::string chapter_of(const std::string& path)

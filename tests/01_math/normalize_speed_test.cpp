@@ -1,7 +1,7 @@
 /// \file
 /// What holds for the workloads that the ways to normalise are timed on.
 
-#include "01_math/normalize_speed.hpp"
+#include "01_math/normalize_speed/trial/normalize_speed.hpp"
 
 #include "tests/catch.hpp"
 

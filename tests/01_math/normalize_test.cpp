@@ -2,8 +2,8 @@
 /// What holds for lengths, directions and what is built on them: formulas M1 to M4, M6, M7 and
 /// M16, and the vectors that break a way to normalise.
 
-#include "01_math/normalize.hpp"
-#include "01_math/normalize_cases.hpp"
+#include "01_math/normalize/normalize.hpp"
+#include "01_math/normalize/trial/normalize_cases.hpp"
 #include "common/math/rational.hpp"
 #include "common/math/rotation.hpp"
 

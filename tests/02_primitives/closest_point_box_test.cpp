@@ -2,8 +2,8 @@
 /// What holds for the point of a box closest to another, and for the signed distance between
 /// them: formulas P3 to P5 and P21, and the points that break a way to answer.
 
-#include "02_primitives/closest_point_box.hpp"
-#include "02_primitives/closest_point_box_cases.hpp"
+#include "02_primitives/closest_point_box/closest_point_box.hpp"
+#include "02_primitives/closest_point_box/trial/closest_point_box_cases.hpp"
 #include "common/math/rational.hpp"
 #include "common/math/rotation.hpp"
 

@@ -1,7 +1,7 @@
 /// \file
 /// What makes a shape: every impossible number is named, with its value.
 
-#include "02_primitives/shapes.hpp"
+#include "02_primitives/shapes/shapes.hpp"
 
 #include "tests/catch.hpp"
 
@@ -21,7 +21,8 @@ TEST_CASE("a sphere has finite numbers and a radius of zero or more", "[shapes]"
   CHECK(checked(Sphere<double>{{1, 2, 3}, 0}).center.y() == 2);
   CHECK_THROWS_WITH(
       checked(Sphere<double>{{0, 0, 0}, -1.5}), "radius must be zero or more, got -1.5");
-  CHECK_THROWS_WITH(checked(Sphere<double>{{0, 0, 0}, not_a_number}), "radius must be finite, got nan");
+  CHECK_THROWS_WITH(
+      checked(Sphere<double>{{0, 0, 0}, not_a_number}), "radius must be finite, got nan");
   CHECK_THROWS_WITH(
       checked(Sphere<double>{{0, infinite, 0}, 1}), "center.y must be finite, got inf");
 }
@@ -38,7 +39,8 @@ TEST_CASE("a box has volume and axes that are a rotation", "[shapes]")
   CHECK_THROWS_WITH(
       checked(Obb<double>{{0, 0, 0}, -upright, {1, 1, 1}}),
       "axes must be a rotation, got an error of 2");
-  CHECK_THROWS_AS((checked(Obb<double>{{0, 0, 0}, not_a_number * upright, {1, 1, 1}})), InvalidShape);
+  CHECK_THROWS_AS(
+      (checked(Obb<double>{{0, 0, 0}, not_a_number * upright, {1, 1, 1}})), InvalidShape);
   CHECK_THROWS_AS((checked(Obb<double>{{0, 0, not_a_number}, upright, {1, 1, 1}})), InvalidShape);
 }
 

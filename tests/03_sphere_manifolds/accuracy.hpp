@@ -2,8 +2,8 @@
 /// Random shapes, their exact answers, and how far a float's answer is from those.
 #pragma once
 
-#include "02_primitives/shapes.hpp"
-#include "03_sphere_manifolds/manifold.hpp"
+#include "02_primitives/shapes/shapes.hpp"
+#include "03_sphere_manifolds/manifold/manifold.hpp"
 #include "common/math/norm.hpp"
 #include "common/math/rational.hpp"
 #include "common/math/ulp.hpp"

@@ -2,9 +2,9 @@
 /// What holds for shapes so large that the squares of their numbers do not fit: the answers are
 /// those of small shapes, enlarged, and no finite number turns into NaN.
 
-#include "03_sphere_manifolds/sphere_box.hpp"
-#include "03_sphere_manifolds/sphere_capsule.hpp"
-#include "03_sphere_manifolds/sphere_plane.hpp"
+#include "03_sphere_manifolds/sphere_box/sphere_box.hpp"
+#include "03_sphere_manifolds/sphere_capsule/sphere_capsule.hpp"
+#include "03_sphere_manifolds/sphere_plane/sphere_plane.hpp"
 
 #include "tests/catch.hpp"
 

@@ -1,7 +1,7 @@
 /// \file
 /// What holds for files of pairs: shapes from rows, manifolds as rows, errors by line and column.
 
-#include "03_sphere_manifolds/pairs_file.hpp"
+#include "03_sphere_manifolds/manifold/trial/pairs_file.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/common/run_program.hpp"

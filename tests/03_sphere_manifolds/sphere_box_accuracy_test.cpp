@@ -5,7 +5,7 @@
 
 #include "tests/03_sphere_manifolds/accuracy.hpp"
 
-#include "03_sphere_manifolds/sphere_box.hpp"
+#include "03_sphere_manifolds/sphere_box/sphere_box.hpp"
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"

@@ -1,7 +1,7 @@
 /// \file
 /// What holds for the manifold of a sphere and a capsule.
 
-#include "03_sphere_manifolds/sphere_capsule.hpp"
+#include "03_sphere_manifolds/sphere_capsule/sphere_capsule.hpp"
 
 #include "tests/catch.hpp"
 

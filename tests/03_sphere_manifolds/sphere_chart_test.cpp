@@ -1,7 +1,7 @@
 /// \file
 /// \brief What holds for the words and tables of the chart; it measures no time.
 
-#include "03_sphere_manifolds/sphere_chart.hpp"
+#include "03_sphere_manifolds/sphere_chart/trial/sphere_chart.hpp"
 
 #include "tests/catch.hpp"
 
@@ -49,7 +49,7 @@ TEST_CASE("the sentence names the knee and what the finest method costs more", "
 
 TEST_CASE("ratios are to the fastest peer, and a failure is called one", "[sphere_chart]")
 {
-  CHECK(fastest_peer(methods(), 1) == 20);
+  CHECK(measure::fastest_peer(methods(), 1) == 20);
   const std::string html = times_html(methods());
   CHECK(has(html, "<tr><td>knee</td><td>2</td><td>5</td><td>2</td><td>10</td><td>2</td><td>15<"));
   CHECK(has(html, "fails"));

@@ -1,9 +1,9 @@
 /// \file
 /// The table of verdicts: in every case, who fails and who survives.
 
-#include "03_sphere_manifolds/sphere_box_failures.hpp"
-#include "03_sphere_manifolds/sphere_failures.hpp"
-#include "03_sphere_manifolds/sphere_plane.hpp"
+#include "03_sphere_manifolds/sphere_failures/trial/sphere_box_failures.hpp"
+#include "03_sphere_manifolds/sphere_failures/trial/sphere_failures.hpp"
+#include "03_sphere_manifolds/sphere_plane/sphere_plane.hpp"
 
 #include "tests/catch.hpp"
 

@@ -1,8 +1,8 @@
 /// \file
 /// \brief Where each method for two spheres holds, and where it fails and how.
 
-#include "03_sphere_manifolds/sphere_methods.hpp"
-#include "03_sphere_manifolds/sphere_methods_truth.hpp"
+#include "03_sphere_manifolds/sphere_methods/trial/sphere_methods.hpp"
+#include "03_sphere_manifolds/sphere_methods/trial/sphere_methods_truth.hpp"
 
 #include "tests/catch.hpp"
 

@@ -1,7 +1,7 @@
 /// \file
 /// \brief What holds for many pairs at once: the same answers as one by one, to the last bit.
 
-#include "03_sphere_manifolds/sphere_pairs.hpp"
+#include "03_sphere_manifolds/sphere_pairs/sphere_pairs.hpp"
 
 #include "tests/catch.hpp"
 

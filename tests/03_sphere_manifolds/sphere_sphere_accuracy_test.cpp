@@ -3,7 +3,7 @@
 
 #include "tests/03_sphere_manifolds/accuracy.hpp"
 
-#include "03_sphere_manifolds/sphere_sphere.hpp"
+#include "03_sphere_manifolds/sphere_sphere/sphere_sphere.hpp"
 
 #include "tests/catch.hpp"
 

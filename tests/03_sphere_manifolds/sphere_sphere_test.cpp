@@ -2,8 +2,8 @@
 /// What holds for the manifold of two spheres: formulas S1 to S5, S9 and S10, and the cases in
 /// which other methods fail.
 
-#include "03_sphere_manifolds/sphere_lens.hpp"
-#include "03_sphere_manifolds/sphere_sphere.hpp"
+#include "03_sphere_manifolds/sphere_sphere/sphere_sphere.hpp"
+#include "03_sphere_manifolds/sphere_sphere/trial/sphere_lens.hpp"
 
 #include "tests/catch.hpp"
 

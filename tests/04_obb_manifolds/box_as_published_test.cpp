@@ -1,9 +1,9 @@
 /// \file
 /// What the model of the published code makes of the cases that break it, with each fault alone.
 
-#include "04_obb_manifolds/box_as_published.hpp"
-#include "04_obb_manifolds/box_as_published_rates.hpp"
-#include "04_obb_manifolds/box_failures.hpp"
+#include "04_obb_manifolds/box_as_published/trial/box_as_published.hpp"
+#include "04_obb_manifolds/box_as_published/trial/box_as_published_rates.hpp"
+#include "04_obb_manifolds/box_failures/trial/box_failures.hpp"
 
 #include "tests/catch.hpp"
 

@@ -2,8 +2,8 @@
 /// How good the manifolds of box_box() are on all workloads, in float and in double: verdicts,
 /// depth, points and area against the truth; steadiness under jitter, other names and other poses.
 
-#include "04_obb_manifolds/box_box.hpp"
-#include "04_obb_manifolds/box_steadiness.hpp"
+#include "04_obb_manifolds/box_box/box_box.hpp"
+#include "04_obb_manifolds/box_judges/trial/box_steadiness.hpp"
 
 #include "tests/catch.hpp"
 
@@ -185,7 +185,8 @@ Likenesses likenesses(const std::string& name)
 
 // [same]
 TEMPLATE_TEST_CASE(
-    "swapped, labelled in all 24 ways, mirrored or turned, the boxes have the same manifold to 1e-6; "
+    "swapped, labelled in all 24 ways, mirrored or turned, the boxes have the same manifold to "
+    "1e-6; "
     "in float all but one in a hundred, in double all but one in 100,000",
     "[O7][O9]", float, double)
 {

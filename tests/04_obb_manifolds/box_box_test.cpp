@@ -2,10 +2,10 @@
 /// What holds for the manifolds of box_box(), worked out by hand; random pairs are in
 /// box_box_accuracy_test.cpp.
 
-#include "04_obb_manifolds/box_box.hpp"
-#include "04_obb_manifolds/box_cases.hpp"
-#include "04_obb_manifolds/box_compare.hpp"
-#include "04_obb_manifolds/feature_memory.hpp"
+#include "04_obb_manifolds/box_box/box_box.hpp"
+#include "04_obb_manifolds/box_box/trial/box_compare.hpp"
+#include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
+#include "04_obb_manifolds/feature_memory/feature_memory.hpp"
 
 #include "tests/catch.hpp"
 

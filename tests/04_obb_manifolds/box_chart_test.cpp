@@ -2,11 +2,11 @@
 /// \brief What holds for the words and tables of the chart, for counted operations and for the
 /// other libraries' answers; it measures no time.
 
-#include "04_obb_manifolds/box_chart.hpp"
-#include "04_obb_manifolds/box_chart_contenders.hpp"
-#include "04_obb_manifolds/box_chart_peers.hpp"
-#include "04_obb_manifolds/box_chart_steps.hpp"
-#include "04_obb_manifolds/box_flops.hpp"
+#include "04_obb_manifolds/box_chart/trial/box_chart.hpp"
+#include "04_obb_manifolds/box_chart/trial/box_chart_contenders.hpp"
+#include "04_obb_manifolds/box_chart/trial/box_chart_peers.hpp"
+#include "04_obb_manifolds/box_chart/trial/box_chart_steps.hpp"
+#include "04_obb_manifolds/box_chart/trial/box_flops.hpp"
 #include "common/measure/peak.hpp"
 
 #include "tests/catch.hpp"

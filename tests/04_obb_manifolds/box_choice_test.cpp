@@ -2,10 +2,10 @@
 /// How box_box() chooses: which axis, which corners, and what it does with sizes whose squares do
 /// not fit.
 
-#include "04_obb_manifolds/box_box.hpp"
-#include "04_obb_manifolds/box_cases.hpp"
-#include "04_obb_manifolds/box_error.hpp"
-#include "04_obb_manifolds/box_workloads.hpp"
+#include "04_obb_manifolds/box_box/box_box.hpp"
+#include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
+#include "04_obb_manifolds/box_judges/trial/box_error.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_workloads.hpp"
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"

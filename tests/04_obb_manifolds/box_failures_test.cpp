@@ -1,10 +1,10 @@
 /// \file
 /// Every cell of the table of failing cases, and the right answers of its rows from fractions.
 
-#include "04_obb_manifolds/box_failures.hpp"
-#include "04_obb_manifolds/box_methods.hpp"
-#include "04_obb_manifolds/box_truth.hpp"
-#include "04_obb_manifolds/box_workloads.hpp"
+#include "04_obb_manifolds/box_failures/trial/box_failures.hpp"
+#include "04_obb_manifolds/box_failures/trial/box_methods.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_truth.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_workloads.hpp"
 #include "common/math/rational.hpp"
 
 #include "tests/catch.hpp"

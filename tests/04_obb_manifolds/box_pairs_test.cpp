@@ -2,11 +2,11 @@
 /// \brief What holds for many pairs of boxes at once: the same answers as one by one, to the last
 /// bit.
 
-#include "04_obb_manifolds/box_box.hpp"
-#include "04_obb_manifolds/box_failures.hpp"
-#include "04_obb_manifolds/box_pairs.hpp"
-#include "04_obb_manifolds/box_workloads.hpp"
-#include "04_obb_manifolds/feature_memory.hpp"
+#include "04_obb_manifolds/box_box/box_box.hpp"
+#include "04_obb_manifolds/box_failures/trial/box_failures.hpp"
+#include "04_obb_manifolds/box_pairs/box_pairs.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_workloads.hpp"
+#include "04_obb_manifolds/feature_memory/feature_memory.hpp"
 
 #include "tests/catch.hpp"
 

@@ -1,14 +1,14 @@
 /// \file
 /// What holds for four points of many, formula O15, and for the four deepest instead.
 
-#include "04_obb_manifolds/box_box.hpp"
-#include "04_obb_manifolds/box_draws.hpp"
-#include "04_obb_manifolds/box_steadiness.hpp"
-#include "04_obb_manifolds/contact_reduction.hpp"
-#include "04_obb_manifolds/contact_reduction_pitfalls.hpp"
-#include "04_obb_manifolds/contact_reduction_truth.hpp"
-#include "04_obb_manifolds/contact_reduction_verdicts.hpp"
-#include "04_obb_manifolds/contact_support.hpp"
+#include "04_obb_manifolds/box_box/box_box.hpp"
+#include "04_obb_manifolds/box_judges/trial/box_steadiness.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "04_obb_manifolds/contact_reduction/contact_reduction.hpp"
+#include "04_obb_manifolds/contact_reduction/trial/contact_reduction_pitfalls.hpp"
+#include "04_obb_manifolds/contact_reduction/trial/contact_reduction_truth.hpp"
+#include "04_obb_manifolds/contact_reduction/trial/contact_reduction_verdicts.hpp"
+#include "04_obb_manifolds/contact_reduction/trial/contact_support.hpp"
 
 #include "tests/catch.hpp"
 

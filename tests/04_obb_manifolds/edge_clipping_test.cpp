@@ -1,12 +1,12 @@
 /// \file
 /// What holds for the points of edge_clipping(), formula O11.
 
-#include "03_sphere_manifolds/any_size.hpp"
-#include "04_obb_manifolds/box_cases.hpp"
-#include "04_obb_manifolds/box_draws.hpp"
-#include "04_obb_manifolds/box_pitfalls.hpp"
-#include "04_obb_manifolds/boxes_file.hpp"
-#include "04_obb_manifolds/edge_clipping.hpp"
+#include "03_sphere_manifolds/manifold/any_size.hpp"
+#include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
+#include "04_obb_manifolds/box_failures/trial/box_pitfalls.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
+#include "04_obb_manifolds/edge_clipping/edge_clipping.hpp"
 
 #include "tests/catch.hpp"
 

@@ -2,11 +2,11 @@
 /// What holds for the manifolds of face_clipping(): formulas O10, O12, O13 and O14, the known
 /// cases, and random pairs.
 
-#include "02_primitives/closest_point_box.hpp"
-#include "04_obb_manifolds/box_cases.hpp"
-#include "04_obb_manifolds/box_draws.hpp"
-#include "04_obb_manifolds/box_truth.hpp"
-#include "04_obb_manifolds/face_clipping.hpp"
+#include "02_primitives/closest_point_box/closest_point_box.hpp"
+#include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_truth.hpp"
+#include "04_obb_manifolds/face_clipping/face_clipping.hpp"
 #include "common/math/rational.hpp"
 
 #include "tests/catch.hpp"

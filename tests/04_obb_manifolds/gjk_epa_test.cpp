@@ -2,8 +2,8 @@
 /// What holds for GJK and EPA, piece by piece, and what each way to run them makes of cases K1 to
 /// K4.
 
-#include "04_obb_manifolds/gjk_epa.hpp"
-#include "04_obb_manifolds/gjk_epa_verdicts.hpp"
+#include "04_obb_manifolds/gjk_epa/gjk_epa.hpp"
+#include "04_obb_manifolds/gjk_epa/trial/gjk_epa_verdicts.hpp"
 
 #include "tests/catch.hpp"
 

@@ -2,16 +2,16 @@
 /// The promise of every manifold: once B has moved by its depth along its normal, the two shapes no
 /// longer overlap. For all pairs of shapes of chapters 3 and 4, degenerate ones among them.
 
-#include "03_sphere_manifolds/sphere_box.hpp"
-#include "03_sphere_manifolds/sphere_capsule.hpp"
-#include "03_sphere_manifolds/sphere_plane.hpp"
-#include "03_sphere_manifolds/sphere_sphere.hpp"
-#include "04_obb_manifolds/box_box.hpp"
-#include "04_obb_manifolds/box_draws.hpp"
-#include "04_obb_manifolds/box_truth.hpp"
-#include "04_obb_manifolds/edge_clipping.hpp"
-#include "04_obb_manifolds/face_clipping.hpp"
-#include "04_obb_manifolds/gjk_epa.hpp"
+#include "03_sphere_manifolds/sphere_box/sphere_box.hpp"
+#include "03_sphere_manifolds/sphere_capsule/sphere_capsule.hpp"
+#include "03_sphere_manifolds/sphere_plane/sphere_plane.hpp"
+#include "03_sphere_manifolds/sphere_sphere/sphere_sphere.hpp"
+#include "04_obb_manifolds/box_box/box_box.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_truth.hpp"
+#include "04_obb_manifolds/edge_clipping/edge_clipping.hpp"
+#include "04_obb_manifolds/face_clipping/face_clipping.hpp"
+#include "04_obb_manifolds/gjk_epa/gjk_epa.hpp"
 #include "common/math/rational.hpp"
 
 #include "tests/catch.hpp"

@@ -1,8 +1,8 @@
 /// \file
 /// Which bodies may touch: sorted and swept, against every pair.
 
-#include "04_obb_manifolds/box_draws.hpp"
-#include "05_resolution/broad_phase_scenes.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "05_resolution/world_chart/trial/broad_phase_scenes.hpp"
 
 #include "tests/catch.hpp"
 

@@ -1,10 +1,10 @@
 /// \file
 /// What holds for damping, formula R32, and the cases in which other ways to damp fail.
 
-#include "05_resolution/damping.hpp"
-#include "05_resolution/damping_cases.hpp"
-#include "05_resolution/damping_pitfalls.hpp"
-#include "05_resolution/damping_verdicts.hpp"
+#include "05_resolution/damping/damping.hpp"
+#include "05_resolution/damping/trial/damping_cases.hpp"
+#include "05_resolution/damping/trial/damping_pitfalls.hpp"
+#include "05_resolution/damping/trial/damping_verdicts.hpp"
 #include "common/math/rational.hpp"
 #include "common/math/vector.hpp"
 

@@ -1,8 +1,8 @@
 /// \file
 /// What holds for frames: found by time, written so that they read back as the same numbers.
 
-#include "05_resolution/frames_file.hpp"
-#include "05_resolution/world_scenes.hpp"
+#include "05_resolution/scenes/trial/frames_file.hpp"
+#include "05_resolution/scenes/trial/world_scenes.hpp"
 
 #include "tests/catch.hpp"
 

@@ -2,10 +2,10 @@
 /// What holds for friction at a contact point: formulas R6, R27, R28 and R29, and the rules that
 /// fail.
 
-#include "05_resolution/friction.hpp"
-#include "05_resolution/friction_pitfalls.hpp"
-#include "05_resolution/friction_scenes.hpp"
-#include "05_resolution/friction_verdicts.hpp"
+#include "05_resolution/friction/friction.hpp"
+#include "05_resolution/friction/trial/friction_pitfalls.hpp"
+#include "05_resolution/friction/trial/friction_scenes.hpp"
+#include "05_resolution/friction/trial/friction_verdicts.hpp"
 
 #include "tests/05_resolution/meetings.hpp"
 #include "tests/catch.hpp"

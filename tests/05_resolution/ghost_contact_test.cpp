@@ -1,9 +1,9 @@
 /// \file
 /// Contacts that are none: tiles laid flush, edges that are passed, ledges that carry.
 
-#include "05_resolution/ghost_contact.hpp"
-#include "05_resolution/solvers.hpp"
-#include "05_resolution/world_scenes.hpp"
+#include "05_resolution/contacts/ghost_contact.hpp"
+#include "05_resolution/scenes/trial/world_scenes.hpp"
+#include "05_resolution/world/solvers.hpp"
 
 #include "tests/catch.hpp"
 

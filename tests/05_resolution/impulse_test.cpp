@@ -1,12 +1,12 @@
 /// \file
 /// What holds for the impulse of a bounce at one point: formulas R1 to R5 and R33.
 
-#include "05_resolution/bounce_cases.hpp"
-#include "05_resolution/conserved.hpp"
-#include "05_resolution/impulse.hpp"
-#include "05_resolution/impulse_pitfalls.hpp"
-#include "05_resolution/impulse_scenes.hpp"
-#include "05_resolution/response_cases.hpp"
+#include "05_resolution/impulse/impulse.hpp"
+#include "05_resolution/impulse/trial/bounce_cases.hpp"
+#include "05_resolution/impulse/trial/conserved.hpp"
+#include "05_resolution/impulse/trial/impulse_pitfalls.hpp"
+#include "05_resolution/impulse/trial/impulse_scenes.hpp"
+#include "05_resolution/impulse/trial/response_cases.hpp"
 #include "common/math/rational.hpp"
 #include "common/math/rotation.hpp"
 

@@ -1,14 +1,14 @@
 /// \file
 /// What holds for the integrators, formulas R20 to R23, R30 and R31, and the cases that break them.
 
-#include "05_resolution/implicit_integrators.hpp"
-#include "05_resolution/integrators.hpp"
-#include "05_resolution/integrators_cost_scenes.hpp"
-#include "05_resolution/integrators_published_verdicts.hpp"
-#include "05_resolution/integrators_scenes.hpp"
-#include "05_resolution/integrators_verdicts.hpp"
-#include "05_resolution/pendulum.hpp"
-#include "05_resolution/spring.hpp"
+#include "05_resolution/integrators/implicit_integrators.hpp"
+#include "05_resolution/integrators/integrators.hpp"
+#include "05_resolution/integrators/trial/integrators_cost_scenes.hpp"
+#include "05_resolution/integrators/trial/integrators_published_verdicts.hpp"
+#include "05_resolution/integrators/trial/integrators_scenes.hpp"
+#include "05_resolution/integrators/trial/integrators_verdicts.hpp"
+#include "05_resolution/integrators/trial/pendulum.hpp"
+#include "05_resolution/integrators/trial/spring.hpp"
 #include "common/math/rational.hpp"
 
 #include "tests/catch.hpp"

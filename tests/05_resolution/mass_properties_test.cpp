@@ -1,10 +1,10 @@
 /// \file
 /// What holds for mass and inertia: formulas R26, M12 and M13, and bodies of any size.
 
-#include "05_resolution/impulse.hpp"
-#include "05_resolution/mass_properties.hpp"
-#include "05_resolution/mass_properties_cases.hpp"
-#include "05_resolution/mass_properties_figures.hpp"
+#include "05_resolution/impulse/impulse.hpp"
+#include "05_resolution/mass_properties/mass_properties.hpp"
+#include "05_resolution/mass_properties/trial/mass_properties_cases.hpp"
+#include "05_resolution/mass_properties/trial/mass_properties_figures.hpp"
 #include "common/math/rational.hpp"
 #include "common/math/rotation.hpp"
 

@@ -2,8 +2,8 @@
 /// Bodies that meet, as the tests of this chapter need them: exact, and the same ones every time.
 #pragma once
 
-#include "05_resolution/conserved.hpp"
-#include "05_resolution/impulse.hpp"
+#include "05_resolution/impulse/impulse.hpp"
+#include "05_resolution/impulse/trial/conserved.hpp"
 #include "common/math/rational.hpp"
 #include "common/math/rotation.hpp"
 

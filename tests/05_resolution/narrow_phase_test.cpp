@@ -2,12 +2,12 @@
 /// Where the contacts of a world are: on both surfaces, for every pair of shapes; and balls of all
 /// sizes that roll on them.
 
-#include "04_obb_manifolds/box_draws.hpp"
-#include "05_resolution/narrow_phase.hpp"
-#include "05_resolution/scene_bodies.hpp"
-#include "05_resolution/solver_names.hpp"
-#include "05_resolution/world_runs.hpp"
-#include "05_resolution/world_scenes.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "05_resolution/contacts/narrow_phase.hpp"
+#include "05_resolution/scenes/trial/scene_bodies.hpp"
+#include "05_resolution/scenes/trial/world_scenes.hpp"
+#include "05_resolution/world/solver_names.hpp"
+#include "05_resolution/world/trial/world_runs.hpp"
 
 #include "tests/catch.hpp"
 

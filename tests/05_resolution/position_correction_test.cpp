@@ -1,9 +1,9 @@
 /// \file
 /// What holds for the ways to take an overlap away: formulas R11, R12, R13 and R14.
 
-#include "05_resolution/position_correction.hpp"
-#include "05_resolution/position_correction_cases.hpp"
-#include "05_resolution/position_correction_scenes.hpp"
+#include "05_resolution/position_correction/position_correction.hpp"
+#include "05_resolution/position_correction/trial/position_correction_cases.hpp"
+#include "05_resolution/position_correction/trial/position_correction_scenes.hpp"
 #include "common/math/rational.hpp"
 
 #include "tests/catch.hpp"

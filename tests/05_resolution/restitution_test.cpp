@@ -1,10 +1,10 @@
 /// \file
 /// What holds for restitution in time steps: formula R19, and which moment's speed is given back.
 
-#include "05_resolution/restitution.hpp"
-#include "05_resolution/restitution_cases.hpp"
-#include "05_resolution/restitution_pitfalls.hpp"
-#include "05_resolution/restitution_scenes.hpp"
+#include "05_resolution/restitution/restitution.hpp"
+#include "05_resolution/restitution/trial/restitution_cases.hpp"
+#include "05_resolution/restitution/trial/restitution_pitfalls.hpp"
+#include "05_resolution/restitution/trial/restitution_scenes.hpp"
 #include "common/math/rational.hpp"
 
 #include "tests/05_resolution/meetings.hpp"

@@ -1,9 +1,9 @@
 /// \file
 /// What holds for pictures of scenes: outlines by hand, motion only where something moves.
 
-#include "05_resolution/scene_figures.hpp"
-#include "05_resolution/scene_outline_figures.hpp"
-#include "05_resolution/world_scenes.hpp"
+#include "05_resolution/scene_figures/trial/scene_figures.hpp"
+#include "05_resolution/scene_figures/trial/scene_outline_figures.hpp"
+#include "05_resolution/scenes/trial/world_scenes.hpp"
 
 #include "tests/catch.hpp"
 

@@ -1,9 +1,9 @@
 /// \file
 /// What holds for scene files: every value is read as written, every error has its line.
 
-#include "05_resolution/scene_file.hpp"
-#include "05_resolution/scene_json_file.hpp"
-#include "05_resolution/world_scenes.hpp"
+#include "05_resolution/scenes/trial/scene_file.hpp"
+#include "05_resolution/scenes/trial/scene_json_file.hpp"
+#include "05_resolution/scenes/trial/world_scenes.hpp"
 
 #include "tests/catch.hpp"
 
@@ -111,7 +111,7 @@ TEST_CASE(
     "the example has a pivot turned by 45 degrees, and on it a plank and a crate", "[scene_file]")
 {
   const std::filesystem::path here = std::filesystem::path(__FILE__).parent_path();
-  const Scene scene = read_scene(here / "../../recipes/05_resolution/seesaw.json");
+  const Scene scene = read_scene(here / "../../recipes/05_resolution/world/seesaw.json");
   CHECK((scene.name == "seesaw" && scene.duration == 4));
   REQUIRE(scene.bodies.size() == 5);
   CHECK(

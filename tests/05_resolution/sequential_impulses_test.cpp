@@ -1,11 +1,11 @@
 /// \file
 /// What holds for sequential impulses: formulas R7 to R10, how fast they come, cold and warm.
 
-#include "05_resolution/many_contacts_cases.hpp"
-#include "05_resolution/motion_scenes.hpp"
-#include "05_resolution/sequential_impulses.hpp"
-#include "05_resolution/sequential_impulses_pitfalls.hpp"
-#include "05_resolution/sequential_impulses_scenes.hpp"
+#include "05_resolution/position_based/trial/many_contacts_cases.hpp"
+#include "05_resolution/scenes/trial/motion_scenes.hpp"
+#include "05_resolution/sequential_impulses/sequential_impulses.hpp"
+#include "05_resolution/sequential_impulses/trial/sequential_impulses_pitfalls.hpp"
+#include "05_resolution/sequential_impulses/trial/sequential_impulses_scenes.hpp"
 #include "common/math/rational.hpp"
 
 #include "tests/catch.hpp"

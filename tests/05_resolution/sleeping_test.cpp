@@ -1,8 +1,8 @@
 /// \file
 /// What holds for islands, for rules that put bodies to sleep, and for what wakes them.
 
-#include "05_resolution/sleeping.hpp"
-#include "05_resolution/sleeping_cases.hpp"
+#include "05_resolution/sleeping/sleeping.hpp"
+#include "05_resolution/sleeping/trial/sleeping_cases.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/verdicts.hpp"

@@ -1,8 +1,8 @@
 /// \file
 /// Soft steps: a cube sinks as a spring says, twice the substeps sink a quarter, towers stand.
 
-#include "05_resolution/soft_steps.hpp"
-#include "05_resolution/soft_steps_figures.hpp"
+#include "05_resolution/soft_steps/soft_steps.hpp"
+#include "05_resolution/soft_steps/trial/soft_steps_figures.hpp"
 
 #include "tests/catch.hpp"
 

@@ -2,9 +2,9 @@
 /// What holds for a body that spins freely: formulas R24, R25, M9 and M10, and where ways to step
 /// it fail.
 
-#include "05_resolution/spinning_bodies.hpp"
-#include "05_resolution/spinning_bodies_cases.hpp"
-#include "05_resolution/steady_spin_cases.hpp"
+#include "05_resolution/spinning_bodies/spinning_bodies.hpp"
+#include "05_resolution/spinning_bodies/trial/spinning_bodies_cases.hpp"
+#include "05_resolution/spinning_bodies/trial/steady_spin_cases.hpp"
 #include "common/math/rational.hpp"
 
 #include "tests/catch.hpp"

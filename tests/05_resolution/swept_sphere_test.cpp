@@ -1,8 +1,8 @@
 /// \file
 /// What holds for the first touch of a moving sphere: formula P20 without spin.
 
-#include "04_obb_manifolds/box_draws.hpp"
-#include "05_resolution/swept_sphere.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "05_resolution/tunnelling/swept_sphere.hpp"
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"

@@ -2,9 +2,9 @@
 /// What holds for fast balls and walls: formulas R17 and R18, and the cases in which ways to move
 /// them on fail.
 
-#include "05_resolution/tunnelling.hpp"
-#include "05_resolution/tunnelling_box_cases.hpp"
-#include "05_resolution/tunnelling_cases.hpp"
+#include "05_resolution/tunnelling/trial/tunnelling_box_cases.hpp"
+#include "05_resolution/tunnelling/trial/tunnelling_cases.hpp"
+#include "05_resolution/tunnelling/tunnelling.hpp"
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"

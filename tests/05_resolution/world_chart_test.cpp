@@ -2,7 +2,7 @@
 /// What holds for the chart of the world: each solver is run as named, and how far bodies go is
 /// right.
 
-#include "05_resolution/world_chart.hpp"
+#include "05_resolution/world_chart/trial/world_chart.hpp"
 
 #include "tests/catch.hpp"
 

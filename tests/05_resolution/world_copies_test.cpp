@@ -2,10 +2,10 @@
 /// A copied world is a world of its own: saved, run on, restored and run again it gives the same
 /// bits, and worlds that were given one solver do not disturb each other.
 
-#include "04_obb_manifolds/box_draws.hpp"
-#include "05_resolution/scene_bodies.hpp"
-#include "05_resolution/solver_names.hpp"
-#include "05_resolution/solvers.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "05_resolution/scenes/trial/scene_bodies.hpp"
+#include "05_resolution/world/solver_names.hpp"
+#include "05_resolution/world/solvers.hpp"
 
 #include "tests/catch.hpp"
 

@@ -1,10 +1,10 @@
 /// \file
 /// Who makes energy out of nothing: random scenes that nothing drives, under every solver.
 
-#include "04_obb_manifolds/box_draws.hpp"
-#include "05_resolution/scene_bodies.hpp"
-#include "05_resolution/solver_names.hpp"
-#include "05_resolution/world_runs.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "05_resolution/scenes/trial/scene_bodies.hpp"
+#include "05_resolution/world/solver_names.hpp"
+#include "05_resolution/world/trial/world_runs.hpp"
 
 #include "tests/catch.hpp"
 
@@ -146,7 +146,7 @@ TEST_CASE("balls gain none under any solver", "[R4]")
   }
 }
 
-TEST_CASE("stacks do under warm impulses, boxes and stacks under corrected positions", "[R4]")
+TEST_CASE("stacks do under warm impulses, boxes and stacks under corrected positions", "[R4][long]")
 {
   CHECK(gaining("sequential_impulses", Kind::stack) > 0);
   CHECK(gaining("position_based", Kind::boxes) > 0);

@@ -1,9 +1,9 @@
 /// \file
 /// What holds for the peer: it gets the same scene as ours, and is timed in the same turns.
 
-#include "05_resolution/world_cost_measured.hpp"
-#include "05_resolution/world_peer_bullet.hpp"
-#include "05_resolution/world_scenes.hpp"
+#include "05_resolution/scenes/trial/world_scenes.hpp"
+#include "05_resolution/world/trial/world_cost_measured.hpp"
+#include "05_resolution/world_chart/trial/world_peer_bullet.hpp"
 
 #include "tests/catch.hpp"
 

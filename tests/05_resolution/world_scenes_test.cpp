@@ -1,9 +1,9 @@
 /// \file
 /// What holds for the named scenes: bodies touch or are apart, by closed forms.
 
-#include "04_obb_manifolds/box_box.hpp"
-#include "05_resolution/body.hpp"
-#include "05_resolution/world_scenes.hpp"
+#include "04_obb_manifolds/box_box/box_box.hpp"
+#include "05_resolution/impulse/body.hpp"
+#include "05_resolution/scenes/trial/world_scenes.hpp"
 
 #include "tests/catch.hpp"
 

@@ -1,12 +1,12 @@
 /// \file
 /// The world: energy, momentum, bounces, walls, the same bits again, and scenes that make no sense.
 
-#include "05_resolution/solver_names.hpp"
-#include "05_resolution/solvers.hpp"
-#include "05_resolution/world_cases.hpp"
-#include "05_resolution/world_measures.hpp"
-#include "05_resolution/world_runs.hpp"
-#include "05_resolution/world_scenes.hpp"
+#include "05_resolution/scenes/trial/world_scenes.hpp"
+#include "05_resolution/world/solver_names.hpp"
+#include "05_resolution/world/solvers.hpp"
+#include "05_resolution/world/trial/world_cases.hpp"
+#include "05_resolution/world/trial/world_measures.hpp"
+#include "05_resolution/world/trial/world_runs.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/verdicts.hpp"

@@ -1,7 +1,7 @@
 /// \file
 /// \brief What holds for lanes moved together.
 
-#include "common/math/compress.hpp"
+#include "common/simd/compress.hpp"
 
 #include "tests/catch.hpp"
 

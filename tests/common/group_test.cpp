@@ -1,7 +1,7 @@
 /// \file
 /// \brief Groups of one pair and groups with a pair in every lane do the same.
 
-#include "common/math/choose.hpp"
+#include "common/simd/choose.hpp"
 
 #include "tests/catch.hpp"
 

@@ -1,8 +1,8 @@
 /// \file
 /// \brief What holds for packs of every width.
 
-#include "common/math/group.hpp"
-#include "common/math/pack.hpp"
+#include "common/simd/group.hpp"
+#include "common/simd/pack.hpp"
 
 #include "tests/catch.hpp"
 

@@ -1,8 +1,8 @@
-#include "common/plot/bar_chart.hpp"
-#include "common/plot/chart.hpp"
-#include "common/plot/chart_layout.hpp"
-#include "common/plot/figure2d.hpp"
-#include "common/plot/figure3d.hpp"
+#include "common/plot/charts/bar_chart.hpp"
+#include "common/plot/charts/chart.hpp"
+#include "common/plot/charts/chart_layout.hpp"
+#include "common/plot/figures/figure2d.hpp"
+#include "common/plot/figures/figure3d.hpp"
 #include "tests/catch.hpp"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 /// \file
 /// What holds for the programs' common parts: tables, numbers, CSV files, errors.
 
-#include "common/program/csv.hpp"
+#include "common/files/csv.hpp"
+#include "common/files/whole_file.hpp"
 #include "common/program/program.hpp"
 #include "common/program/table.hpp"
-#include "common/program/whole_file.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/common/run_program.hpp"

@@ -1,7 +1,7 @@
 /// \file
 /// \brief What holds for copies past the cache.
 
-#include "common/math/stream.hpp"
+#include "common/simd/stream.hpp"
 
 #include "tests/catch.hpp"
 

@@ -5,6 +5,7 @@
 #include "file_rules.hpp"
 #include "page_rules.hpp"
 #include "recipe_rules.hpp"
+#include "room_rules.hpp"
 
 #include "tests/catch.hpp"
 
@@ -110,6 +111,75 @@ TEST_CASE("an include of a later chapter, of a recipe by common and of a test ar
   CHECK(include("common/math/a.hpp", "tests/catch.hpp") == 1);
 }
 
+TEST_CASE(
+    "no folder of recipes and common has more than 14 files, and every file its room", "[house]")
+{
+  std::vector<std::string> paths;
+  for (const char* folder : {"common", "recipes"})
+  {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder))
+    {
+      if (entry.is_regular_file())
+      {
+        paths.push_back(entry.path().lexically_relative(root).generic_string());
+      }
+    }
+  }
+  CHECK(paths.size() > 300);
+  expect_none(folders_are_small(paths));
+  expect_none(rooms_are_plain(paths));
+}
+
+TEST_CASE("a folder of 15 files and a file without a room are found", "[house]")
+{
+  std::vector<std::string> paths;
+  for (char name = 'a'; name < 'o'; ++name)
+  {
+    paths.push_back("recipes/03_x/a/" + std::string(1, name) + ".hpp");
+  }
+  CHECK(folders_are_small(paths).empty());
+  paths.push_back("recipes/03_x/a/trial/a.hpp");
+  CHECK(folders_are_small(paths).empty());
+  paths.push_back("recipes/03_x/a/z.hpp");
+  CHECK(folders_are_small(paths).size() == 1);
+  CHECK(rooms_are_plain(paths).empty());
+  CHECK(rooms_are_plain({"recipes/CMakeLists.txt", "recipes/03_x/CMakeLists.txt"}).empty());
+  CHECK(rooms_are_plain({"recipes/03_x/a.hpp"}).size() == 1);
+  CHECK(rooms_are_plain({"recipes/03_x/a/other/a.hpp"}).size() == 1);
+}
+
+TEST_CASE("nothing outside a trial includes one, but programs; rooms have no circles", "[house]")
+{
+  const std::vector<std::string> code{".hpp", ".cpp"};
+  const auto sources = together(read_tree(root, "common", code), read_tree(root, "recipes", code));
+  expect_none(homes_stand_alone(sources));
+  expect_none(rooms_have_no_circles(sources));
+}
+
+TEST_CASE("an include of a trial and a circle of rooms or trials are found", "[house]")
+{
+  const auto file = [](const std::string& path, const std::string& target) {
+    return TextFile{path, "#include \"" + target + "\"\n"};
+  };
+  const TextFile scenes{"recipes/03_x/a/trial/scenes.hpp", ""};
+  CHECK(
+      homes_stand_alone({scenes, file("recipes/03_x/a/a.hpp", "03_x/a/trial/scenes.hpp")}).size() ==
+      1);
+  CHECK(homes_stand_alone({scenes, file("recipes/03_x/b/trial/b.hpp", "03_x/a/trial/scenes.hpp")})
+            .empty());
+  TextFile program = file("recipes/03_x/a/a.cpp", "03_x/a/trial/scenes.hpp");
+  CHECK(homes_stand_alone({scenes, program}).size() == 1);
+  program.text += "int main(int argc, char** argv)\n";
+  CHECK(homes_stand_alone({scenes, program}).empty());
+
+  const TextFile to_b = file("recipes/03_x/a/a.hpp", "03_x/b/b.hpp");
+  const TextFile to_c = file("recipes/03_x/b/b.hpp", "03_x/c/trial/c.hpp");
+  CHECK(rooms_have_no_circles({to_b, to_c, {"recipes/03_x/c/trial/c.hpp", ""}}).empty());
+  const TextFile back = file("recipes/03_x/c/trial/c.hpp", "03_x/a/a.hpp");
+  CHECK(rooms_have_no_circles({to_b, to_c, back}).size() == 1);
+  CHECK(rooms_have_no_circles({to_b, file("recipes/03_x/b/b.hpp", "03_x/a/a.hpp")}).size() == 1);
+}
+
 TEST_CASE("every chapter has its sections in the same order, on one page or several", "[house]")
 {
   for (const TextFile& page : with_sub_pages(pages()))
@@ -150,8 +220,8 @@ TEST_CASE("every program has its header, output, test and section", "[house]")
 TEST_CASE("a recipe that lacks a part is found, and a chart needs no checked output", "[house]")
 {
   const std::vector<TextFile> tree{
-      {"recipes/03_x/a.cpp", "int main()"},
-      {"recipes/03_x/a.hpp", ""},
+      {"recipes/03_x/a/a.cpp", "int main()"},
+      {"recipes/03_x/a/a.hpp", ""},
       {"tests/03_x/a_test.cpp", ""}};
   const std::vector<TextFile> page{{"chapters/03_x.md", "# X\n## A\n\\snippet a.hpp a\n"}};
   const std::vector<TextFile> chart{

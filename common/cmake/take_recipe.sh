@@ -1,0 +1,103 @@
+#!/bin/sh
+# Prints a recipe as one header that needs nothing but Eigen: take_recipe.sh ROOT HEADER, the header as
+# a path from the root. ./cookbook take calls it.
+set -eu
+root=$1 header=$2
+version=$(sed -n 's/^project(cookbook VERSION \([0-9.]*\).*/\1/p' "$root/CMakeLists.txt")
+
+library=
+[ ! -f "$root/${header%.hpp}_dispatch.cpp" ] || library=$(basename "$header" .hpp)
+
+awk -v root="$root" -v library="$library" -v header="$header" -v version="$version" '
+# The file that an include names; empty for one of another library.
+function found(name,    path, line) {
+  for (i = 1; i <= 2; ++i) {
+    path = (i == 1 ? "" : "recipes/") name
+    if ((getline line < (root "/" path)) >= 0) { close(root "/" path); return path }
+  }
+  return ""
+}
+
+# Adds a file to the bodies, after those that it includes; what it includes of others, to the top.
+function take(path,    line, name, depth, text, blank) {
+  if (path in taken) return
+  taken[path] = 1
+  ++files
+  depth = 0
+  while ((getline line < (root "/" path)) > 0) {
+    if (line ~ /^#if/) ++depth
+    if (line ~ /^#endif/) --depth
+    if (line ~ /^#include "/) {
+      name = line
+      gsub(/^#include "|".*$/, "", name)
+      take(found(name))
+      continue
+    }
+    if (line ~ /^#include </ && depth == 0) { above[line] = 1; continue }
+    if (line ~ /^#pragma once/ || line ~ /^\/\/ \[.*\]$/ || line ~ /^\/\/\/ \\(file|brief)/) continue
+    if (line == "" && blank) continue
+    blank = line == ""
+    text = text line "\n"
+  }
+  close(root "/" path)
+  sub(/^\n+/, "", text)
+  bodies[files_in_order++] = "\n// ---- " path " ----\n\n" text
+}
+
+# What a header offers: the name of what each comment stands before, and the comment\047s first sentence.
+function offers(path,    line, said, done) {
+  while ((getline line < (root "/" path)) > 0) {
+    if (line ~ /^\/\/\/ \\/) continue
+    if (line ~ /^\/\/\//) {
+      if (!done) said = said (said == "" ? "" : " ") substr(line, 5)
+      done = done || line == "///" || line ~ /[.:]$/ || sub(/[.:;] .*/, "", said)
+      continue
+    }
+    if (line ~ /^(#|namespace|\{)/) { said = ""; done = 0; continue }
+    if (line ~ /^(template|\[\[gnu|$)/ && line !~ /\(/) continue
+    if (said != "" && line !~ /[({]|^(struct|class|using|enum) / && line !~ /;$/) continue
+    if (said != "" && line !~ /^ /) {
+      sub(/[.:;]$/, "", said)
+      gsub(/ = .*|\(.*|;.*/, "", line)
+      while (sub(/<[^<>]*>/, "", line)) ;
+      gsub(/ *$|.*[ >&*:]/, "", line)
+      printf "//   %s: %s\n", line, said
+    }
+    said = ""
+    done = 0
+  }
+  close(root "/" path)
+}
+
+function brief(path,    line, text) {
+  while ((getline line < (root "/" path)) > 0) {
+    if (sub(/^\/\/\/ \\brief /, "", line)) text = line
+    else if (text != "" && sub(/^\/\/\/ /, "", line)) text = text " " line
+    else if (text != "") break
+  }
+  close(root "/" path)
+  return text
+}
+
+BEGIN {
+  name = header
+  gsub(/.*\/|\.hpp$/, "", name)
+  take(header)
+  print "// " name ": " brief(header)
+  print "//"
+  print "// Taken from the Contact Cookbook " version ": " files " of its files in one. Needs C++20 and Eigen 3.4:"
+  print "//   c++ -std=c++20 -O2 -ffp-contract=off -I/usr/include/eigen3 game.cpp"
+  if (library != "") {
+    print "// This header only declares: what it declares is compiled once for each instruction set. Link"
+    print "// cookbook::" library ", as the README shows."
+  }
+  print "// Everything is in namespace cookbook. What is here to be called:"
+  offers(header)
+  print "//"
+  while ((getline line < (root "/LICENSE")) > 0) print line == "" ? "//" : "// " line
+  print "\n#pragma once\n"
+  sort = "sort"
+  for (line in above) print line | sort
+  close(sort)
+  for (i = 0; i < files_in_order; ++i) printf "%s", bodies[i]
+}'

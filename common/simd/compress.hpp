@@ -1,0 +1,89 @@
+#pragma once
+
+/// \file
+/// \brief The lanes of a register that a mask has set, moved together.
+
+#include "common/simd/lanes.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
+namespace cookbook
+{
+inline namespace COOKBOOK_INSTRUCTION_SET
+{
+
+#if defined(__AVX2__)
+inline constexpr bool compresses_at_once = true; ///< whether Compress is one instruction
+#else
+inline constexpr bool compresses_at_once = false; ///< whether Compress is one instruction
+#endif
+
+// [compress]
+/// Moves the lanes whose bits are set to the front, in their order; what follows them is not meant.
+class Compress
+{
+public:
+  /// Bit i stands for lane i.
+#if defined(__AVX512F__)
+  explicit Compress(std::uint32_t bits) : bits_(static_cast<__mmask16>(bits)) {}
+
+  Lanes operator()(const Lanes& lanes) const ///< the lanes moved
+  {
+    return Lanes::of((Lanes::Lanes)_mm512_maskz_compress_ps(bits_, (__m512)lanes.lanes));
+  }
+
+private:
+  __mmask16 bits_;
+#else
+  explicit Compress(std::uint32_t bits) : order_(orders[bits]) {}
+
+  Lanes operator()(const Lanes& lanes) const ///< the lanes moved
+  {
+#if defined(__AVX2__)
+    const __m128i bytes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(order_.data()));
+    const __m256i order = _mm256_cvtepu8_epi32(bytes);
+    return Lanes::of((Lanes::Lanes)_mm256_permutevar8x32_ps((__m256)lanes.lanes, order));
+#else
+    Lanes moved = lanes;
+    for (std::size_t i = 0; i < width; ++i)
+    {
+      moved.lanes[i] = lanes[order_[i]];
+    }
+    return moved;
+#endif
+  }
+
+private:
+  using Order = std::array<std::uint8_t, width>;
+
+  /// For all bits: which lane comes first, second, …
+  static constexpr std::array<Order, 1 << width> orders = []
+  {
+    std::array<Order, 1 << width> all{};
+    for (std::size_t bits = 0; bits < all.size(); ++bits)
+    {
+      std::size_t count = 0;
+      for (std::size_t i = 0; i < width; ++i)
+      {
+        if ((bits >> i & 1) != 0)
+        {
+          all[bits][count++] = static_cast<std::uint8_t>(i);
+        }
+      }
+    }
+    return all;
+  }();
+
+  const Order& order_;
+#endif
+};
+// [compress]
+
+} // namespace COOKBOOK_INSTRUCTION_SET
+} // namespace cookbook

@@ -1,0 +1,193 @@
+#pragma once
+
+/// \file
+/// \brief Packs: several numbers in one register, added, multiplied and compared at once.
+
+#include "common/math/vector.hpp"
+#include "common/simd/mask.hpp"
+
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi" // a pack wider than a register is never passed by value
+#endif
+
+namespace cookbook
+{
+inline namespace COOKBOOK_INSTRUCTION_SET
+{
+
+/// The compilers' own vector type.
+template <class Real, std::size_t Width>
+struct VectorOf
+{
+  typedef Real type __attribute__((vector_size(sizeof(Real) * Width))); ///< `Width` numbers
+};
+
+// [pack]
+/// `Width` numbers that are computed with as if they were one; `Width` is a power of two.
+template <class Real, std::size_t Width>
+struct Pack
+{
+  using Lanes = typename VectorOf<Real, Width>::type;
+
+  Lanes lanes; ///< the numbers
+
+  Pack() = default;
+  Pack(Real same) : lanes(same - Lanes{}) {} ///< the same number in every lane
+
+  // Copied as one register: left to itself g++ copies wide packs in pieces.
+  Pack(const Pack& other) : lanes(other.lanes) {}
+  Pack& operator=(const Pack& other)
+  {
+    lanes = other.lanes;
+    return *this;
+  }
+
+  /// The i-th number, i < Width.
+  template <std::integral Whole>
+  Real operator[](Whole i) const
+  {
+    return lanes[i];
+  }
+
+  /// What a comparison gives: in every lane all bits set, or none.
+  struct Mask
+  {
+    decltype(Lanes{} < Lanes{}) lanes;
+  };
+
+  /// A pack made of lanes.
+  static Pack of(const Lanes& lanes)
+  {
+    Pack pack;
+    pack.lanes = lanes;
+    return pack;
+  }
+
+  friend Pack operator+(const Pack& a, const Pack& b) { return of(a.lanes + b.lanes); }
+  friend Pack operator-(const Pack& a, const Pack& b) { return of(a.lanes - b.lanes); }
+  friend Pack operator*(const Pack& a, const Pack& b) { return of(a.lanes * b.lanes); }
+  friend Pack operator/(const Pack& a, const Pack& b) { return of(a.lanes / b.lanes); }
+  friend Pack operator-(const Pack& a) { return of(-a.lanes); }
+  friend Pack max(const Pack& a, const Pack& b)
+  {
+    return of(a.lanes > b.lanes ? a.lanes : b.lanes);
+  }
+  friend Pack min(const Pack& a, const Pack& b)
+  {
+    return of(a.lanes < b.lanes ? a.lanes : b.lanes);
+  }
+  friend Pack abs(const Pack& a)
+  {
+    using Bits = decltype(Mask::lanes);
+    const auto sign = (Bits)(-Lanes{}); // the bits of minus zero
+    return of((Lanes)((Bits)(a.lanes) & ~sign));
+  }
+  friend Pack copysign(const Pack& size, const Pack& sign)
+  {
+    using Bits = decltype(Mask::lanes);
+    const auto bit = (Bits)(-Lanes{});
+    return of((Lanes)(((Bits)(size.lanes) & ~bit) | ((Bits)(sign.lanes) & bit)));
+  }
+  friend Mask operator<(const Pack& a, const Pack& b) { return {a.lanes < b.lanes}; }
+  friend Mask operator<=(const Pack& a, const Pack& b) { return {a.lanes <= b.lanes}; }
+  friend Mask operator>(const Pack& a, const Pack& b) { return {a.lanes > b.lanes}; }
+  friend Mask operator>=(const Pack& a, const Pack& b) { return {a.lanes >= b.lanes}; }
+  friend Mask operator&(const Mask& a, const Mask& b) { return {a.lanes & b.lanes}; }
+  friend Mask operator|(const Mask& a, const Mask& b) { return {a.lanes | b.lanes}; }
+};
+// [pack]
+
+/// What a pack is made of; a plain number is made of itself.
+template <class Number>
+struct PartOf
+{
+  using type = Number; ///< the plain number
+};
+template <class Real, std::size_t Width>
+struct PartOf<Pack<Real, Width>>
+{
+  using type = Real; ///< the number in each lane
+};
+
+/// Reads `Width` numbers from memory, aligned or not.
+template <class P, class Real>
+P load_pack(const Real* from)
+{
+  P pack;
+  std::memcpy(&pack.lanes, from, sizeof(pack.lanes));
+  return pack;
+}
+
+/// Writes a pack's numbers to memory, aligned or not.
+template <class Real, std::size_t Width>
+void store_pack(const Pack<Real, Width>& pack, Real* to)
+{
+  std::memcpy(to, &pack.lanes, sizeof(pack.lanes));
+}
+
+/// The lanes of `yes` where the mask is set, those of `no` elsewhere.
+template <class Real, std::size_t Width>
+Pack<Real, Width> select(
+    const typename Pack<Real, Width>::Mask& mask, const Pack<Real, Width>& yes,
+    const Pack<Real, Width>& no)
+{
+  return Pack<Real, Width>::of(mask.lanes ? yes.lanes : no.lanes);
+}
+
+/// One of two numbers: what select() is to packs.
+template <class Real>
+Real select(bool first, const Real& yes, const Real& no)
+{
+  return first ? yes : no;
+}
+
+/// The square root of every lane: a loop that becomes one instruction.
+template <class Real, std::size_t Width>
+Pack<Real, Width> sqrt(const Pack<Real, Width>& a)
+{
+  Pack<Real, Width> root;
+  for (std::size_t i = 0; i < Width; ++i)
+  {
+    root.lanes[i] = std::sqrt(a.lanes[i]);
+  }
+  return root;
+}
+
+} // namespace COOKBOOK_INSTRUCTION_SET
+} // namespace cookbook
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
+
+namespace Eigen
+{
+
+/// What Eigen needs to know of a pack, so that there are vectors of packs.
+template <class Number, std::size_t Width>
+struct NumTraits<cookbook::Pack<Number, Width>> : GenericNumTraits<cookbook::Pack<Number, Width>>
+{
+  using Real = cookbook::Pack<Number, Width>;       ///< its own real part
+  using NonInteger = cookbook::Pack<Number, Width>; ///< itself
+  using Nested = cookbook::Pack<Number, Width>;     ///< kept in expressions by value
+  enum
+  {
+    IsInteger = 0,
+    IsSigned = 1,
+    IsComplex = 0,
+    RequireInitialization = 0,
+    ReadCost = 1,
+    AddCost = 1,
+    MulCost = 1
+  };
+};
+
+} // namespace Eigen

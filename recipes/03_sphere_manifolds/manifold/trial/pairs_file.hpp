@@ -1,0 +1,181 @@
+#pragma once
+
+/// \file
+/// \brief The reader's own pairs: shapes from the rows of a CSV file, manifolds back as CSV.
+
+#include "02_primitives/shapes/shapes.hpp"
+#include "03_sphere_manifolds/manifold/manifold.hpp"
+#include "common/files/csv.hpp"
+#include "common/program/program.hpp"
+
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cookbook
+{
+
+/// A row of a file of pairs, with what an error needs to say where it is.
+struct PairsRow
+{
+  std::string file;   ///< its path
+  std::string header; ///< names of the columns
+  CsvRow row;         ///< the numbers
+
+  /// The number in a column, rounded to `Real`; CsvError if it is too large or too small for that.
+  template <class Real>
+  Real at(std::size_t column) const
+  {
+    const double value = row.values[column];
+    const bool too_large = std::abs(value) > static_cast<double>(std::numeric_limits<Real>::max());
+    const Real rounded = too_large ? Real(0) : static_cast<Real>(value);
+    if (rounded == Real(0) && value != 0)
+    {
+      fail(
+          column, round_trip(value) + (too_large ? " is too large" : " is too small") +
+                      " for the number type");
+    }
+    return rounded;
+  }
+
+  /// Three columns from `first` on, as a vector.
+  template <class Real>
+  Vector3<Real> vector(std::size_t first) const
+  {
+    return {at<Real>(first), at<Real>(first + 1), at<Real>(first + 2)};
+  }
+
+  /// Throws CsvError at a column, beginning with the column's name.
+  [[noreturn]] void fail(std::size_t column, const std::string& sentence) const
+  {
+    throw CsvError(file, row.line, column + 1, csv_column(header, column) + ": " + sentence);
+  }
+
+  /// The shape, if its numbers make sense; else CsvError at the column of the member at fault.
+  template <class Shape>
+  Shape checked_shape(
+      const Shape& shape, const std::map<std::string, std::size_t>& column_of_member) const
+  {
+    try
+    {
+      return checked(shape);
+    }
+    catch (const InvalidShape& error)
+    {
+      fail(column_of_member.at(error.member()), error.what());
+    }
+  }
+};
+
+/// The sphere whose four columns begin at `first`: centre, radius.
+template <class Real>
+Sphere<Real> sphere_at(const PairsRow& row, std::size_t first)
+{
+  const Sphere<Real> sphere{row.vector<Real>(first), row.at<Real>(first + 3)};
+  return row.checked_shape(
+      sphere, {{"center.x", first},
+               {"center.y", first + 1},
+               {"center.z", first + 2},
+               {"radius", first + 3}});
+}
+
+/// The box whose ten columns begin at `first`: centre, quaternion w x y z, half extents.
+///
+/// A quaternion whose length is within a thousandth of one is taken as rounded and set to one.
+template <class Real>
+Obb<Real> obb_at(const PairsRow& row, std::size_t first)
+{
+  const std::vector<double>& v = row.row.values;
+  const Quaternion<double> q(v[first + 3], v[first + 4], v[first + 5], v[first + 6]);
+  if (!(std::abs(q.norm() - 1) <= 1e-3))
+  {
+    row.fail(first + 3, "the quaternion must have length 1, got " + round_trip(q.norm()));
+  }
+  const Obb<Real> box{
+      row.vector<Real>(first), q.normalized().toRotationMatrix().template cast<Real>(),
+      row.vector<Real>(first + 7)};
+  return row.checked_shape(
+      box, {{"center.x", first},
+            {"center.y", first + 1},
+            {"center.z", first + 2},
+            {"axes", first + 3},
+            {"half_extents.x", first + 7},
+            {"half_extents.y", first + 8},
+            {"half_extents.z", first + 9}});
+}
+
+/// All manifolds as CSV: `pair,hit,depth,nx,ny,nz,count,p0x,p0y,p0z,p0depth,…`, pairs from zero.
+///
+/// There are columns for as many points as any pair has; cells that a pair has no value for are
+/// empty. Numbers read back as the same numbers.
+template <class Real, std::size_t Capacity>
+std::string manifolds_csv(const std::vector<std::optional<Manifold<Real, Capacity>>>& manifolds)
+{
+  std::size_t most = 1;
+  for (const auto& manifold : manifolds)
+  {
+    most = std::max(most, manifold ? manifold->points.size() : 0);
+  }
+  std::string text = "pair,hit,depth,nx,ny,nz,count";
+  for (std::size_t i = 0; i < most; ++i)
+  {
+    for (const char* const part : {"x", "y", "z", "depth"})
+    {
+      text.append(",p").append(std::to_string(i)).append(part);
+    }
+  }
+  text += "\n";
+  const auto add = [&text](const auto& value) { text.append(",").append(round_trip(value)); };
+  const auto add_vector = [&add](const Vector3<Real>& v) { add(v.x()), add(v.y()), add(v.z()); };
+  for (std::size_t pair = 0; pair < manifolds.size(); ++pair)
+  {
+    const auto& manifold = manifolds[pair];
+    const std::size_t count = manifold ? manifold->points.size() : 0;
+    text.append(std::to_string(pair)).append(manifold ? ",1" : ",0,,,,");
+    if (manifold)
+    {
+      add(manifold->depth);
+      add_vector(manifold->normal);
+    }
+    text.append(",").append(std::to_string(count));
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      add_vector(manifold->points[i].position);
+      add(manifold->points[i].depth);
+    }
+    text.append(4 * (most - count), ',').append("\n");
+  }
+  return text;
+}
+
+/// The option with which a reader chooses the number type of --pairs.
+inline Option scalar_option()
+{
+  return {"scalar", "number type for --pairs", "double", {"float", "double"}, {"pairs"}};
+}
+
+// [print_pairs]
+/// Prints the manifold that `find(row, Real())` gives of every row of --pairs, in the number type
+/// that --scalar names; the whole file is read first.
+template <class Find>
+void print_pairs(const Arguments& arguments, const Find& find)
+{
+  const auto print_as = [&](auto zero)
+  {
+    std::vector<decltype(find(std::declval<PairsRow>(), zero))> manifolds;
+    for (CsvRow& row : read_csv(arguments.pairs, arguments.pairs_header))
+    {
+      manifolds.push_back(
+          find({arguments.pairs.string(), arguments.pairs_header, std::move(row)}, zero));
+    }
+    std::cout << manifolds_csv(manifolds);
+  };
+  arguments.value("scalar") == "float" ? print_as(0.0f) : print_as(0.0);
+}
+// [print_pairs]
+
+} // namespace cookbook

@@ -1,0 +1,95 @@
+/// \file
+/// \brief Slides a ball into a box and out through its nearest face, and draws the way.
+
+#include "03_sphere_manifolds/sphere_box/sphere_box.hpp"
+#include "03_sphere_manifolds/manifold/trial/pairs_file.hpp"
+#include "common/plot/figures/figure2d.hpp"
+#include "common/program/program.hpp"
+#include "common/program/table.hpp"
+
+#include <iostream>
+
+namespace
+{
+
+using namespace cookbook;
+
+const Obb<double> box{{0, 0, 0}, Matrix3<double>::Identity(), {2, 1, 1}};
+
+/// The ball on its way: down through the top, along the inside, near the right face.
+const Sphere<double> way[] = {{{-2.3, 1.2, 0}, 0.5},   {{-1.2, 1.25, 0}, 0.5},
+                              {{-0.5, 0.75, 0}, 0.5},  {{0.4, 0.25, 0}, 0.5},
+                              {{1.25, 0.125, 0}, 0.5}, {{2.25, 0, 0}, 0.5}};
+
+// [print_way]
+void print_way()
+{
+  Table table({"ball x", "ball y", "depth", "normal x", "normal y", "contact x", "contact y"});
+  for (const Sphere<double>& ball : way)
+  {
+    const Manifold<double> manifold = sphere_box(ball, box).value();
+    const Vector3<double>& contact = manifold.points[0].position;
+    table.row(
+        {number(ball.center.x()), number(ball.center.y()), number(manifold.depth),
+         number(manifold.normal.x()), number(manifold.normal.y()), number(contact.x()),
+         number(contact.y())});
+  }
+  std::cout << table.text();
+}
+// [print_way]
+
+void draw_ball(plot::Figure2d& figure, const Sphere<double>& ball)
+{
+  const Manifold<double> manifold = sphere_box(ball, box).value();
+  const Eigen::Vector2d center = ball.center.head<2>();
+  const Eigen::Vector2d out = -manifold.normal.head<2>();
+  figure
+      .circle(
+          center + manifold.depth * out, ball.radius, plot::Ink::faint, plot::Fill::none,
+          plot::Stroke::dotted)
+      .circle(center, ball.radius, plot::Ink::a)
+      .arrow(center, center + manifold.depth * out, plot::Ink::overlap)
+      .dot(center, plot::Ink::a)
+      .point(manifold.points[0].position.head<2>(), plot::Ink::ink);
+}
+
+void draw(const Arguments& arguments)
+{
+  plot::Figure2d figure("sphere_box", "", {{-3.3, -1.25}, {3.5, 2.35}, 680});
+  figure.describe("A ball slides into a box; arrows show how each position leaves it.")
+      .box(box.center.head<2>(), 0, box.half_extents.head<2>(), plot::Ink::b);
+  for (const Sphere<double>& ball : way)
+  {
+    draw_ball(figure, ball);
+  }
+  save_figure(arguments, "sphere_box.svg", figure.svg());
+}
+
+template <class Real>
+std::optional<Manifold<Real>> of_row(const PairsRow& row, Real)
+{
+  return sphere_box(sphere_at<Real>(row, 0), obb_at<Real>(row, 4));
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const Arguments arguments{
+      .name = "sphere_box",
+      .summary = "The manifold of a sphere and an oriented box, inside and outside.",
+      .pairs_header = "ax,ay,az,ar,bx,by,bz,bqw,bqx,bqy,bqz,bhx,bhy,bhz",
+      .options = {scalar_option()}};
+  return run_program(
+      argc, argv, arguments,
+      [](const Arguments& given)
+      {
+        if (!given.pairs.empty())
+        {
+          return print_pairs(
+              given, [](const PairsRow& row, auto real) { return of_row(row, real); });
+        }
+        print_way();
+        draw(given);
+      });
+}

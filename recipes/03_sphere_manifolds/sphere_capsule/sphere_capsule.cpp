@@ -1,0 +1,87 @@
+/// \file
+/// \brief Moves a ball along a capsule, and draws the ball of the capsule that it meets.
+
+#include "03_sphere_manifolds/sphere_capsule/sphere_capsule.hpp"
+#include "common/plot/figures/figure2d.hpp"
+#include "common/program/program.hpp"
+#include "common/program/table.hpp"
+
+#include <iostream>
+
+namespace
+{
+
+using namespace cookbook;
+
+const Capsule<double> capsule{{{-1, 0, 0}, {1, 0, 0}}, 0.5};
+
+Sphere<double> ball_at(double x)
+{
+  return {{x, 0.75, 0}, 0.5};
+}
+
+void print_flight()
+{
+  Table table({"ball x", "closest x", "depth", "normal x", "normal y"});
+  for (const double x : {-2.0, -1.5, -1.0, 0.0, 0.5, 1.25, 1.75})
+  {
+    const Vector3<double> closest = closest_point(capsule.segment, ball_at(x).center);
+    const std::optional<Manifold<double>> manifold = sphere_capsule(ball_at(x), capsule);
+    if (!manifold)
+    {
+      table.row({number(x), number(closest.x()), "apart", "", ""});
+      continue;
+    }
+    table.row(
+        {number(x), number(closest.x()), number(manifold->depth), number(manifold->normal.x()),
+         number(manifold->normal.y())});
+  }
+  std::cout << table.text();
+}
+
+void draw_ball(plot::Figure2d& figure, double x)
+{
+  const Sphere<double> ball = ball_at(x);
+  const Manifold<double> manifold = sphere_capsule(ball, capsule).value();
+  const Eigen::Vector2d closest = closest_point(capsule.segment, ball.center).head<2>();
+  const Eigen::Vector2d contact = manifold.points[0].position.head<2>();
+  const Eigen::Vector2d center = ball.center.head<2>();
+  figure.circle(closest, capsule.radius, plot::Ink::b, plot::Fill::none, plot::Stroke::dashed)
+      .circle(center, ball.radius, plot::Ink::a)
+      .lens(center, ball.radius, closest, capsule.radius)
+      .dot(center, plot::Ink::a)
+      .dot(closest, plot::Ink::b)
+      .segment(center, closest, plot::Ink::muted, plot::Stroke::dotted)
+      .arrow(contact, contact + 0.45 * manifold.normal.head<2>(), plot::Ink::ink)
+      .point(contact, plot::Ink::overlap);
+}
+
+void draw(const Arguments& arguments)
+{
+  plot::Figure2d figure("sphere_capsule", "", {{-1.9, -0.75}, {2.1, 1.45}, 640});
+  figure.describe("Two balls on a capsule; each meets the ball of the capsule closest to it.")
+      .capsule(
+          capsule.segment.start.head<2>(), capsule.segment.end.head<2>(), capsule.radius,
+          plot::Ink::b)
+      .segment(
+          capsule.segment.start.head<2>(), capsule.segment.end.head<2>(), plot::Ink::b,
+          plot::Stroke::dashed);
+  draw_ball(figure, -0.5);
+  draw_ball(figure, 1.25);
+  save_figure(arguments, "sphere_capsule.svg", figure.svg());
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const Arguments arguments{
+      .name = "sphere_capsule", .summary = "The manifold of a sphere and a capsule."};
+  return run_program(
+      argc, argv, arguments,
+      [](const Arguments& given)
+      {
+        print_flight();
+        draw(given);
+      });
+}

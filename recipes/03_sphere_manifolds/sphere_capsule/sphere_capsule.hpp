@@ -1,0 +1,92 @@
+#pragma once
+
+/// \file
+/// \brief The manifold of a sphere and a capsule.
+
+#include "03_sphere_manifolds/manifold/any_size.hpp"
+#include "03_sphere_manifolds/sphere_sphere/sphere_sphere.hpp"
+#include "common/math/wide.hpp"
+
+#include <algorithm>
+
+namespace cookbook
+{
+
+// [closest_point_segment]
+/// How far along a segment, 0 to 1, it comes closest to `point` [m], world; 0 if it has no length;
+/// P2.
+template <class Real>
+Wide<Real> closest_share(const Segment<Real>& segment, const Vector3<Real>& point)
+{
+  const Vector3<Wide<Real>> start = widen(segment.start);
+  const Vector3<Wide<Real>> along = widen(segment.end) - start;
+  const Wide<Real> along_squared = along.squaredNorm();
+  if (along_squared == Wide<Real>(0))
+  {
+    return Wide<Real>(0);
+  }
+  const Wide<Real> t = (widen(point) - start).dot(along) / along_squared;
+  return std::clamp(t, Wide<Real>(0), Wide<Real>(1));
+}
+
+/// The point of a segment closest to `point`, both [m], world.
+template <class Real>
+Vector3<Wide<Real>> closest_point(const Segment<Real>& segment, const Vector3<Real>& point)
+{
+  const Vector3<Wide<Real>> start = widen(segment.start);
+  return start + closest_share(segment, point) * (widen(segment.end) - start);
+}
+// [closest_point_segment]
+
+// [direction_to_segment]
+/// The direction square to `along`, of length one, that is closest to +y; to +x where `along` is
+/// ±y.
+template <class Real>
+Vector3<Real> sideways(const Vector3<Real>& along)
+{
+  const Vector3<Real> up = along.cross(Vector3<Real>::UnitY()).cross(along);
+  return normalize<Real>(up, Vector3<Real>::UnitX()).unit;
+}
+
+/// Direction and distance [m] from a point to a segment; sideways() from a point on it.
+///
+/// From beside the segment the direction is square to it. A point that is on the segment but for
+/// rounding has a way to it that is nothing but rounding, and may lead along the segment.
+template <class Real>
+Direction<Real> direction_to(const Segment<Real>& segment, const Vector3<Real>& point)
+{
+  using Vector = Vector3<Wide<Real>>;
+  const Vector ends = widen(segment.end) - widen(segment.start);
+  const Vector along = normalize<Wide<Real>>(ends, Vector::UnitX()).unit;
+  const Wide<Real> share = closest_share(segment, point);
+  const Vector way = widen(segment.start) + share * ends - widen(point);
+  Direction<Wide<Real>> to = normalize<Wide<Real>>(way, sideways<Wide<Real>>(along));
+  if (Wide<Real>(0) < share && share < Wide<Real>(1))
+  {
+    const Vector square = to.unit - to.unit.dot(along) * along;
+    const bool certain = square.squaredNorm() > Wide<Real>(0.25);
+    to.unit = certain ? square.normalized() : sideways<Wide<Real>>(along);
+  }
+  return {to.unit.template cast<Real>(), static_cast<Real>(to.length)};
+}
+// [direction_to_segment]
+
+// [sphere_capsule]
+/// The manifold of a sphere A and a capsule B: the sphere against the one ball of the capsule whose
+/// centre is closest.
+///
+/// A sphere centred on the capsule's own segment parts from it sideways(), by both radii.
+template <class Real>
+std::optional<Manifold<Real>>
+sphere_capsule(const Sphere<Real>& sphere, const Capsule<Real>& capsule)
+{
+  const auto find = [](const Sphere<Real>& a, const Capsule<Real>& b)
+  {
+    const Direction<Real> to_axis = direction_to(b.segment, a.center);
+    return overlap_manifold(sphere_overlap(to_axis, a.radius, b.radius), a.center);
+  };
+  return at_any_size(sphere, capsule, squares_fit<Real>, find);
+}
+// [sphere_capsule]
+
+} // namespace cookbook

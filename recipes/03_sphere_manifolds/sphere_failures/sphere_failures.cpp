@@ -1,0 +1,74 @@
+/// \file
+/// \brief Prints and draws up which ways to a sphere's manifold survive the cases that break
+/// others.
+
+#include "03_sphere_manifolds/sphere_failures/trial/sphere_failures.hpp"
+#include "03_sphere_manifolds/sphere_failures/trial/sphere_box_failures.hpp"
+#include "common/program/program.hpp"
+
+#include <iostream>
+
+namespace
+{
+
+using namespace cookbook;
+
+void print(const std::vector<std::string>& methods, const std::vector<VerdictRow>& rows)
+{
+  std::vector<std::string> header{"case"};
+  header.insert(header.end(), methods.begin(), methods.end());
+  Table table(header);
+  for (const VerdictRow& row : rows)
+  {
+    std::vector<std::string> cells{row.id};
+    for (const Verdict& verdict : row.verdicts)
+    {
+      cells.push_back(verdict.what);
+    }
+    table.row(cells);
+  }
+  std::cout << table.text();
+}
+
+std::vector<VerdictRow> sphere_rows()
+{
+  std::vector<VerdictRow> rows;
+  for (const SphereCase& one : sphere_cases())
+  {
+    rows.push_back({one.id, one.what, verdicts_of(sphere_answers(one.a, one.b), one.right)});
+  }
+  return rows;
+}
+
+std::vector<VerdictRow> box_rows()
+{
+  std::vector<VerdictRow> rows;
+  for (const SphereBoxCase& one : box_cases())
+  {
+    rows.push_back({one.id, one.what, verdicts_of(box_answers(one.sphere, one.half), one.right)});
+  }
+  return rows;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const Arguments arguments{
+      .name = "sphere_failures",
+      .summary = "Which ways to a sphere's manifold survive the cases that break others."};
+  return run_program(
+      argc, argv, arguments,
+      [](const Arguments& given)
+      {
+        print(sphere_method_names(), sphere_rows());
+        std::cout << '\n';
+        print(box_method_names(), box_rows());
+        save_figure(
+            given, "sphere_failures.html",
+            verdict_table("Two spheres", sphere_method_names(), sphere_rows()));
+        save_figure(
+            given, "sphere_failures_box.html",
+            verdict_table("A sphere and a box", box_method_names(), box_rows()));
+      });
+}

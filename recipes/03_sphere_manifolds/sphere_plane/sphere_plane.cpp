@@ -1,0 +1,81 @@
+/// \file
+/// \brief Lowers a ball through the ground, and draws it with its centre below the surface.
+
+#include "03_sphere_manifolds/sphere_plane/sphere_plane.hpp"
+#include "common/plot/figures/figure2d.hpp"
+#include "common/program/program.hpp"
+#include "common/program/table.hpp"
+
+#include <iostream>
+
+namespace
+{
+
+using namespace cookbook;
+
+const Plane<double> ground{{0, 1, 0}, 0};
+
+Sphere<double> ball_at(double height)
+{
+  return {{0, height, 0}, 0.5};
+}
+
+void print_descent()
+{
+  Table table({"height", "depth", "normal y", "contact y"});
+  for (const double height : {0.75, 0.5, 0.25, 0.0, -0.25, -1.0})
+  {
+    const std::optional<Manifold<double>> manifold = sphere_plane(ball_at(height), ground);
+    if (!manifold)
+    {
+      table.row({number(height), "apart", "", ""});
+      continue;
+    }
+    table.row(
+        {number(height), number(manifold->depth), number(manifold->normal.y()),
+         number(manifold->points[0].position.y())});
+  }
+  std::cout << table.text();
+}
+
+/// Draws one ball at `x`, moved there only for the picture.
+void draw_ball(plot::Figure2d& figure, double height, double x)
+{
+  const Sphere<double> ball = ball_at(height);
+  const Manifold<double> manifold = sphere_plane(ball, ground).value();
+  const Eigen::Vector2d center(x, height);
+  const Eigen::Vector2d contact(x, manifold.points[0].position.y());
+  const Eigen::Vector2d lowest(x + 0.62, height - ball.radius);
+  figure.circle(center, ball.radius, plot::Ink::a)
+      .dot(center, plot::Ink::a)
+      .dimension(lowest, {lowest.x(), 0}, "depth " + number(manifold.depth), 0, plot::Ink::overlap)
+      .segment({x, height - ball.radius}, lowest, plot::Ink::faint)
+      .arrow(contact, contact + Eigen::Vector2d(0, 0.45 * manifold.normal.y()), plot::Ink::ink)
+      .point(contact, plot::Ink::overlap);
+}
+
+void draw(const Arguments& arguments)
+{
+  plot::Figure2d figure("sphere_plane", "", {{-0.8, -1.25}, {4.9, 1.1}, 640});
+  figure.describe("A ball above, in and below the surface of the ground, with depth and normal.")
+      .half_plane({0, 1}, ground.distance);
+  draw_ball(figure, 0.375, 0);
+  draw_ball(figure, 0, 1.7);
+  draw_ball(figure, -0.5, 3.4);
+  save_figure(arguments, "sphere_plane.svg", figure.svg());
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const Arguments arguments{
+      .name = "sphere_plane", .summary = "The manifold of a sphere and the solid below a plane."};
+  return run_program(
+      argc, argv, arguments,
+      [](const Arguments& given)
+      {
+        print_descent();
+        draw(given);
+      });
+}

@@ -1,0 +1,116 @@
+/// \file
+/// \brief Counts how often each fault of the published code shows on random and resting boxes.
+
+#include "04_obb_manifolds/box_as_published/trial/box_as_published.hpp"
+#include "04_obb_manifolds/box_as_published/trial/box_as_published_rates.hpp"
+#include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
+#include "common/plot/charts/bar_chart.hpp"
+#include "common/program/program.hpp"
+#include "common/program/table.hpp"
+
+#include <iostream>
+
+namespace
+{
+
+using namespace cookbook;
+
+/// A variant and what it got wrong.
+struct Counted
+{
+  FaultVariant variant;
+  FaultCounts counts;
+};
+
+std::vector<Counted> count_all()
+{
+  const std::vector<JudgedPair> pairs = judged_pairs(200000);
+  std::vector<Counted> all;
+  for (const FaultVariant& variant : fault_variants())
+  {
+    all.push_back({variant, count_faults(pairs, variant.faults)});
+  }
+  return all;
+}
+
+/// A share in per cent, to the tenth.
+double percent(std::size_t part, std::size_t whole)
+{
+  return std::round(1000 * double(part) / double(whole)) / 10;
+}
+
+/// What can be wrong, and in how many per cent of the pairs that it can befall.
+std::vector<std::pair<std::string, double>> shares(const FaultCounts& counts)
+{
+  return {
+      {"said to overlap", percent(counts.hit, counts.apart)},
+      {"normal reversed", percent(counts.reversed, counts.overlapping)},
+      {"depth off", percent(counts.off_depth, counts.overlapping)},
+      {"point lost", percent(counts.lost, counts.asked)}};
+}
+
+// [print]
+void print(const std::vector<Counted>& all)
+{
+  const FaultCounts& first = all.front().counts;
+  std::cout << first.apart << " pairs apart, " << first.overlapping << " overlapping; in per cent:"
+            << "\n\n";
+  Table table({"fault", "what", "said to overlap", "reversed", "depth off", "point lost"});
+  for (const auto& [variant, counts] : all)
+  {
+    std::vector<std::string> cells{variant.id, variant.what};
+    for (const auto& [what, share] : shares(counts))
+    {
+      cells.push_back(number(share));
+    }
+    table.row(cells);
+  }
+  std::cout << table.text();
+}
+// [print]
+
+void draw(const Arguments& arguments, const std::vector<Counted>& all)
+{
+  plot::BarChart chart("box_as_published", "", {"of the pairs that it can befall [%]"});
+  chart.describe("How often each fault of the published code gives a wrong answer.");
+  for (const auto& [variant, counts] : all)
+  {
+    for (const auto& [what, share] : shares(counts))
+    {
+      const std::string text = number(share) + " %";
+      if (share > 0 && variant.id == "all")
+      {
+        chart.highlight("all: " + what, share, plot::Ink::overlap, text);
+      }
+      else if (share > 0)
+      {
+        chart.bar(variant.id + ": " + what, share, plot::Ink::a, text);
+      }
+    }
+  }
+  save_figure(arguments, "box_as_published.svg", chart.svg());
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const Arguments arguments{
+      .name = "box_as_published",
+      .summary = "What the published code makes of two boxes, and how often it is wrong.",
+      .pairs_header = box_pairs_header,
+      .options = {scalar_option()}};
+  return run_program(
+      argc, argv, arguments,
+      [](const Arguments& given)
+      {
+        if (!given.pairs.empty())
+        {
+          return print_box_pairs(
+              given, [](const auto& a, const auto& b) { return box_as_published(a, b); });
+        }
+        const std::vector<Counted> all = count_all();
+        print(all);
+        draw(given, all);
+      });
+}

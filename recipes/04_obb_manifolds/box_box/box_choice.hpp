@@ -1,0 +1,149 @@
+#pragma once
+
+/// \file
+/// \brief Which of the fifteen axes the manifold of two boxes is built on.
+
+#include "04_obb_manifolds/box_box/box_overlaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cookbook
+{
+inline namespace COOKBOOK_INSTRUCTION_SET
+{
+
+// [tolerances]
+/// Lengths that decide between answers which are nearly equally right.
+template <class Real>
+struct Tolerances
+{
+  Real size;   ///< [m], all half extents together
+  Real hair;   ///< [m], what rounding can make of equal lengths
+  Real margin; ///< [m], a hundredth of the smaller box
+};
+
+/// The tolerances of two boxes.
+template <class Real>
+Tolerances<Real> tolerances_of(const Obb<Real>& a, const Obb<Real>& b)
+{
+  using std::min;
+  using Limits = std::numeric_limits<typename PartOf<Real>::type>;
+  const auto sum = [](const Vector3<Real>& half) { return half[0] + half[1] + half[2]; };
+  const Real of_a = sum(a.half_extents), of_b = sum(b.half_extents), size = of_a + of_b;
+  return {size, size * Real(4 * Limits::epsilon()), min(of_a, of_b) * Real(0.01f)};
+}
+
+/// Whether boxes of this size [m] have squares that fit into numbers, not too large, not too small.
+template <class Real>
+auto has_moderate_size(const Real& size)
+{
+  return (Real(0x1p-40f) < size) & (size < Real(0x1p40f));
+}
+// [tolerances]
+
+// [least_face]
+/// The face axis of least overlap.
+template <class Real>
+struct LeastFace
+{
+  Real depth;        ///< [m]
+  Index<Real> index; ///< 0, 1, 2 for A's axes, 3, 4, 5 for B's
+};
+
+/// The least number of a group.
+template <class Real>
+Real least_of(const Group<Real, 3>& group)
+{
+  using std::min;
+  return min(group[0], min(group[1], group[2]));
+}
+
+/// The first of the six least overlaps.
+template <class Real>
+LeastFace<Real> least_face(const Group<Real, 3>& face_a, const Group<Real, 3>& face_b)
+{
+  using Row = Group<Real, 3>;
+  const Real depth = least_of<Real>(min(face_a, face_b));
+  return {depth, first_set<Real>({face_a <= Row(depth), face_b <= Row(depth)})};
+}
+// [least_face]
+
+/// The gap [m] up to which corners of a face's manifold are kept; O14.
+template <class Real>
+Real kept_gap(const LeastFace<Real>& face, const Tolerances<Real>& tolerances)
+{
+  using std::max, std::min;
+  return min(tolerances.margin, max(face.depth, tolerances.hair));
+}
+
+// [edge_bar]
+/// Faces of two boxes are parallel if the cosine of their angle is at least that of one degree.
+inline constexpr float parallel_cosine = 0.99985f;
+
+/// The overlap [m] that an edge axis must stay under to be taken instead of a face; O9.
+///
+/// A hair less than the face's: rounding alone shall not decide. Where two faces are parallel, a
+/// twentieth less, or half the margin: a face keeps all its points, and the next frame's.
+template <class Real>
+Real edge_bar(
+    const BoxesInRows<Real>& boxes, const Real& face_depth, const Tolerances<Real>& tolerances)
+{
+  using Row = Group<Real, 3>;
+  using std::max;
+  const Row largest = max(max(abs(boxes.rows[0]), abs(boxes.rows[1])), abs(boxes.rows[2]));
+  const auto parallel = any_lane<Real>(Row(Real(parallel_cosine)) < largest);
+  const Real preference = max(face_depth * Real(0.05f), tolerances.margin * Real(0.5f));
+  return max(face_depth - select(parallel, preference, tolerances.hair), Real(0));
+}
+// [edge_bar]
+
+// [least_edge]
+/// The edge axis of least overlap.
+template <class Real>
+struct LeastEdge
+{
+  Real squared_depth; ///< [m²]; `none` where no edge axis stays under the bar
+  Index<Real> index;  ///< 3 i + j for a_i × b_j
+
+  static constexpr float none = std::numeric_limits<float>::max(); ///< [m²], for no axis
+
+  auto found() const { return squared_depth < Real(none); } ///< whether there is one
+};
+
+/// The edge axes whose overlap stays under a bar, and which of them has the least.
+///
+/// Squares are compared: s² < bar² |L|² needs no root. Axes shorter than ε are left out.
+template <class Real>
+LeastEdge<Real> least_edge(const EdgeOverlaps<Real> (&edges)[3], const Real& bar)
+{
+  using Row = Group<Real, 3>;
+  constexpr float epsilon = std::numeric_limits<float>::epsilon();
+  const Real none(LeastEdge<Real>::none);
+  Row square[3];
+  typename Row::Mask under[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    square[i] = edges[i].overlap * edges[i].overlap;
+    under[i] = (square[i] < Row(bar * bar) * edges[i].squared) &
+               (Row(Real(epsilon * epsilon)) < edges[i].squared);
+  }
+  if (!any(any_lane<Real>(under[0] | under[1] | under[2])))
+  {
+    return {none, index<Real>(0)};
+  }
+  Row squared_depth[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    squared_depth[i] = select(under[i], square[i] / edges[i].squared, Row(none));
+  }
+  const Real least = least_of<Real>(min(min(squared_depth[0], squared_depth[1]), squared_depth[2]));
+  return {
+      least, first_set<Real>(
+                 {squared_depth[0] <= Row(least), squared_depth[1] <= Row(least),
+                  squared_depth[2] <= Row(least)})};
+}
+// [least_edge]
+
+} // namespace COOKBOOK_INSTRUCTION_SET
+} // namespace cookbook

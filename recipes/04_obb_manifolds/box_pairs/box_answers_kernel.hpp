@@ -1,0 +1,77 @@
+#pragma once
+
+/// \file
+/// \brief Manifolds of a register of pairs, for the kernel of box_pairs.
+
+#include "04_obb_manifolds/box_box/box_contacts.hpp"
+#include "04_obb_manifolds/box_pairs/box_lanes_kernel.hpp"
+#include "04_obb_manifolds/box_pairs/box_pairs.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace cookbook
+{
+inline namespace COOKBOOK_INSTRUCTION_SET
+{
+
+// [answer_edges]
+/// Writes the manifolds of pairs that all meet with edges.
+inline void answer_edges(
+    const Obb<Lanes>& a, const BoxesInRows<Lanes>& boxes, const LeastEdge<Lanes>& edge,
+    const Words& pair, SixteenEdgeManifolds& out, std::size_t at)
+{
+  const Lanes i = third(edge.index), j = edge.index - i * Lanes(3.0f);
+  const EdgeContact<Lanes> contact = edge_contact<Lanes>(a, boxes, which(i), which(j));
+  for (int x = 0; x < 3; ++x)
+  {
+    store_pack(contact.normal[x], out.normal[x] + at);
+    store_pack(contact.position[x], out.position[x] + at);
+  }
+  store_pack(sqrt(edge.squared_depth), out.depth + at);
+  store(pair, out.pair + at);
+  store(__builtin_convertvector((edge.index.lanes + 6.0f) * 64.0f, Words), out.feature + at);
+}
+// [answer_edges]
+
+// [answer_faces]
+/// Writes the manifolds of pairs that all meet with faces, and says which have no point.
+///
+/// `box` has the face, along its axis k; the other's axes and centre are as it sees them.
+template <class Lane>
+Lanes::Mask answer_faces(
+    const Obb<Lanes>& box, const Obb<Lanes>& other, const Three (&axes)[3], const Three& offset,
+    const Lane& k, const LeastFace<Lanes>& face, const Words& pair, SixteenFaceManifolds& out,
+    std::size_t at)
+{
+  const Tolerances<Lanes> tolerances = tolerances_of(box, other);
+  const FaceContact<Lanes> contact =
+      face_contact<Lanes>(box, other, axes, offset, k, kept_gap(face, tolerances), tolerances.hair);
+  const Lanes towards_b = select(FaceOf(face.index).a, Lanes(1.0f), Lanes(-1.0f));
+  Words kept = Words{};
+  for (std::size_t slot = 0; slot < 8; ++slot)
+  {
+    const std::size_t part = slot / 4;
+    const int i = static_cast<int>(slot % 4);
+    kept |= contact.kept[part].lane[i].lanes & static_cast<std::int32_t>(1u << slot);
+    for (int x = 0; x < 3; ++x)
+    {
+      store_pack(contact.position[part][x][i], out.position[slot][x] + at);
+    }
+    store_pack(contact.depth[part][i], out.point_depth[slot] + at);
+  }
+  for (int x = 0; x < 3; ++x)
+  {
+    store_pack(contact.normal[x] * towards_b, out.normal[x] + at);
+  }
+  store_pack(face.depth, out.depth + at);
+  store(pair, out.pair + at);
+  store(kept, out.kept + at);
+  const Lanes feature = face.index * Lanes(64.0f) + contact.incident * Lanes(8.0f);
+  store(__builtin_convertvector(feature.lanes, Words), out.feature + at);
+  return {kept == 0};
+}
+// [answer_faces]
+
+} // namespace COOKBOOK_INSTRUCTION_SET
+} // namespace cookbook

@@ -1,0 +1,115 @@
+/// \file
+/// \brief Finds contact points of a turned cube on a slab and of all cases, and draws the cube.
+
+#include "04_obb_manifolds/edge_clipping/edge_clipping.hpp"
+#include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
+#include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
+#include "common/plot/figures/figure3d.hpp"
+#include "common/program/program.hpp"
+#include "common/program/table.hpp"
+
+#include <iostream>
+
+namespace
+{
+
+using namespace cookbook;
+
+const Obb<double> slab = upright({0, 0, 0}, {1.2, 0.3, 1});
+const Obb<double> cube{{0.8, 0.7, 0.3}, turned(0.5, {0, 1, 0}), {0.6, 0.6, 0.6}};
+
+/// Edges by the axis they run along and their number, faces by side: `A y2 on B +x`.
+std::string feature_name(std::uint32_t feature)
+{
+  if (feature == 0)
+  {
+    return "inside";
+  }
+  const bool of_a = feature <= edge_face_pairs;
+  const std::uint32_t number = (feature - 1) % edge_face_pairs;
+  const std::uint32_t edge = number / 6, face = number % 6;
+  const std::string edge_name = std::string(1, "xyz"[edge / 4]) + std::to_string(edge % 4);
+  const std::string face_name = std::string(1, "+-"[face % 2]) + "xyz"[face / 2];
+  return (of_a ? "A " : "B ") + edge_name + (of_a ? " on B " : " on A ") + face_name;
+}
+
+std::string cell(double x)
+{
+  return number(std::round(x * 1e6) * 1e-6);
+}
+
+// [print_points]
+void print_points()
+{
+  Table table({"edge and face", "x", "y", "z"});
+  const Manifold<double, most_crossings> manifold = edge_clipping(slab, cube).value();
+  for (const ContactPoint<double>& point : manifold.points)
+  {
+    table.row(
+        {feature_name(point.feature), cell(point.position.x()), cell(point.position.y()),
+         cell(point.position.z())});
+  }
+  std::cout << table.text();
+}
+// [print_points]
+
+void print_counts()
+{
+  Table table({"case", "boxes", "depth", "points", "first"});
+  for (const BoxCase& pair : box_cases())
+  {
+    if (const auto manifold = edge_clipping(pair.a, pair.b))
+    {
+      table.row(
+          {pair.id, pair.scene, cell(manifold->depth), std::to_string(manifold->points.size()),
+           feature_name(manifold->points[0].feature)});
+    }
+  }
+  std::cout << "\n" << table.text();
+}
+
+void draw(const Arguments& arguments)
+{
+  const Manifold<double, most_crossings> manifold = edge_clipping(slab, cube).value();
+  const Vector3<double> half = manifold.normal * penetration_distance(manifold);
+  const Vector3<double> corner(-1.2, 0.3, 1);
+  plot::Figure3d figure("edge_clipping", "", {-0.5, 0.42, 600, 440});
+  figure.describe("A cube turned on a slab: one contact point for each edge that passes a face.")
+      .box(slab.center, slab.axes, slab.half_extents, plot::Ink::a)
+      .box(cube.center, cube.axes, cube.half_extents, plot::Ink::b)
+      .label({-0.9, 0, 1}, "A", plot::Side::centre, plot::Ink::a)
+      .label(cube.center + Vector3<double>(0, 0.4, 0), "B", plot::Side::centre, plot::Ink::b);
+  for (const ContactPoint<double>& point : manifold.points)
+  {
+    figure.segment(point.position - half, point.position + half, plot::Ink::overlap)
+        .point(point.position, plot::Ink::overlap);
+  }
+  const Vector3<double> start = manifold.points[0].position;
+  figure.arrow(start, start + 0.7 * manifold.normal, plot::Ink::ink, "normal")
+      .dimension(corner - 2 * half, corner, "depth " + cell(manifold.depth), 8);
+  save_figure(arguments, "edge_clipping.svg", figure.svg());
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const Arguments arguments{
+      .name = "edge_clipping",
+      .summary = "The manifold of two boxes from edges of one that pass faces of the other.",
+      .pairs_header = box_pairs_header,
+      .options = {scalar_option()}};
+  return run_program(
+      argc, argv, arguments,
+      [](const Arguments& given)
+      {
+        if (!given.pairs.empty())
+        {
+          return print_box_pairs(
+              given, [](const auto& a, const auto& b) { return edge_clipping(a, b); });
+        }
+        print_points();
+        print_counts();
+        draw(given);
+      });
+}

@@ -1,0 +1,176 @@
+#pragma once
+
+/// \file
+/// \brief The manifold of two boxes that remembers the frame before: its axis, its points, and what
+/// was known of each.
+
+#include "04_obb_manifolds/box_box/box_box.hpp"
+#include "04_obb_manifolds/separating_axes/box_axes.hpp"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace cookbook
+{
+
+// [feature_id]
+/// The axis, 0 … 14, that the manifold of a contact point was built on; part of its feature, O17.
+inline int axis_of_feature(std::uint32_t feature)
+{
+  return static_cast<int>(feature / 64);
+}
+
+/// The axis that a manifold was built on; −1 if there is none.
+template <class Real>
+int axis_of(const std::optional<Manifold<Real>>& manifold)
+{
+  return manifold ? axis_of_feature(manifold->points[0].feature) : -1;
+}
+
+/// For each point of a manifold what belongs to it.
+template <class Warm>
+using PerPoint = std::array<Warm, 8>;
+
+/// What was known of the points of the frame before, for the points of this one that have the same
+/// feature; `Warm{}` for points that are new.
+template <class Real, class Warm>
+PerPoint<Warm>
+carried_by_id(const Manifold<Real>& before, const PerPoint<Warm>& warm, const Manifold<Real>& now)
+{
+  PerPoint<Warm> carried{};
+  for (std::size_t i = 0; i < now.points.size(); ++i)
+  {
+    for (std::size_t j = 0; j < before.points.size(); ++j)
+    {
+      if (now.points[i].feature == before.points[j].feature)
+      {
+        carried[i] = warm[j];
+      }
+    }
+  }
+  return carried;
+}
+// [feature_id]
+
+// [on_axis]
+/// The direction of an axis, 0 … 14, of two boxes, of length one; it may point from B to A.
+template <class Real>
+Vector3<Real> axis_direction(const Obb<Real>& a, const Obb<Real>& b, int axis)
+{
+  switch (axis_kind(axis))
+  {
+  case AxisKind::face_of_a:
+    return a.axes.col(axis);
+  case AxisKind::face_of_b:
+    return b.axes.col(axis - 3);
+  default:
+    return a.axes.col((axis - 6) / 3).cross(b.axes.col((axis - 6) % 3)).normalized();
+  }
+}
+
+/// The overlap of two boxes along an axis, 0 … 14 [m]; negative if they are apart along it, and
+/// nothing if it comes from parallel edges.
+template <class Real>
+std::optional<Real> overlap_on(const Obb<Real>& a, const Obb<Real>& b, int axis)
+{
+  using std::sqrt;
+  const AxisOverlap<Real> along = axis_overlap(relative_boxes(a, b), axis);
+  return from_parallel_edges(along) ? std::nullopt
+                                    : std::optional(along.overlap / sqrt(along.squared_length));
+}
+
+/// The manifold of two boxes on an axis, 0 … 14, that somebody chose, along which they overlap by
+/// `depth` [m]; below zero they are apart. Corners with a gap are kept up to `widest_gap` [m].
+template <class Real>
+std::optional<Manifold<Real>> box_box_on(
+    const Obb<Real>& a, const Obb<Real>& b, int axis, const Real& depth, const Real& widest_gap)
+{
+  const BoxesInRows<Real> boxes = boxes_in_rows(a, b);
+  return axis_kind(axis) == AxisKind::edges
+             ? edge_manifold(a, boxes, axis - 6, depth)
+             : face_manifold(
+                   a, b, boxes, LeastFace<Real>{depth, axis}, widest_gap, tolerances_of(a, b).hair);
+}
+
+/// The same with the gap that box_box() allows.
+template <class Real>
+std::optional<Manifold<Real>>
+box_box_on(const Obb<Real>& a, const Obb<Real>& b, int axis, const Real& depth)
+{
+  return box_box_on(
+      a, b, axis, depth, kept_gap<Real>(LeastFace<Real>{depth, axis}, tolerances_of(a, b)));
+}
+// [on_axis]
+
+// [keeps_axis]
+/// How much less [m] a new axis must overlap before the old one is given up for it: a hundredth of
+/// the smaller box's mean half extent and a tenth of the depth.
+///
+/// The length is for boxes that barely touch, the part of the depth for those sunk deep.
+template <class Real>
+Real axis_margin(const Obb<Real>& a, const Obb<Real>& b, Real depth)
+{
+  using std::min;
+  const Real smaller = min(a.half_extents.sum(), b.half_extents.sum()) / Real(3);
+  return Real(0.01) * smaller + Real(0.1) * depth;
+}
+
+/// The axis, 0 … 14, on which the manifold of this frame is built, and the overlap [m] along it:
+/// those of the frame before, −1 if there was none, or those that were found now; O17.
+///
+/// A face is kept against faces and edges; a pair of edges only against other pairs of edges, for
+/// its one point shall not stay where a face has come to lie on a face.
+template <class Real>
+std::pair<int, Real>
+steady_axis(int before, const Obb<Real>& a, const Obb<Real>& b, const std::pair<int, Real>& found)
+{
+  const auto [now, depth] = found;
+  const bool edge_for_face =
+      before >= 0 && axis_kind(before) == AxisKind::edges && axis_kind(now) != AxisKind::edges;
+  if (before < 0 || before == now || edge_for_face)
+  {
+    return found;
+  }
+  const std::optional<Real> overlap = overlap_on(a, b, before);
+  const bool kept = overlap && *overlap >= Real(0) && *overlap <= depth + axis_margin(a, b, depth);
+  return kept ? std::pair(before, *overlap) : found;
+}
+// [keeps_axis]
+
+// [feature_memory]
+/// What is known of two boxes from one frame to the next.
+template <class Real, class Warm>
+struct ContactMemory
+{
+  std::optional<Manifold<Real>> manifold; ///< nothing where they are apart
+  PerPoint<Warm> warm;                    ///< of each point, such as the impulse it has taken up
+};
+
+/// The contact of two boxes in this frame, from that in the frame before; O17.
+///
+/// As box_box(), but on the axis of the frame before unless another has less overlap by more than
+/// axis_margin(). Points whose features were there before keep what was known of them. A memory
+/// without a manifold is how to begin; boxes that part forget everything.
+template <class Real, class Warm>
+ContactMemory<Real, Warm>
+next_frame(const ContactMemory<Real, Warm>& before, const Obb<Real>& a, const Obb<Real>& b)
+{
+  ContactMemory<Real, Warm> now{box_box(a, b), {}};
+  if (!now.manifold || !before.manifold)
+  {
+    return now;
+  }
+  const int found = axis_of(now.manifold);
+  const auto [axis, overlap] =
+      steady_axis(axis_of(before.manifold), a, b, std::pair(found, now.manifold->depth));
+  if (axis != found)
+  {
+    now.manifold = box_box_on(a, b, axis, overlap);
+  }
+  now.warm = carried_by_id(*before.manifold, before.warm, *now.manifold);
+  return now;
+}
+// [feature_memory]
+
+} // namespace cookbook

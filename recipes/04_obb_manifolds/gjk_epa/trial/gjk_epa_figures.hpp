@@ -1,0 +1,148 @@
+#pragma once
+
+/// \file
+/// \brief What gjk_epa draws: the polytope in its solid, and the error while it grows.
+
+#include "04_obb_manifolds/gjk_epa/trial/gjk_epa_cases.hpp"
+#include "common/plot/charts/chart.hpp"
+#include "common/plot/figures/figure3d.hpp"
+#include "common/plot/panel.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace cookbook
+{
+
+/// Draws the faces of A ⊖ B that the camera sees: one for each pair of six edge directions; O1.
+inline void draw_solid(plot::Figure3d& figure, const RelativeBoxes<double>& boxes)
+{
+  std::vector<Vector3<double>> edges;
+  for (int i = 0; i < 3; ++i)
+  {
+    edges.push_back(boxes.half_a[i] * Vector3<double>::Unit(i));
+    edges.push_back(boxes.half_b[i] * boxes.rotation.col(i));
+  }
+  const BoxDifference<double> support{boxes};
+  for (std::size_t j = 0; j < edges.size(); ++j)
+  {
+    for (std::size_t i = 0; i < j; ++i)
+    {
+      const Vector3<double> across = edges[i].cross(edges[j]);
+      const double front = (figure.to_camera(across) - figure.to_camera({0, 0, 0})).z();
+      const Vector3<double> out = front < 0 ? Vector3<double>(-across) : across;
+      if (out.norm() < 1e-9)
+      {
+        continue;
+      }
+      const Vector3<double> u = 2 * edges[i], v = 2 * edges[j];
+      const Vector3<double> p = support(out + 1e-6 * (u + v)).point;
+      figure.polygon(
+          {p, p - u, p - u - v, p - v}, plot::Ink::muted, plot::Fill::none, plot::Stroke::dotted);
+    }
+  }
+}
+
+/// Draws a polytope in its solid, the closest face in red, and the way there from the origin.
+inline plot::Figure3d polytope_figure(
+    const RelativeBoxes<double>& boxes, const Expansion<double>& expansion,
+    const std::string& title)
+{
+  plot::Figure3d figure("gjk_epa", title, {0.62, 0.35, 300, 280});
+  draw_solid(figure, boxes);
+  const Polytope<double>& polytope = expansion.polytope;
+  const std::size_t closest = closest_face(polytope);
+  for (std::size_t f = 0; f < polytope.face_count; ++f)
+  {
+    const PolytopeFace<double>& face = polytope.faces[f];
+    const auto corner = [&](std::size_t i) { return polytope.corner(face, i).point; };
+    figure.polygon(
+        {corner(0), corner(1), corner(2)}, f == closest ? plot::Ink::overlap : plot::Ink::a);
+  }
+  figure.point({0, 0, 0}, plot::Ink::ink, "0")
+      .arrow(
+          {0, 0, 0}, polytope.faces[closest].distance * polytope.faces[closest].normal,
+          plot::Ink::overlap);
+  return figure;
+}
+
+/// Draws how a polytope grows from GJK's tetrahedron to the face that counts.
+inline plot::Grid polytope_steps(const Obb<double>& a, const Obb<double>& b)
+{
+  const RelativeBoxes<double> boxes = relative_boxes(a, b);
+  const BoxDifference<double> support{boxes};
+  const double slack = rounding_slack(boxes);
+  Expansion<double> expansion =
+      start_expansion(support, gjk(support, boxes.offset, slack).simplex, slack);
+  plot::Grid grid("gjk_epa", "", 2);
+  grid.describe("A tetrahedron in the solid of differences grows towards the closest face.");
+  std::vector<Expansion<double>> steps{expansion};
+  while (expand(expansion, support))
+  {
+    steps.push_back(expansion);
+  }
+  const std::size_t last = steps.size() - 1;
+  for (const std::size_t step : {std::size_t(0), last / 3, 2 * last / 3, last})
+  {
+    const std::string corners = std::to_string(steps[step].polytope.corner_count);
+    grid.add(polytope_figure(boxes, steps[step], corners + " corners"));
+  }
+  return grid;
+}
+
+/// How far the best depth [m] is above the right one after each direction that EPA tries.
+inline std::vector<double> excess_by_step(const ConvexPair<double>& pair, double depth)
+{
+  const double slack = slack_of(pair);
+  Expansion<double> expansion =
+      start_expansion(pair.support, gjk(pair.support, pair.start, slack).simplex, slack);
+  std::vector<double> excess;
+  bool more = true;
+  while (static_cast<int>(excess.size()) < epa_limit)
+  {
+    more = more && expand(expansion, pair.support);
+    // What is below a few roundings is drawn as none.
+    const double above = expansion.depth - depth;
+    excess.push_back(above < slack ? 0 : above);
+  }
+  return excess;
+}
+
+/// The chart of the error against the directions tried.
+inline plot::Chart excess_chart(int pairs)
+{
+  plot::Chart chart(
+      "gjk_epa_error", "", {"directions tried", plot::Scale::linear, 0.0, 64.0},
+      {"depth so far less the depth [m]", plot::Scale::log});
+  chart.describe("Boxes end exactly after a few steps; two spheres creep and never end.");
+  std::vector<std::vector<double>> by_step(static_cast<std::size_t>(epa_limit));
+  RandomCubes draw(2);
+  for (int i = 0; i < pairs; ++i)
+  {
+    const Obb<double> a = draw.next(), b = draw.next();
+    const double gap = largest_gap(a, b);
+    if (gap < 0)
+    {
+      const std::vector<double> excess = excess_by_step(convex_pair(a, b), -gap);
+      for (std::size_t step = 0; step < excess.size(); ++step)
+      {
+        by_step[step].push_back(excess[step]);
+      }
+    }
+  }
+  std::vector<Eigen::Vector2d> worst, median, spheres;
+  const std::vector<double> of_spheres = excess_by_step(two_spheres(), two_spheres_depth);
+  for (std::size_t step = 0; step < by_step.size(); ++step)
+  {
+    std::sort(by_step[step].begin(), by_step[step].end());
+    const double x = static_cast<double>(step + 1);
+    worst.push_back({x, by_step[step].back()});
+    median.push_back({x, by_step[step][by_step[step].size() / 2]});
+    spheres.push_back({x, of_spheres[step]});
+  }
+  chart.line("cubes, worst", worst).line("cubes, median", median).line("two spheres", spheres);
+  return chart;
+}
+
+} // namespace cookbook

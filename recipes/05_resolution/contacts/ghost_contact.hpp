@@ -1,0 +1,74 @@
+#pragma once
+
+/// \file
+/// \brief Contacts that bodies seem to have only because their shapes were grown.
+
+#include "02_primitives/shapes/shapes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cookbook
+{
+
+// [ghost_contact]
+/// How far [m] a box reaches from its centre along a unit axis.
+inline double reach_along(const Obb<double>& box, const Vector3<double>& axis)
+{
+  return (box.axes.transpose() * axis).cwiseAbs().dot(box.half_extents);
+}
+
+/// True if two boxes that are a gap [m] apart along a normal are about to pass each other, not to
+/// meet: across the normal they overlap by no more than a margin [m] and by no more than half of
+/// either, or, once the gap is below a tenth of the margin, by no more than a tenth of both.
+///
+/// So it is with a cube on flush tiles and the side of the tile that it comes to next.
+inline bool is_ghost(
+    const Obb<double>& a, const Obb<double>& b, const Vector3<double>& normal, double gap,
+    double margin)
+{
+  const double share = gap > 0.1 * margin ? 1 : 0.1;
+  const auto passes = [&](const Vector3<double>& axis)
+  {
+    const double reach_a = reach_along(a, axis), reach_b = reach_along(b, axis);
+    const double overlap = reach_a + reach_b - std::abs(axis.dot(b.center - a.center));
+    return std::abs(axis.dot(normal)) < 0.5 &&
+           overlap <= share * std::min({margin, reach_a, reach_b});
+  };
+  for (int i = 0; i < 3; ++i)
+  {
+    if (passes(a.axes.col(i)) || passes(b.axes.col(i)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// True if a ball that is a gap [m] apart from a box along a normal is not above one of its faces:
+/// it may well pass by the edge.
+inline bool is_ghost(
+    const Sphere<double>& ball, const Obb<double>& box, const Vector3<double>& normal, double gap,
+    double)
+{
+  const double upright = (box.axes.transpose() * normal).cwiseAbs().maxCoeff();
+  return gap > 1e-9 * ball.radius && upright < 1 - 1e-12;
+}
+
+/// The same, the other way round.
+inline bool is_ghost(
+    const Obb<double>& box, const Sphere<double>& ball, const Vector3<double>& normal, double gap,
+    double margin)
+{
+  return is_ghost(ball, box, normal, gap, margin);
+}
+
+/// No other two shapes pass each other by.
+template <class A, class B>
+bool is_ghost(const A&, const B&, const Vector3<double>&, double, double)
+{
+  return false;
+}
+// [ghost_contact]
+
+} // namespace cookbook

@@ -1,0 +1,108 @@
+#pragma once
+
+/// \file
+/// \brief Where two bodies of a world touch, or will within a margin: manifolds of chapters 3
+/// and 4.
+
+#include "05_resolution/contacts/ghost_contact.hpp"
+#include "05_resolution/contacts/near_shapes.hpp"
+#include "05_resolution/contacts/world_contact.hpp"
+
+#include <optional>
+#include <utility>
+#include <variant>
+
+namespace cookbook
+{
+
+// [meet]
+/// What is known of a contact once it has a new manifold: a point with a feature that was there
+/// before keeps what was known of it.
+inline ContactMemory<double, WorldPoint> remembered(
+    const ContactMemory<double, WorldPoint>& before, std::optional<Manifold<double>> manifold)
+{
+  ContactMemory<double, WorldPoint> now{std::move(manifold), {}};
+  if (now.manifold && before.manifold)
+  {
+    now.warm = carried_by_id(*before.manifold, before.warm, *now.manifold);
+  }
+  return now;
+}
+
+/// Two shapes that touch, or will within a margin [m], in this frame.
+template <class A, class B>
+ContactMemory<double, WorldPoint>
+meet(const ContactMemory<double, WorldPoint>& before, const A& a, const B& b, double margin)
+{
+  return remembered(before, within(a, b, margin));
+}
+
+/// Two boxes, on the axis of the frame before unless another is better.
+///
+/// The axis is that of the boxes once both have grown by half the margin, for only then do they
+/// overlap; the points are those of the boxes as they are.
+inline ContactMemory<double, WorldPoint> meet(
+    const ContactMemory<double, WorldPoint>& before, const Obb<double>& a, const Obb<double>& b,
+    double margin)
+{
+  const Obb<double> grown_a = grown(a, margin / 2), grown_b = grown(b, margin / 2);
+  const std::optional<std::pair<int, double>> found = box_axis(grown_a, grown_b);
+  if (!found)
+  {
+    return {};
+  }
+  const auto [axis, overlap] = steady_axis(axis_of(before.manifold), grown_a, grown_b, *found);
+  const Vector3<double> normal = axis_direction(a, b, axis);
+  const double growth = margin / 2 *
+                        ((a.axes.transpose() * normal).cwiseAbs().sum() +
+                         (b.axes.transpose() * normal).cwiseAbs().sum());
+  return remembered(before, box_box_on(a, b, axis, overlap - growth, growth + margin));
+}
+// [meet]
+
+// [update_contact]
+/// Writes where each point of a manifold is on the surfaces of the two bodies.
+inline void anchor(WorldContact& contact, const RigidBody& a, const RigidBody& b)
+{
+  const Manifold<double>& manifold = *contact.memory.manifold;
+  for (std::size_t i = 0; i < manifold.points.size(); ++i)
+  {
+    const ContactPoint<double>& point = manifold.points[i];
+    const Vector3<double> half = manifold.normal * (point.depth / 2);
+    contact.memory.warm[i].on_a = a.axes.transpose() * (point.position + half - a.position);
+    contact.memory.warm[i].on_b = b.axes.transpose() * (point.position - half - b.position);
+  }
+}
+
+/// Brings the points of a contact up to date with where its bodies are; none where they are farther
+/// apart than a margin [m].
+struct UpdateContact
+{
+  WorldContact& contact;
+  const RigidBody& a;
+  const RigidBody& b;
+  double margin;
+
+  template <class ShapeA, class ShapeB>
+  void operator()(const ShapeA& shape_a, const ShapeB& shape_b) const
+  {
+    const auto placed_a = placed(a, shape_a);
+    const auto placed_b = placed(b, shape_b);
+    contact.memory = meet(contact.memory, placed_a, placed_b, margin);
+    if (!contact.memory.manifold)
+    {
+      return;
+    }
+    const double gap = -contact.memory.manifold->depth;
+    if (is_ghost(placed_a, placed_b, contact.normal(), gap, margin))
+    {
+      contact.memory = {};
+      return;
+    }
+    anchor(contact, a, b);
+  }
+  void operator()(const PlaneShape&, const PlaneShape&) const { contact.memory = {}; }
+};
+// [update_contact]
+
+} // namespace cookbook

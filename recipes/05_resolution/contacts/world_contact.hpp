@@ -1,0 +1,63 @@
+#pragma once
+
+/// \file
+/// \brief The contact of two bodies of a world: points that stay on the bodies, and their gaps.
+
+#include "04_obb_manifolds/feature_memory/feature_memory.hpp"
+#include "05_resolution/contacts/rigid_body.hpp"
+
+#include <cstddef>
+#include <span>
+
+namespace cookbook
+{
+
+/// A number of a body or contact as a place in a list.
+inline std::size_t place_of(int number)
+{
+  return static_cast<std::size_t>(number);
+}
+
+// [world_contact]
+/// What a solver knows of a contact point; carried from frame to frame.
+struct WorldPoint
+{
+  Vector3<double> on_a = Vector3<double>::Zero();     ///< [m], in A's frame, on its surface
+  Vector3<double> on_b = Vector3<double>::Zero();     ///< [m], in B's frame, on its surface
+  Vector3<double> friction = Vector3<double>::Zero(); ///< [N s], on B, across the normal, world
+  double impulse = 0;                                 ///< [N s], along the normal, zero or more
+  bool solved = false;                                ///< whether that is more than a guess
+};
+
+/// Two bodies of a world that touch, or will within a margin.
+struct WorldContact
+{
+  int a = 0;                                ///< the number of body A
+  int b = 0;                                ///< the number of body B, greater than a
+  double friction = 0;                      ///< [1], of the two surfaces together
+  double restitution = 0;                   ///< [1], of the two surfaces together
+  ContactMemory<double, WorldPoint> memory; ///< the manifold, and what is known of its points
+
+  /// The unit normal from A to B, world.
+  const Vector3<double>& normal() const { return memory.manifold->normal; }
+  /// The points at which the bodies may press on each other.
+  std::span<WorldPoint> points() { return {memory.warm.data(), memory.manifold->points.size()}; }
+  /// The points at which the bodies may press on each other.
+  std::span<const WorldPoint> points() const
+  {
+    return {memory.warm.data(), memory.manifold->points.size()};
+  }
+};
+
+/// How far apart [m] the two surfaces are at a contact point, along a normal from A to B; negative
+/// where they overlap.
+inline double
+gap(const RigidBody& a, const RigidBody& b, const Vector3<double>& normal, const WorldPoint& point)
+{
+  const Vector3<double> between =
+      (b.position + b.axes * point.on_b) - (a.position + a.axes * point.on_a);
+  return normal.dot(between);
+}
+// [world_contact]
+
+} // namespace cookbook

@@ -1,0 +1,187 @@
+#pragma once
+
+/// \file
+/// \brief An island as a system of equations: its bodies, its contact points, and what is missing.
+
+#include "05_resolution/direct_solver/direct_blocks.hpp"
+#include "05_resolution/islands/island.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace cookbook
+{
+
+// [direct_system]
+/// A body of an island.
+struct DirectBody
+{
+  double mass;             ///< [kg]
+  Matrix3<double> inertia; ///< [kg m²], world
+  Vector6 free;            ///< [m/s, rad/s], after the step if nothing touched it
+};
+
+/// A contact of an island; its bodies by their numbers in the island, −1 where one is fixed.
+struct DirectContact
+{
+  int a, b;               ///< the two bodies
+  const WorldContact* of; ///< where it comes from
+  std::size_t first, end; ///< its points
+  double softness;        ///< [1/kg], of each
+};
+
+/// All of an island.
+struct DirectSystem
+{
+  std::vector<DirectBody> bodies;
+  std::vector<DirectContact> contacts;
+  std::vector<DirectPoint> points;
+  std::vector<Vector6> velocities; ///< [m/s, rad/s], as they are found
+  std::vector<Vector6> missing;    ///< [N s, N m s], at these velocities
+
+  std::vector<DirectPoint> points_before; ///< room for the points before a change
+  std::vector<Vector6> velocities_before; ///< room for the velocities before it
+};
+// [direct_system]
+
+/// The number in an island of a body of the world; −1 if it is none of its bodies.
+inline int number_in(const Island& island, int body)
+{
+  const auto found = std::lower_bound(island.bodies.begin(), island.bodies.end(), body);
+  const bool there = found != island.bodies.end() && *found == body;
+  return there ? static_cast<int>(found - island.bodies.begin()) : -1;
+}
+
+/// Adds a contact and its points to a system.
+inline void gather(
+    DirectSystem& system, IslandView world, const Island& island, const WorldContact& contact,
+    double step, const DirectSettings& settings)
+{
+  const RigidBody& a = world.bodies[place_of(contact.a)];
+  const RigidBody& b = world.bodies[place_of(contact.b)];
+  const std::size_t first = system.points.size();
+  for (const WorldPoint& point : contact.points())
+  {
+    const double apart = gap(a, b, contact.normal(), point) / step;
+    const double opening = std::min(-settings.correction * apart, settings.correction_speed);
+    DirectPoint& made = system.points.emplace_back();
+    made.arm_a = a.axes * point.on_a;
+    made.arm_b = b.axes * point.on_b;
+    made.bias = apart > 0 ? apart : -opening;
+    made.solved = point.solved;
+    made.bound = point.impulse > 0 ? contact.friction * point.impulse
+                                   : std::numeric_limits<double>::infinity();
+  }
+  system.contacts.push_back(
+      {number_in(island, contact.a), number_in(island, contact.b), &contact, first,
+       system.points.size(), settings.compliance * (a.inverse_mass + b.inverse_mass)});
+}
+
+/// Makes a system of an island, at the velocities before the step [s].
+inline void gather(
+    DirectSystem& system, IslandView world, const Island& island, double step,
+    const DirectSettings& settings)
+{
+  system.bodies.clear();
+  system.velocities.clear();
+  system.contacts.clear();
+  system.points.clear();
+  for (const int i : island.bodies)
+  {
+    const RigidBody& body = world.bodies[place_of(i)];
+    Vector6 velocity;
+    velocity << body.velocity, body.angular_velocity;
+    system.velocities.push_back(velocity);
+    velocity.head<3>() += step * world.gravity;
+    system.bodies.push_back(
+        {1 / body.inverse_mass, body.axes * body.moments.asDiagonal() * body.axes.transpose(),
+         velocity});
+  }
+  for (const int i : island.contacts)
+  {
+    gather(system, world, island, world.contacts[place_of(i)], step, settings);
+  }
+}
+
+// [direct_missing]
+/// Presses all points at the velocities as they are, and finds the impulses that are missing, body
+/// by body: those of the contacts less the change of momentum.
+inline void find_missing(DirectSystem& system)
+{
+  system.missing.resize(system.bodies.size());
+  for (std::size_t i = 0; i < system.bodies.size(); ++i)
+  {
+    const DirectBody& body = system.bodies[i];
+    const Vector6 change = body.free - system.velocities[i];
+    system.missing[i] << body.mass * change.head<3>(), body.inertia * change.tail<3>();
+  }
+  const Vector6 still = Vector6::Zero();
+  for (const DirectContact& contact : system.contacts)
+  {
+    const Vector6& a = contact.a >= 0 ? system.velocities[place_of(contact.a)] : still;
+    const Vector6& b = contact.b >= 0 ? system.velocities[place_of(contact.b)] : still;
+    const Vector3<double>& normal = contact.of->normal();
+    Vector6 on_a = still, on_b = still;
+    for (std::size_t i = contact.first; i < contact.end; ++i)
+    {
+      DirectPoint& point = system.points[i];
+      const Vector3<double> moving = b.head<3>() + b.tail<3>().cross(point.arm_b) - a.head<3>() -
+                                     a.tail<3>().cross(point.arm_a);
+      press(point, normal, moving, contact.softness);
+      const Vector3<double> impulse = point.impulse * normal + point.friction;
+      on_a.head<3>() -= impulse;
+      on_a.tail<3>() -= point.arm_a.cross(impulse);
+      on_b.head<3>() += impulse;
+      on_b.tail<3>() += point.arm_b.cross(impulse);
+    }
+    if (contact.a >= 0)
+    {
+      system.missing[place_of(contact.a)] += on_a;
+    }
+    if (contact.b >= 0)
+    {
+      system.missing[place_of(contact.b)] += on_b;
+    }
+  }
+}
+// [direct_missing]
+
+// [direct_assemble]
+/// Writes what impulses a change of velocities takes into a matrix: masses, and the stiffness of
+/// all contacts.
+inline void assemble(const DirectSystem& system, BlockCholesky& matrix)
+{
+  matrix.clear();
+  for (std::size_t i = 0; i < system.bodies.size(); ++i)
+  {
+    Matrix6& block = matrix.diagonal(static_cast<int>(i));
+    block.topLeftCorner<3, 3>().diagonal().setConstant(system.bodies[i].mass);
+    block.bottomRightCorner<3, 3>() = system.bodies[i].inertia;
+  }
+  for (const DirectContact& contact : system.contacts)
+  {
+    const std::span<const DirectPoint> points(system.points);
+    const DirectBlocks blocks = blocks_of(
+        points.subspan(contact.first, contact.end - contact.first), contact.of->normal(),
+        contact.softness);
+    if (contact.a >= 0)
+    {
+      matrix.diagonal(contact.a) += blocks.aa;
+    }
+    if (contact.b >= 0)
+    {
+      matrix.diagonal(contact.b) += blocks.bb;
+    }
+    if (contact.a >= 0 && contact.b >= 0)
+    {
+      matrix.add_coupling(contact.a, contact.b, blocks.ab);
+    }
+  }
+}
+// [direct_assemble]
+
+} // namespace cookbook

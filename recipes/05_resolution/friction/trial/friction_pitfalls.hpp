@@ -1,0 +1,82 @@
+#pragma once
+
+/// \file
+/// \brief Friction without a cone: a pyramid, a polygon, a constant bound, a dead zone; kept to be
+/// asserted to fail.
+
+#include "05_resolution/friction/friction.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace cookbook
+{
+
+// [within_pyramid]
+/// An impulse [N s] along the surface y = 0, cut along x and along z to at most a length [N s]
+/// each: along the diagonal it may be √2 times as long.
+template <class Real>
+Vector3<Real> within_pyramid(const Vector3<Real>& impulse, const Real& most)
+{
+  const auto cut = [&](const Real& along) { return std::max(Real(-most), std::min(most, along)); };
+  return {cut(impulse.x()), Real(0), cut(impulse.z())};
+}
+// [within_pyramid]
+
+// [within_polygon]
+/// An impulse [N s] along the surface y = 0, shortened to end on a regular polygon of 2 `axes`
+/// sides around the circle of radius `most` [N s]: a scalar product for each axis.
+template <class Real>
+Vector3<Real> within_polygon(const Vector3<Real>& impulse, const Real& most, int axes)
+{
+  using std::abs;
+  using std::cos;
+  using std::sin;
+  Real farthest(0);
+  for (int i = 0; i < axes; ++i)
+  {
+    const Real angle = std::numbers::pi_v<Real> * Real(i) / Real(axes);
+    const Vector3<Real> axis(cos(angle), Real(0), sin(angle));
+    farthest = std::max(farthest, Real(abs(impulse.dot(axis))));
+  }
+  return farthest <= most ? impulse : Vector3<Real>(impulse * (most / farthest));
+}
+// [within_polygon]
+
+// [answered_as_published]
+/// What the code published with the seed book takes for zero, whatever the unit.
+inline constexpr double published_zero = 0.005;
+
+/// Two bodies after one visit to one of `count` contact points, with dead zones.
+///
+/// Bounce and friction are both divided by the count. Friction goes by the sliding as it was before
+/// the bounce, is left out where the square of that speed, or the impulse itself, passes for zero,
+/// and is held against the impulse of this visit instead of the sum of all.
+template <class Real>
+BodyPair<Real> answered_as_published(
+    const BodyPair<Real>& bodies, const Vector3<Real>& normal, const Vector3<Real>& point,
+    int count, Real restitution, Real friction)
+{
+  const Real j = bounce_impulse(bodies, normal, point, restitution) / Real(count);
+  if (j == Real(0))
+  {
+    return bodies;
+  }
+  const BodyPair<Real> bounced = pushed_apart(bodies, normal, point, j);
+  const Vector3<Real> sliding = sliding_velocity(bodies, normal, point);
+  const Real speed = sliding.norm();
+  if (speed * speed <= Real(published_zero))
+  {
+    return bounced;
+  }
+  const Vector3<Real> direction = sliding / speed;
+  const Real rub = speed / inverse_mass_at(bounced, direction, point) / Real(count);
+  if (rub <= Real(published_zero))
+  {
+    return bounced;
+  }
+  return rubbed<Real>(bounced, point, -std::min(rub, Real(friction * j)) * direction);
+}
+// [answered_as_published]
+
+} // namespace cookbook

@@ -1,0 +1,64 @@
+#pragma once
+
+/// \file
+/// \brief Shifts bodies of a world at a contact point: as an impulse does velocities, but
+/// positions.
+
+#include "05_resolution/islands/island_points.hpp"
+#include "05_resolution/spinning_bodies/rotation_by.hpp"
+
+namespace cookbook
+{
+
+// [body_shift]
+/// Turns a body by a small rotation vector [rad], world.
+///
+/// The half of a small angle stands for its sine: an angle of 0.1 comes out as 0.0999.
+inline void turn(RigidBody& body, const Vector3<double>& rotation)
+{
+  const Vector3<double> half = rotation / 2;
+  const Quaternion<double> by(1, half.x(), half.y(), half.z());
+  body.orientation = (by * body.orientation).normalized();
+  update_axes(body);
+}
+
+/// Gives a body the velocities that lead from where it was to where it is, in a time [s].
+inline void velocities_from(const RigidBody& before, RigidBody& now, double time)
+{
+  now.velocity = (now.position - before.position) / time;
+  now.angular_velocity = turn_between<double>(before.orientation, now.orientation) / time;
+}
+
+/// Shifts a body by a push [kg m], world, at an arm [m], world, from its centre of mass.
+inline void shift(RigidBody& body, const Vector3<double>& arm, const Vector3<double>& push)
+{
+  if (!is_fixed(body))
+  {
+    body.position += body.inverse_mass * push;
+    turn(body, body.inverse_inertia * arm.cross(push));
+  }
+}
+
+/// The arm [m], world, of a contact point on a body as it is now.
+inline Vector3<double> arm_now(const RigidBody& body, const Vector3<double>& on_body)
+{
+  return body.axes * on_body;
+}
+
+/// The inverse mass [1/kg] at a point along a unit direction, as the bodies are now; R1.
+inline double shift_inverse_mass(const IslandPoint& point, const Vector3<double>& direction)
+{
+  const Vector3<double> arm_a = arm_now(*point.a, point.sum->on_a);
+  const Vector3<double> arm_b = arm_now(*point.b, point.sum->on_b);
+  return inverse_mass_between(*point.a, *point.b, arm_a, arm_b, direction);
+}
+
+/// Shifts B by a push [kg m], world, at a point, and A by its opposite.
+inline void shift_apart(IslandPoint& point, const Vector3<double>& push)
+{
+  shift(*point.a, arm_now(*point.a, point.sum->on_a), -push);
+  shift(*point.b, arm_now(*point.b, point.sum->on_b), push);
+}
+// [body_shift]
+
+} // namespace cookbook

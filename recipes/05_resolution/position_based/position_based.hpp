@@ -1,0 +1,129 @@
+#pragma once
+
+/// \file
+/// \brief Many contacts by positions: small steps, each corrected until nothing overlaps (XPBD).
+
+#include "05_resolution/position_based/position_point.hpp"
+#include "05_resolution/restitution/restitution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace cookbook
+{
+
+// [position_settings]
+/// How positions are corrected.
+struct PositionSettings
+{
+  int substeps = 20;           ///< small steps in a frame, one or more
+  int iterations = 1;          ///< passes over the points in a small step
+  double compliance = 0;       ///< [m/N], how far a newton presses a contact in; 0: rigid
+  double correction_speed = 1; ///< [m/s], no overlap is taken away faster
+};
+// [position_settings]
+
+// [small_step]
+/// Lets a point that was pressed rest, or part as it did before, however fast it was pushed out.
+inline void correct_speed(PositionPoint& one, double threshold)
+{
+  if (one.pressed > 0)
+  {
+    const double wanted = one.parted > threshold ? one.parted : 0;
+    const double change = wanted - parting_speed(one.point);
+    push_apart(
+        *one.point.a, *one.point.b, one.point.arm_a, one.point.arm_b,
+        one.point.normal_mass * change * one.point.contact->normal());
+  }
+}
+// [small_step]
+
+// [position_based]
+/// The points of an island; each sticks where it stuck in the frame before, if it did.
+inline std::vector<PositionPoint>
+position_points(IslandView world, const Island& island, double small)
+{
+  std::vector<PositionPoint> points;
+  for (const IslandPoint& point : points_of(world, island))
+  {
+    const Vector3<double> owed = point.sum->friction * small / point.friction_mass;
+    points.push_back({point, owed});
+    point.sum->impulse = 0;
+  }
+  return points;
+}
+
+/// Brings a point up to date with where its bodies are.
+inline void update(IslandPoint& point)
+{
+  point = island_point(*point.a, *point.b, *point.contact, *point.sum);
+}
+
+/// Begins a small step at a point.
+inline void begin(PositionPoint& one)
+{
+  update(one.point);
+  hold(one);
+  one.parted = parting_speed(one.point);
+  one.pressed = 0;
+  one.rubbed.setZero();
+}
+
+/// Ends a small step [s] at a point: adds its impulse to the frame's, and writes down what friction
+/// still owes a point that sticks, as the impulse that would take its slip back.
+inline void end(PositionPoint& one, double small, double threshold)
+{
+  update(one.point);
+  correct_speed(one, threshold);
+  one.point.sum->impulse += one.pressed / small;
+  const bool touches = one.pressed > 0 || gap(one.point) <= threshold * small;
+  one.owed = touches ? slip(one) : Vector3<double>(0, 0, 0);
+  one.point.sum->friction = one.owed * one.point.friction_mass / small;
+}
+
+/// Moves the bodies of an island on by a step [s]; R15, R16.
+///
+/// Each small step lets the bodies fall, takes overlaps and slips back by moving them, and then
+/// asks with which velocities they have come there.
+inline void position_based(
+    IslandView world, const Island& island, double step, const PositionSettings& settings)
+{
+  const double small = step / settings.substeps;
+  const double compliance = settings.compliance / (small * small);
+  const double threshold = bounce_threshold(world.gravity.norm(), small);
+  std::vector<PositionPoint> points = position_points(world, island, small);
+  std::vector<RigidBody> before(island.bodies.size());
+  const auto each_body = [&](const auto& change)
+  {
+    for (std::size_t i = 0; i < before.size(); ++i)
+    {
+      change(before[i], world.bodies[static_cast<std::size_t>(island.bodies[i])]);
+    }
+  };
+  for (int i = 0; i < settings.substeps; ++i)
+  {
+    std::for_each(points.begin(), points.end(), begin);
+    each_body(
+        [&](RigidBody& was, RigidBody& body)
+        {
+          was = body;
+          body.velocity += small * world.gravity;
+          move(body, small);
+        });
+    for (int pass = 0; pass < settings.iterations; ++pass)
+    {
+      for (PositionPoint& point : points)
+      {
+        correct_gap(point, compliance, settings.correction_speed * small);
+        correct_slip(point);
+      }
+    }
+    each_body([&](const RigidBody& was, RigidBody& body) { velocities_from(was, body, small); });
+    std::for_each(
+        points.begin(), points.end(), [&](PositionPoint& point) { end(point, small, threshold); });
+  }
+}
+// [position_based]
+
+} // namespace cookbook

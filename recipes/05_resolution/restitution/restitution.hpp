@@ -1,0 +1,100 @@
+#pragma once
+
+/// \file
+/// \brief Restitution in time steps: the speed that two surfaces had as they touched, given back.
+
+#include "05_resolution/impulse/impulse.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cookbook
+{
+
+// [contact_step]
+/// What a contact has to know of the time step in which it bounces, along its normal.
+template <class Real>
+struct ContactStep
+{
+  Real acceleration; ///< [m/s²], of the parting speed by gravity; negative where it presses
+  Real duration;     ///< [s]
+  Real depth;        ///< [m], at the start of the step; negative: a gap
+};
+// [contact_step]
+
+// [touch_speed]
+/// The speed [m/s] of approach at the moment of touch, zero or more; R19.
+///
+/// `speed` is the parting speed once the step's gravity is in it. Half of that gravity is taken out
+/// again, and what was fallen since the touch. Zero for surfaces that part, and where the fall does
+/// not reach from touch to depth at all.
+template <class Real>
+Real touch_speed(Real speed, const ContactStep<Real>& step)
+{
+  using std::sqrt;
+  const Real now = speed - step.acceleration * step.duration / Real(2);
+  const Real squared = now * now + Real(2) * step.acceleration * step.depth;
+  return now < Real(0) && squared > Real(0) ? sqrt(squared) : Real(0);
+}
+// [touch_speed]
+
+// [bounced_speed]
+/// The slowest approach [m/s] that is a bounce and not a rest, under a gravity [m/s²]: two steps
+/// [s] of it; R19.
+template <class Real>
+Real bounce_threshold(Real gravity, Real duration)
+{
+  return Real(2) * gravity * duration;
+}
+
+/// The parting speed [m/s], zero or more, that a contact is to leave a step with; R19.
+///
+/// It takes the surfaces back to the touch, where they part by the restitution [1] times
+/// `touch_speed`. Zero where that is no more than a threshold [m/s]. Whatever else undoes the depth
+/// has to leave it alone in this step, or be told a depth of zero here.
+template <class Real>
+Real bounced_speed(Real speed, const ContactStep<Real>& step, Real restitution, Real threshold)
+{
+  using std::sqrt;
+  const Real touch = touch_speed(speed, step);
+  if (touch <= threshold)
+  {
+    return Real(0);
+  }
+  const Real back = restitution * touch;
+  const Real squared = back * back - Real(2) * step.acceleration * step.depth;
+  const Real now = squared > Real(0) ? sqrt(squared) : Real(0);
+  return std::max(Real(0), Real(now + step.acceleration * step.duration / Real(2)));
+}
+// [bounced_speed]
+
+// [pushed_to]
+/// Two bodies after the push that makes them part at a speed [m/s]; as they are where they part as
+/// fast already, and where no push moves the point.
+template <class Real>
+BodyPair<Real> pushed_to(
+    const BodyPair<Real>& bodies, const Vector3<Real>& normal, const Vector3<Real>& point,
+    Real target)
+{
+  const Real missing = target - parting_speed(bodies, normal, point);
+  const Real inverse_mass = inverse_mass_at(bodies, normal, point);
+  if (missing <= Real(0) || inverse_mass == Real(0))
+  {
+    return bodies;
+  }
+  return pushed_apart<Real>(bodies, normal, point, missing / inverse_mass);
+}
+// [pushed_to]
+
+// [settling_time]
+/// How long [s] a ball bounces that is dropped from a height [m]: infinitely often, but not for
+/// ever; R19. The restitution [1] is below one.
+template <class Real>
+Real settling_time(Real height, Real gravity, Real restitution)
+{
+  using std::sqrt;
+  return sqrt(Real(2) * height / gravity) * (Real(1) + restitution) / (Real(1) - restitution);
+}
+// [settling_time]
+
+} // namespace cookbook

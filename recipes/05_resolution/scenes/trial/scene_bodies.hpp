@@ -1,0 +1,69 @@
+#pragma once
+
+/// \file
+/// \brief Bodies to build scenes of: the ground, boxes and balls by name, and turns without sines.
+
+#include "05_resolution/contacts/scene.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace cookbook
+{
+
+// [scene_bodies]
+/// The ground: all below y = 0.
+inline SceneBody ground()
+{
+  return {.name = "ground", .shape = PlaneShape{{0, 1, 0}, 0}};
+}
+
+/// A box upright and at rest: half extents [m], centre [m], mass [kg].
+inline SceneBody box_body(
+    const std::string& name, const Vector3<double>& half_extents, const Vector3<double>& position,
+    double mass = 1)
+{
+  return {.name = name, .shape = BoxShape{half_extents}, .mass = mass, .position = position};
+}
+
+/// A cube of 1 m, upright and at rest: centre [m], mass [kg].
+inline SceneBody
+cube_body(const std::string& name, const Vector3<double>& position, double mass = 1)
+{
+  return box_body(name, {0.5, 0.5, 0.5}, position, mass);
+}
+
+/// A ball at rest: radius [m], centre [m], mass [kg].
+inline SceneBody
+ball_body(const std::string& name, double radius, const Vector3<double>& position, double mass = 1)
+{
+  return {.name = name, .shape = SphereShape{radius}, .mass = mass, .position = position};
+}
+
+/// The name of the one with a number, such as `box_7`.
+inline std::string numbered(const std::string& what, int number)
+{
+  return std::string(what).append("_").append(std::to_string(number));
+}
+// [scene_bodies]
+
+// [whole_turn]
+/// The unit quaternion along whole numbers w, x, y, z, not all zero.
+///
+/// It takes one square root and four divisions, which are rounded alike on every machine; sines are
+/// not.
+inline Quaternion<double> whole_turn(int w, int x, int y, int z)
+{
+  const double length = std::sqrt(static_cast<double>(w * w + x * x + y * y + z * z));
+  return {w / length, x / length, y / length, z / length};
+}
+
+/// The unit quaternion of a turn about z by the angle with this sine and cosine, cosine above −1.
+inline Quaternion<double> turn_about_z(double sine, double cosine)
+{
+  const double half_cosine = std::sqrt((1 + cosine) / 2);
+  return {half_cosine, 0, 0, sine / (2 * half_cosine)};
+}
+// [whole_turn]
+
+} // namespace cookbook

@@ -1,0 +1,50 @@
+/// \file
+/// \brief Lets towers stand on soft contacts, and asks how far they sink.
+
+#include "05_resolution/soft_steps/soft_steps.hpp"
+#include "05_resolution/soft_steps/trial/soft_steps_figures.hpp"
+#include "common/program/program.hpp"
+#include "common/program/table.hpp"
+
+#include <cmath>
+#include <iostream>
+
+namespace
+{
+
+using namespace cookbook;
+
+// [print_sinks]
+void run(const Arguments& given)
+{
+  std::vector<std::string> header{"sink [mm] after 5 s"};
+  std::vector<std::vector<Sink>> all;
+  for (const std::string& scene : sinking_scenes)
+  {
+    header.push_back(scene);
+    all.push_back(sinks(scene));
+  }
+  Table table(header);
+  for (std::size_t i = 0; i < all[0].size(); ++i)
+  {
+    std::vector<std::string> row{std::to_string(all[0][i].substeps).append(" substeps")};
+    for (const std::vector<Sink>& of_scene : all)
+    {
+      row.push_back(number(std::round(of_scene[i].down * 1e6) / 1e3));
+    }
+    table.row(row);
+  }
+  std::cout << table.text();
+  save_figure(given, "soft_steps.svg", sink_chart(all).svg());
+}
+// [print_sinks]
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const Arguments arguments{
+      .name = "soft_steps",
+      .summary = "Lets towers stand on soft contacts: how far they sink, over the substeps."};
+  return run_program(argc, argv, arguments, run);
+}

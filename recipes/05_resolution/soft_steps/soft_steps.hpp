@@ -1,0 +1,121 @@
+#pragma once
+
+/// \file
+/// \brief Many contacts by small steps: each contact a stiff damped spring, corrected in turn.
+
+#include "05_resolution/islands/island_points.hpp"
+#include "05_resolution/position_correction/position_correction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace cookbook
+{
+
+// [soft_settings]
+/// How soft steps are run.
+struct SoftSettings
+{
+  int substeps = 4;            ///< small steps in a frame, one or more
+  double frequency = 0.125;    ///< [1], of the contacts' springs, as a share of the substeps' rate
+  double damping_ratio = 5;    ///< [1], of the springs
+  double correction_speed = 1; ///< [m/s], no overlap is taken away faster
+};
+// [soft_settings]
+
+// [soft_steps]
+/// Corrects a point once, as a spring that pushes out of an overlap, or as a stop that allows a gap
+/// to close in one small step [s] and no sooner; then its friction.
+inline void
+correct(IslandPoint& point, const Softness<double>& spring, double small, double correction_speed)
+{
+  const double apart = point.apart;
+  const bool open = apart > 0;
+  const Softness<double> how = open ? rigid<double>() : spring;
+  const double bias = open ? apart / small : std::max(how.bias_rate * apart, -correction_speed);
+  const double wanted = point.normal_mass * how.mass_scale * (parting_speed(point) + bias);
+  add_impulse(point, -wanted - how.impulse_scale * point.sum->impulse);
+  add_friction(point);
+}
+
+/// The largest angle [rad] by which a box of an island turns in a time [s].
+inline double largest_turn(IslandView world, const Island& island, double time)
+{
+  double fastest = 0; // squared
+  for (const int i : island.bodies)
+  {
+    const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
+    fastest = std::max(fastest, body.round ? 0 : body.angular_velocity.squaredNorm());
+  }
+  return time * std::sqrt(fastest);
+}
+
+/// A box that turns by more than this [rad] feels pushes otherwise afterwards.
+inline constexpr double noticed_turn = 0.05;
+/// A box that turns by more than this [rad] in a frame lies in other overlaps before it is out of
+/// those that were found: it is not pushed out of them, which would only give it energy.
+inline constexpr double confusing_turn = 1;
+
+/// Turns impulses of a whole frame into those of one of its small steps, or back.
+inline void scale_impulses(std::vector<IslandPoint>& points, double scale)
+{
+  for (IslandPoint& point : points)
+  {
+    point.sum->impulse *= scale;
+    point.sum->friction *= scale;
+  }
+}
+
+/// Moves the bodies of an island on by a step [s]; R13, R16.
+///
+/// Each small step pushes with the springs, moves the bodies, and then relaxes: once more without
+/// the springs, so that the speed with which overlaps were taken away does not stay.
+inline void
+soft_steps(IslandView world, const Island& island, double step, const SoftSettings& settings)
+{
+  std::vector<IslandPoint> points = points_of(world, island);
+  const double small = step / settings.substeps;
+  const Softness<double> spring =
+      softness(settings.frequency / small, settings.damping_ratio, small);
+  const double correction_speed =
+      largest_turn(world, island, step) > confusing_turn ? 0 : settings.correction_speed;
+  scale_impulses(points, 1.0 / settings.substeps);
+  for (int i = 0; i < settings.substeps; ++i)
+  {
+    for (const int body : island.bodies)
+    {
+      world.bodies[static_cast<std::size_t>(body)].velocity += small * world.gravity;
+    }
+    for (IslandPoint& point : points)
+    {
+      warm_start(point);
+    }
+    for (IslandPoint& point : points)
+    {
+      correct(point, spring, small, correction_speed);
+    }
+    for (const int body : island.bodies)
+    {
+      move(world.bodies[static_cast<std::size_t>(body)], small);
+    }
+    const bool turned = largest_turn(world, island, small) > noticed_turn;
+    for (IslandPoint& point : points)
+    {
+      point.apart += small * parting_speed(point);
+      if (turned)
+      {
+        find_masses(point);
+      }
+    }
+    for (IslandPoint& point : points)
+    {
+      correct(point, rigid<double>(), small, correction_speed);
+    }
+  }
+  scale_impulses(points, settings.substeps);
+}
+// [soft_steps]
+
+} // namespace cookbook

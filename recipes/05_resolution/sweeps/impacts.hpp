@@ -1,0 +1,139 @@
+#pragma once
+
+/// \file
+/// \brief Bounces of the bodies of an island, all at once, before gravity and contacts have their
+/// turn.
+
+#include "05_resolution/islands/island_points.hpp"
+#include "05_resolution/restitution/restitution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace cookbook
+{
+
+// [impact_target]
+/// The speed [m/s] at which the surfaces are to part at a point, or less than zero if nothing
+/// bounces there: they part already, or are too slow, or will not touch in this step [s].
+inline double impact_target(const IslandPoint& point, const Vector3<double>& gravity, double step)
+{
+  const double speed = parting_speed(point), apart = point.apart;
+  if (speed >= 0 || apart > -speed * step)
+  {
+    return -1;
+  }
+  const auto falls = [&](const RigidBody& body) { return is_fixed(body) ? 0.0 : 1.0; };
+  const double fall = gravity.dot(point.contact->normal());
+  const double acceleration = fall * (falls(*point.b) - falls(*point.a));
+  const double threshold = bounce_threshold(gravity.norm(), step);
+  const double target = bounced_speed<double>(
+      speed, {acceleration, 0, -apart}, point.contact->restitution, threshold);
+  return target > 0 ? target : -1;
+}
+// [impact_target]
+
+// [impact_points]
+/// A point that bounces, or may be pushed by one that does.
+struct ImpactPoint
+{
+  IslandPoint point;
+  double target;       ///< [m/s]
+  WorldPoint sum = {}; ///< what this impact alone has given
+};
+
+/// Brings points to a share of their targets, and keeps the others from closing, one after the
+/// other until all are right to a billionth, or after 200 rounds.
+inline void reach_targets(std::vector<ImpactPoint>& points, double share)
+{
+  double fastest = 0;
+  for (ImpactPoint& one : points)
+  {
+    one.sum = {};
+    one.point.sum = &one.sum;
+    fastest = std::max({fastest, one.target, -parting_speed(one.point)});
+  }
+  double missing = fastest;
+  for (int round = 0; round < 200 && missing > 1e-14 * fastest; ++round)
+  {
+    missing = 0;
+    for (ImpactPoint& one : points)
+    {
+      const double before = one.sum.impulse;
+      const double target = share * one.target;
+      add_impulse(one.point, one.point.normal_mass * (target - parting_speed(one.point)));
+      add_friction(one.point);
+      missing = std::max(missing, std::abs(one.sum.impulse - before) / one.point.normal_mass);
+    }
+  }
+}
+
+/// Lets points bounce, with as much of their restitution as leaves these bodies no more energy than
+/// they had: with friction the whole of it may give them some.
+inline void bounce(std::vector<ImpactPoint>& points, std::span<RigidBody* const> bodies)
+{
+  std::vector<RigidBody> before;
+  double energy_before = 0;
+  for (const RigidBody* const body : bodies)
+  {
+    before.push_back(*body);
+    energy_before += kinetic_energy(*body);
+  }
+  for (const double share : {1.0, 0.8, 0.6, 0.4, 0.2, 0.0})
+  {
+    double energy = 0;
+    reach_targets(points, share);
+    for (const RigidBody* const body : bodies)
+    {
+      energy += kinetic_energy(*body);
+    }
+    if (energy <= energy_before * (1 + 1e-9))
+    {
+      return;
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+    {
+      *bodies[i] = before[i];
+    }
+  }
+}
+// [impact_points]
+
+// [impacts]
+/// Lets the bodies of an island bounce; nothing if none is about to.
+inline void impacts(IslandView world, const Island& island, double step)
+{
+  const auto bouncy = [&](int i)
+  { return world.contacts[static_cast<std::size_t>(i)].restitution > 0; };
+  if (std::none_of(island.contacts.begin(), island.contacts.end(), bouncy))
+  {
+    return;
+  }
+  std::vector<ImpactPoint> points;
+  bool any = false;
+  for (const IslandPoint& point : points_of(world, island))
+  {
+    const double target = impact_target(point, world.gravity, step);
+    any = any || target > 0;
+    if (target >= 0 || point.apart <= 0)
+    {
+      points.push_back({point, std::max(target, 0.0)});
+    }
+  }
+  if (!any)
+  {
+    return;
+  }
+  std::vector<RigidBody*> bodies;
+  for (const int i : island.bodies)
+  {
+    bodies.push_back(&world.bodies[static_cast<std::size_t>(i)]);
+  }
+  bounce(points, bodies);
+}
+// [impacts]
+
+} // namespace cookbook

@@ -1,0 +1,99 @@
+#pragma once
+
+/// \file
+/// \brief When two boxes that move and turn first touch.
+
+#include "04_obb_manifolds/separating_axes/box_axes.hpp"
+#include "05_resolution/tunnelling/swept_sphere.hpp"
+#include "common/math/norm.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace cookbook
+{
+
+// [swept_box]
+/// A box that moves straight on and turns about its centre, both evenly.
+template <class Real>
+struct SweptBox
+{
+  Obb<Real> box;              ///< at time 0
+  Vector3<Real> displacement; ///< [m], world, until time 1
+  Vector3<Real> turn;         ///< [rad], world, axis times angle until time 1
+};
+
+/// The box at a time, 0 to 1.
+template <class Real>
+Obb<Real> box_at(const SweptBox<Real>& swept, Real time)
+{
+  const Direction<Real> turn = normalize(swept.turn);
+  const Eigen::AngleAxis<Real> turned(time * turn.length, turn.unit);
+  return {
+      swept.box.center + time * swept.displacement, turned.toRotationMatrix() * swept.box.axes,
+      swept.box.half_extents};
+}
+
+/// The fastest [m] that any corner is carried round its centre until time 1.
+template <class Real>
+Real turning_reach(const SweptBox<Real>& swept)
+{
+  return swept.turn.norm() * swept.box.half_extents.norm();
+}
+// [swept_box]
+
+// [box_gap]
+/// The axis along which two boxes are farthest apart, from A to B, and how far [m] they are there.
+///
+/// Negative where they overlap. Boxes are at least that far apart, and exactly so along the axis.
+template <class Real>
+Direction<Real> box_gap(const Obb<Real>& a, const Obb<Real>& b)
+{
+  using std::sqrt;
+  const RelativeBoxes<Real> boxes = relative_boxes(a, b);
+  Direction<Real> widest{Vector3<Real>::Zero(), -std::numeric_limits<Real>::max()};
+  for (int axis = 0; axis < box_axes; ++axis)
+  {
+    const AxisOverlap<Real> along = axis_overlap(boxes, axis);
+    const Real length = sqrt(along.squared_length);
+    if (!from_parallel_edges(along) && -along.overlap > widest.length * length)
+    {
+      const Real sign = along.offset < Real(0) ? Real(-1) : Real(1);
+      widest = {a.axes * along.axis * (sign / length), -along.overlap / length};
+    }
+  }
+  return widest;
+}
+// [box_gap]
+
+// [swept_boxes]
+/// The most steps that an advance of two boxes takes.
+inline constexpr int most_box_advances = 50;
+
+/// The first touch of two boxes that move and turn, to a gap of `touching` [m]; P20.
+///
+/// Nothing where they do not touch on the way; time 0 where they do at the start. After
+/// `most_box_advances` they stop short, where they are. The normal points from A to B.
+template <class Real>
+std::optional<SweptHit<Real>>
+swept_boxes(const SweptBox<Real>& a, const SweptBox<Real>& b, Real touching)
+{
+  const Vector3<Real> approach = a.displacement - b.displacement;
+  const Real turning = turning_reach(a) + turning_reach(b);
+  Real time(0);
+  Direction<Real> gap = box_gap(a.box, b.box);
+  for (int i = 0; i < most_box_advances && gap.length > touching; ++i)
+  {
+    const Real closing = approach.dot(gap.unit) + turning;
+    if (!(time * closing + gap.length <= closing))
+    {
+      return std::nullopt;
+    }
+    time += gap.length / closing;
+    gap = box_gap(box_at(a, time), box_at(b, time));
+  }
+  return SweptHit<Real>{time, gap.unit};
+}
+// [swept_boxes]
+
+} // namespace cookbook

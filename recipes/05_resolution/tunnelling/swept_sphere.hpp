@@ -1,0 +1,176 @@
+#pragma once
+
+/// \file
+/// \brief When a moving sphere first touches a box, a plane or another sphere.
+
+#include "03_sphere_manifolds/sphere_box/sphere_box.hpp"
+#include "03_sphere_manifolds/sphere_plane/sphere_plane.hpp"
+
+#include <limits>
+#include <optional>
+
+namespace cookbook
+{
+
+// [swept_hit]
+/// The first touch of a moving sphere.
+template <class Real>
+struct SweptHit
+{
+  Real time;            ///< [1], the share of the displacement that is free, 0 to 1
+  Vector3<Real> normal; ///< [1], unit, world, from the sphere to what it touches
+};
+// [swept_hit]
+
+// [first_touch]
+/// What a moving sphere sees of a convex shape, at one time; rates are those of the whole time.
+template <class Real>
+struct Outlook
+{
+  Direction<Real> ahead; ///< to the nearest point of the shape's surface, and how far it is [m]
+  Real closing;          ///< [m], what the gap loses at the present rate
+  Real pull = Real(0);   ///< [m], how fast that rate grows by itself, where it is steady
+};
+
+/// The most steps that an advance takes.
+inline constexpr int most_advances = 64;
+
+/// Advances a sphere by what its gap allows, again and again, until it touches; P20.
+///
+/// `look(time)` is the outlook at a time, from `start` to 1. On a path that curves, or past a shape
+/// that turns, the gap closes faster and faster, but by no more than `bend` [m] in the whole time.
+/// Gaps and approaches up to `rounding` [m] count as none. Nothing where the sphere never touches
+/// or parts for good; the start where it overlaps there and goes on inwards. After `most_advances`
+/// it stops short, where it is: it has not touched yet.
+template <class Real, class Look>
+std::optional<SweptHit<Real>>
+first_touch(const Real& start, const Real& bend, const Real& rounding, const Look& look)
+{
+  using std::max, std::sqrt;
+  const bool bends = bend > Real(0);
+  Real time = start;
+  Outlook<Real> now = look(time);
+  for (int i = 0; i < most_advances; ++i)
+  {
+    const Real closing = now.closing, gap = max(now.ahead.length, Real(0));
+    const bool closes = closing > rounding || (closing >= -rounding && now.pull > Real(0));
+    if (!closes && !bends)
+    {
+      return std::nullopt;
+    }
+    if (closes && gap <= rounding)
+    {
+      return SweptHit<Real>{time, now.ahead.unit};
+    }
+    // The time in which `closing` and `bend` together use the gap up.
+    const Real root = bends ? sqrt(closing * closing + Real(2) * bend * gap) : closing;
+    const Real safe =
+        closing > Real(0) ? Real(2) * gap / (closing + root) : (root - closing) / bend;
+    const bool stuck = bends && (gap <= rounding || 2 * i >= most_advances);
+    time += stuck ? max(safe, Real(2) / Real(most_advances)) : safe;
+    if (!(time <= Real(1)))
+    {
+      return std::nullopt;
+    }
+    now = look(time);
+  }
+  return SweptHit<Real>{time, now.ahead.unit};
+}
+
+/// The same straight past a shape that stands still: `gap(offset)` is the direction to it and how
+/// far away it is [m], once the sphere has moved by `offset` [m] of a displacement [m].
+template <class Real, class Gap>
+std::optional<SweptHit<Real>>
+first_touch(const Vector3<Real>& displacement, const Real& rounding, const Gap& gap)
+{
+  return first_touch<Real>(
+      Real(0), Real(0), rounding,
+      [&](const Real& time)
+      {
+        const Direction<Real> ahead = gap(Vector3<Real>(time * displacement));
+        return Outlook<Real>{ahead, displacement.dot(ahead.unit)};
+      });
+}
+// [first_touch]
+
+/// How far [m] rounding may move the gap of a sphere from something of this size [m].
+template <class Real>
+Wide<Real> sweep_rounding(
+    const Vector3<Wide<Real>>& start, const Vector3<Wide<Real>>& displacement, Wide<Real> size)
+{
+  const Wide<Real> sum = start.cwiseAbs().maxCoeff() + displacement.cwiseAbs().maxCoeff() + size;
+  return Wide<Real>(16) * std::numeric_limits<Wide<Real>>::epsilon() * sum;
+}
+
+/// A hit in the number type of the shapes.
+template <class Real>
+std::optional<SweptHit<Real>>
+narrowed(const std::optional<SweptHit<Wide<Real>>>& hit, const Matrix3<Wide<Real>>& axes)
+{
+  if (!hit)
+  {
+    return std::nullopt;
+  }
+  const Vector3<Wide<Real>> normal = axes * hit->normal;
+  return SweptHit<Real>{static_cast<Real>(hit->time), normal.template cast<Real>()};
+}
+
+// [swept_sphere_box]
+/// The first touch of a sphere that moves by a displacement [m], as seen from a box.
+///
+/// Nothing where they do not touch on the way, part from the start, or stand still. All numbers
+/// are finite and their squares too.
+template <class Real>
+std::optional<SweptHit<Real>> swept_sphere_box(
+    const Sphere<Real>& sphere, const Vector3<Real>& displacement, const Obb<Real>& box)
+{
+  using Vector = Vector3<Wide<Real>>;
+  const Vector start = box_coordinates(box, sphere.center), half = widen(box.half_extents);
+  const Vector way = widen(box.axes).transpose() * widen(displacement);
+  const Wide<Real> radius = sphere.radius;
+  const auto gap = [&](const Vector& offset)
+  {
+    const Direction<Wide<Real>> out = signed_distance_box<Wide<Real>>(start + offset, half);
+    return Direction<Wide<Real>>{-out.unit, out.length - radius};
+  };
+  const Wide<Real> rounding = sweep_rounding<Real>(start, way, half.maxCoeff() + radius);
+  return narrowed<Real>(first_touch<Wide<Real>>(way, rounding, gap), widen(box.axes));
+}
+// [swept_sphere_box]
+
+/// The same of the solid below a plane.
+template <class Real>
+std::optional<SweptHit<Real>> swept_sphere_plane(
+    const Sphere<Real>& sphere, const Vector3<Real>& displacement, const Plane<Real>& plane)
+{
+  using Vector = Vector3<Wide<Real>>;
+  const Vector normal = widen(plane.normal), way = widen(displacement);
+  const Wide<Real> start = signed_distance(plane, sphere.center), radius = sphere.radius;
+  const auto gap = [&](const Vector& offset) {
+    return Direction<Wide<Real>>{-normal, start - radius + normal.dot(offset)};
+  };
+  const Wide<Real> size = widen(sphere.center).cwiseAbs().maxCoeff() + radius;
+  const Wide<Real> rounding = sweep_rounding<Real>(Vector::Zero(), way, size);
+  return narrowed<Real>(
+      first_touch<Wide<Real>>(way, rounding, gap), Matrix3<Wide<Real>>::Identity());
+}
+
+/// The same of a second sphere; concentric ones part along +y.
+template <class Real>
+std::optional<SweptHit<Real>> swept_sphere_sphere(
+    const Sphere<Real>& sphere, const Vector3<Real>& displacement, const Sphere<Real>& other)
+{
+  using Vector = Vector3<Wide<Real>>;
+  const Vector start = widen(other.center) - widen(sphere.center), way = widen(displacement);
+  const Wide<Real> reach = Wide<Real>(sphere.radius) + Wide<Real>(other.radius);
+  const auto gap = [&](const Vector& offset)
+  {
+    const Direction<Wide<Real>> ahead = normalize<Wide<Real>>(start - offset);
+    return Direction<Wide<Real>>{ahead.unit, ahead.length - reach};
+  };
+  const Wide<Real> rounding = sweep_rounding<Real>(start, way, reach);
+  return narrowed<Real>(
+      first_touch<Wide<Real>>(way, rounding, gap), Matrix3<Wide<Real>>::Identity());
+}
+
+} // namespace cookbook

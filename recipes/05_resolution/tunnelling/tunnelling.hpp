@@ -1,0 +1,96 @@
+#pragma once
+
+/// \file
+/// \brief A fast ball and a wall: how fast a step may be, and what a look after it or before it
+/// does.
+
+#include "05_resolution/tunnelling/swept_flight.hpp"
+
+namespace cookbook
+{
+
+// [no_tunnel_speed]
+/// The speed [m/s] from which a ball that is looked at once a step may jump a wall unseen; R18.
+template <class Real>
+Real no_tunnel_speed(const Real& thickness, const Real& radius, const Real& step)
+{
+  return (thickness + Real(2) * radius) / step;
+}
+
+/// The speed [m/s] from which the ball may be seen, and pushed out on the far side; half of R18.
+template <class Real>
+Real no_push_through_speed(const Real& thickness, const Real& radius, const Real& step)
+{
+  return no_tunnel_speed(thickness, radius, step) / Real(2);
+}
+// [no_tunnel_speed]
+
+// [discrete_step]
+/// Moves the ball, and looks afterwards: an overlap is pushed out, the velocity bounces.
+template <class Real>
+FlyingBall<Real> discrete_step(
+    FlyingBall<Real> flight, const Obb<Real>& wall, const Real& restitution, const Real& step)
+{
+  flight = moved(flight, step);
+  if (const auto manifold = sphere_box(flight.ball, wall))
+  {
+    flight.ball.center -= manifold->depth * manifold->normal;
+    flight.velocity = bounced(flight.velocity, manifold->normal, restitution);
+  }
+  return flight;
+}
+
+/// The same in `count` shorter steps.
+template <class Real>
+FlyingBall<Real> substeps(
+    FlyingBall<Real> flight, const Obb<Real>& wall, const Real& restitution, const Real& step,
+    int count)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    flight = discrete_step<Real>(flight, wall, restitution, step / Real(count));
+  }
+  return flight;
+}
+// [discrete_step]
+
+// [speculative]
+/// The velocity [m/s] that closes a gap [m] in one step at most, no faster; R17.
+template <class Real>
+Vector3<Real> speculative_velocity(
+    const Vector3<Real>& velocity, const Vector3<Real>& normal, const Real& gap, const Real& step)
+{
+  const Real excess = velocity.dot(normal) - gap / step;
+  return excess > Real(0) ? velocity - excess * normal : velocity;
+}
+
+/// Direction from the ball to the wall, and the gap [m] between them.
+template <class Real>
+Direction<Real> gap_to(const Sphere<Real>& ball, const Obb<Real>& wall)
+{
+  const Direction<Real> ahead =
+      direction_to_box<Real>(box_coordinates(wall, ball.center), wall.axes, wall.half_extents);
+  return {ahead.unit, ahead.length - ball.radius};
+}
+
+/// Brakes the ball before the step if the wall is no farther than a margin [m]; lets it bounce
+/// where they touch, to a millionth of the radius.
+template <class Real>
+FlyingBall<Real> speculative_step(
+    FlyingBall<Real> flight, const Obb<Real>& wall, const Real& restitution, const Real& step,
+    const Real& margin)
+{
+  const Direction<Real> ahead = gap_to(flight.ball, wall);
+  if (ahead.length <= flight.ball.radius * Real(1e-6))
+  {
+    flight.velocity = bounced(flight.velocity, ahead.unit, restitution);
+  }
+  else if (ahead.length <= margin)
+  {
+    flight.velocity = speculative_velocity(flight.velocity, ahead.unit, ahead.length, step);
+  }
+  return moved(flight, step);
+}
+// [speculative]
+
+} // namespace cookbook

@@ -1,0 +1,119 @@
+#pragma once
+
+/// \file
+/// \brief The solvers of this chapter by name, for a world.
+
+#include "05_resolution/direct_solver/direct_solver.hpp"
+#include "05_resolution/position_based/position_based.hpp"
+#include "05_resolution/sequential_impulses/sequential_impulses.hpp"
+#include "05_resolution/soft_steps/soft_steps.hpp"
+#include "05_resolution/world/solver_names.hpp"
+#include "05_resolution/world/world.hpp"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace cookbook
+{
+
+// [direct_or_soft]
+/// The recommended solver: direct where that finds an answer, and soft steps where it does not, as
+/// in impacts and dense heaps.
+///
+/// Where it has not found one it lets some frames pass before it tries again: 1, 2, 4, up to 16. A
+/// copy remembers what the original did, and goes on by itself.
+class DirectOrSoft
+{
+public:
+  /// Soft steps take so many substeps.
+  explicit DirectOrSoft(int substeps) : soft_{.substeps = substeps} {}
+
+  /// Moves an island on by a step [s].
+  void operator()(IslandView world, const Island& island, double step)
+  {
+    Tries& tries = tries_[island.bodies.front()];
+    if (tries.frames_to_wait > 0)
+    {
+      --tries.frames_to_wait;
+      return soft_steps(world, island, step, soft_);
+    }
+    if (!tries.direct.solve(world, island, step))
+    {
+      tries.frames_to_wait = tries.pause;
+      tries.pause = std::min(2 * tries.pause, 16);
+      return soft_steps(world, island, step, soft_);
+    }
+    tries.pause = 1;
+    for (const int body : island.bodies)
+    {
+      move(world.bodies[static_cast<std::size_t>(body)], step);
+    }
+  }
+
+private:
+  struct Tries
+  {
+    DirectSolver direct;
+    int frames_to_wait = 0;
+    int pause = 1; // frames to wait after the next failure
+  };
+
+  SoftSettings soft_;
+  std::map<int, Tries> tries_; // by the island's first body
+};
+// [direct_or_soft]
+
+// [solvers]
+/// A solver by name, with so many substeps, or what it takes itself if that is 0.
+///
+/// std::invalid_argument if there is no such name, or the substeps are negative.
+inline IslandSolver solver_named(const std::string& name, int substeps = 0)
+{
+  if (substeps < 0)
+  {
+    throw std::invalid_argument("substeps must be zero or more, got " + std::to_string(substeps));
+  }
+  const auto or_else = [&](int usual) { return substeps > 0 ? substeps : usual; };
+  if (name == "direct")
+  {
+    return DirectOrSoft(or_else(8));
+  }
+  if (name == "soft_steps")
+  {
+    return [how = SoftSettings{.substeps = or_else(4)}](IslandView w, const Island& i, double h)
+    { soft_steps(w, i, h, how); };
+  }
+  if (name == "sequential_impulses" || name == "cold_impulses")
+  {
+    const bool warm = name == "sequential_impulses";
+    return [how = SequentialSettings{.iterations = 8, .warm = warm},
+            n = or_else(1)](IslandView w, const Island& i, double h)
+    {
+      std::vector<IslandPoint> points = points_of(w, i);
+      scale_impulses(points, 1.0 / n);
+      for (int k = 0; k < n; ++k)
+      {
+        sequential_impulses(w, i, h / n, how);
+      }
+      scale_impulses(points, n);
+    };
+  }
+  if (name == "position_based")
+  {
+    return
+        [how = PositionSettings{.substeps = or_else(20)}](IslandView w, const Island& i, double h)
+    { position_based(w, i, h, how); };
+  }
+  std::string all;
+  for (const std::string& one : solver_names())
+  {
+    all.append(all.empty() ? "" : ", ").append(one);
+  }
+  throw std::invalid_argument("there is no solver '" + name + "'; there are " + all);
+}
+// [solvers]
+
+} // namespace cookbook

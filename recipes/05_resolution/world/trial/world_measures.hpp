@@ -1,0 +1,156 @@
+#pragma once
+
+/// \file
+/// \brief What is measured of a world: energy, momentum, overlap, loads, how far bodies went, what
+/// is missing.
+
+#include "05_resolution/scenes/trial/frames.hpp"
+#include "05_resolution/world/world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace cookbook
+{
+
+/// All bodies of a world as they are.
+inline Frame frame_of(const World& world)
+{
+  Frame frame{world.time(), {}};
+  for (const RigidBody& body : world.bodies())
+  {
+    frame.bodies.push_back({body.position, body.orientation, body.velocity, body.angular_velocity});
+  }
+  return frame;
+}
+
+/// How many bodies of a scene can move, to share a time among them; one if there is none.
+inline double movable_bodies(const Scene& scene)
+{
+  const auto movable = [](const SceneBody& body) { return body.mass > 0; };
+  const auto count = std::count_if(scene.bodies.begin(), scene.bodies.end(), movable);
+  return std::max(1.0, static_cast<double>(count));
+}
+
+// [world_sums]
+/// The energy [J] of the movable bodies of a world: of motion, and of height against gravity.
+inline double energy(std::span<const RigidBody> bodies, const Vector3<double>& gravity)
+{
+  double sum = 0;
+  for (const RigidBody& body : bodies)
+  {
+    if (!is_fixed(body))
+    {
+      sum += kinetic_energy(body) - gravity.dot(body.position) / body.inverse_mass;
+    }
+  }
+  return sum;
+}
+
+/// The momentum [kg m/s] of the movable bodies of a world.
+inline Vector3<double> momentum(std::span<const RigidBody> bodies)
+{
+  Vector3<double> sum = Vector3<double>::Zero();
+  for (const RigidBody& body : bodies)
+  {
+    if (!is_fixed(body))
+    {
+      sum += body.velocity / body.inverse_mass;
+    }
+  }
+  return sum;
+}
+// [world_sums]
+
+// [world_contacts_measured]
+/// The deepest overlap [m] at any contact point of a world.
+inline double deepest_overlap(const World& world)
+{
+  double most = 0;
+  for (const WorldContact& contact : world.contacts())
+  {
+    const RigidBody& a = world.bodies()[static_cast<std::size_t>(contact.a)];
+    const RigidBody& b = world.bodies()[static_cast<std::size_t>(contact.b)];
+    for (const WorldPoint& point : contact.points())
+    {
+      most = std::max(most, -gap(a, b, contact.normal(), point));
+    }
+  }
+  return most;
+}
+
+/// How fast [m/s] surfaces move that a solver should have stopped: closing where nothing pushes,
+/// moving at all along the normal where something does; R10.
+inline double residual(const World& world)
+{
+  double most = 0;
+  const auto axes = [&](int i) -> const Matrix3<double>&
+  { return world.bodies_before()[static_cast<std::size_t>(i)].axes; };
+  for (const WorldContact& contact : world.contacts())
+  {
+    const RigidBody& a = world.bodies()[static_cast<std::size_t>(contact.a)];
+    const RigidBody& b = world.bodies()[static_cast<std::size_t>(contact.b)];
+    for (const WorldPoint& point : contact.points())
+    {
+      const double speed =
+          velocity_between(a, b, axes(contact.a) * point.on_a, axes(contact.b) * point.on_b)
+              .dot(contact.normal());
+      const bool touches = gap(a, b, contact.normal(), point) <= 0;
+      const double wrong = point.impulse > 0 ? std::abs(speed) : touches ? -speed : 0;
+      most = std::max(most, wrong);
+    }
+  }
+  return most;
+}
+// [world_contacts_measured]
+
+// [carried]
+/// The impulses [N s] that each body gets, against gravity and in the last step, from all contacts
+/// with bodies before it in the scene: what carries it, where each stands on the one before.
+inline std::vector<double> carried_in(const World& world)
+{
+  const Vector3<double>& gravity = world.scene().gravity;
+  std::vector<double> sums(world.bodies().size(), 0.0);
+  for (const WorldContact& contact : world.contacts())
+  {
+    for (const WorldPoint& point : contact.points())
+    {
+      const Vector3<double> impulse = point.impulse * contact.normal() + point.friction;
+      sums[static_cast<std::size_t>(contact.b)] -=
+          impulse.dot(gravity) / std::max(gravity.norm(), 1e-300);
+    }
+  }
+  return sums;
+}
+// [carried]
+
+// [moved_by]
+/// The farthest that any body has moved from where its scene put it.
+struct FarthestMove
+{
+  double sideways = 0; ///< [m], across gravity
+  double along = 0;    ///< [m], up or down
+};
+
+/// How far the bodies of a world have gone; along y where there is no gravity.
+inline FarthestMove farthest_move(const World& world)
+{
+  const Vector3<double>& gravity = world.scene().gravity;
+  const double size = gravity.norm();
+  const Vector3<double> up = size > 0 ? Vector3<double>(-gravity / size) : Vector3<double>(0, 1, 0);
+  FarthestMove most;
+  for (std::size_t i = 0; i < world.bodies().size(); ++i)
+  {
+    const Vector3<double> way = world.bodies()[i].position - world.scene().bodies[i].position;
+    const double height = way.dot(up);
+    most.along = std::max(most.along, std::abs(height));
+    most.sideways = std::max(most.sideways, (way - height * up).norm());
+  }
+  return most;
+}
+// [moved_by]
+
+} // namespace cookbook

@@ -1,0 +1,30 @@
+#pragma once
+
+/// \file
+/// \brief Waking what a body touches, before it is pushed or removed.
+
+#include "05_resolution/islands/island.hpp"
+#include "05_resolution/sleeping/sleeping.hpp"
+
+#include <span>
+#include <vector>
+
+namespace cookbook
+{
+
+/// Wakes whatever touches a body, and all that hangs together with it.
+inline void wake_neighbours(
+    std::vector<SleepState<double>>& states, std::span<const RigidBody> bodies,
+    std::span<const WorldContact> contacts, int body)
+{
+  const std::vector<int> numbers = island_numbers(bodies, contacts);
+  for (const WorldContact& contact : contacts)
+  {
+    if (contact.a == body || contact.b == body)
+    {
+      wake(states, numbers, contact.a + contact.b - body);
+    }
+  }
+}
+
+} // namespace cookbook

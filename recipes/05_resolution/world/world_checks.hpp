@@ -1,0 +1,109 @@
+#pragma once
+
+/// \file
+/// \brief Whether a scene makes sense, before anything moves in it.
+
+#include "05_resolution/contacts/rigid_body.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+namespace cookbook
+{
+
+// [checked_scene]
+/// What a scene with impossible numbers is answered with; it names the body, the member, what that
+/// must be, and what it is.
+class InvalidScene : public std::invalid_argument
+{
+public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// Checks a body's shape.
+struct CheckShape
+{
+  const SceneBody& body; ///< whose it is
+
+  void operator()(const BoxShape& box) const
+  {
+    checked(Obb<double>{{0, 0, 0}, Matrix3<double>::Identity(), box.half_extents});
+  }
+  void operator()(const SphereShape& ball) const
+  {
+    check_finite("radius", ball.radius);
+    if (!(ball.radius > 0))
+    {
+      throw InvalidShape("radius", "greater than zero", text_of(ball.radius));
+    }
+  }
+  void operator()(const PlaneShape& plane) const
+  {
+    checked(Plane<double>{plane.normal, plane.offset});
+    if (body.mass != 0)
+    {
+      throw InvalidShape("mass", "0 for a plane", text_of(body.mass));
+    }
+  }
+};
+
+/// Throws InvalidShape unless a number is between two others.
+inline void check_range(const std::string& member, double value, double least, double most)
+{
+  check_finite(member, value);
+  if (value < least || value > most)
+  {
+    throw InvalidShape(member, text_of(least).append(" to ").append(text_of(most)), text_of(value));
+  }
+}
+
+/// Throws InvalidShape unless a body of a scene can be moved as it is.
+inline void check(const SceneBody& body)
+{
+  check_finite("mass", body.mass);
+  if (body.mass < 0)
+  {
+    throw InvalidShape("mass", "zero or more", text_of(body.mass));
+  }
+  std::visit(CheckShape{body}, body.shape);
+  check_finite("position", body.position);
+  check_finite("velocity", body.velocity);
+  check_finite("angular_velocity", body.angular_velocity);
+  const double length = body.orientation.norm();
+  if (!(length > 0.5 && length < 2))
+  {
+    throw InvalidShape("orientation", "of length one", "length " + text_of(length));
+  }
+  check_range("friction", body.friction, 0, 1e6);
+  check_range("restitution", body.restitution, 0, 1);
+  if (body.mass > 0)
+  {
+    checked(mass_properties(body));
+  }
+}
+
+/// The scene itself, or InvalidScene.
+inline const Scene& checked(const Scene& scene)
+{
+  std::string at = "scene";
+  try
+  {
+    check_finite("gravity", scene.gravity);
+    check_range("step", scene.step, 1e-9, 1e3);
+    check_range("duration", scene.duration, 0, 1e9);
+    for (const SceneBody& body : scene.bodies)
+    {
+      at = body.name;
+      check(body);
+    }
+  }
+  catch (const InvalidShape& wrong)
+  {
+    throw InvalidScene(at.append(": ").append(wrong.what()));
+  }
+  return scene;
+}
+// [checked_scene]
+
+} // namespace cookbook

@@ -1,0 +1,180 @@
+/// \file
+/// The rules of the house about rooms: what stands where, and who may include whom.
+#pragma once
+
+#include "rules.hpp"
+
+#include <functional>
+
+namespace cookbook::house
+{
+
+/// A file of one source and what it includes from the house, as paths from the root.
+struct Includes
+{
+  std::string path;
+  std::vector<std::string> targets;
+};
+
+/// The includes of all sources; a target that is no file of the house is left out.
+inline std::vector<Includes> includes_of(const std::vector<TextFile>& sources)
+{
+  std::set<std::string> paths;
+  for (const TextFile& source : sources)
+  {
+    paths.insert(source.path);
+  }
+  std::vector<Includes> all;
+  for (const TextFile& source : sources)
+  {
+    all.push_back({source.path, {}});
+    for (const std::string& target :
+         book::matches(source.text, R"rx((?:^|\n)#include "([^"]+)")rx"))
+    {
+      for (const std::string& path : {target, "recipes/" + target})
+      {
+        if (paths.count(path) == 1)
+        {
+          all.back().targets.push_back(path);
+        }
+      }
+    }
+  }
+  return all;
+}
+
+/// The folder that a file stands in.
+inline std::string folder_of(const std::string& path)
+{
+  return std::filesystem::path(path).parent_path().generic_string();
+}
+
+/// Whether a file stands in a trial.
+inline bool in_trial(const std::string& path)
+{
+  return std::filesystem::path(path).parent_path().filename() == "trial";
+}
+
+/// No folder has more than 14 files.
+inline Complaints folders_are_small(const std::vector<std::string>& paths)
+{
+  std::map<std::string, int> counts;
+  for (const std::string& path : paths)
+  {
+    ++counts[folder_of(path)];
+  }
+  Complaints complaints;
+  for (const auto& [folder, count] : counts)
+  {
+    if (count > 14)
+    {
+      complaints.push_back(folder + " has " + std::to_string(count) + " files");
+    }
+  }
+  return complaints;
+}
+
+/// A chapter's folder holds rooms and its CMakeLists.txt; a room holds files and its trial.
+inline Complaints rooms_are_plain(const std::vector<std::string>& paths)
+{
+  static const std::regex place(
+      R"(recipes/(CMakeLists\.txt|\d\d_\w+/(CMakeLists\.txt|\w+/(trial/)?[\w.]+)))");
+  Complaints complaints;
+  for (const std::string& path : paths)
+  {
+    if (path.rfind("recipes/", 0) == 0 && !std::regex_match(path, place))
+    {
+      complaints.push_back(path + " stands in no room");
+    }
+  }
+  return complaints;
+}
+
+/// What is taken home stands alone: outside a trial, only programs include from one.
+inline Complaints homes_stand_alone(const std::vector<TextFile>& sources)
+{
+  std::set<std::string> programs;
+  for (const TextFile& source : sources)
+  {
+    if (source.text.find("int main(") != std::string::npos)
+    {
+      programs.insert(source.path);
+    }
+  }
+  Complaints complaints;
+  for (const Includes& file : includes_of(sources))
+  {
+    for (const std::string& target : file.targets)
+    {
+      if (!in_trial(file.path) && in_trial(target) && programs.count(file.path) == 0)
+      {
+        complaints.push_back(file.path + " includes " + target);
+      }
+    }
+  }
+  return complaints;
+}
+
+/// Who includes whom, from folder to folder; programs are left out, for nothing includes them.
+inline std::map<std::string, std::set<std::string>>
+arrows_between_folders(const std::vector<TextFile>& sources)
+{
+  std::map<std::string, std::set<std::string>> arrows;
+  for (const Includes& file : includes_of(sources))
+  {
+    if (file.path.ends_with(".cpp") && !in_trial(file.path))
+    {
+      continue;
+    }
+    for (const std::string& target : file.targets)
+    {
+      if (folder_of(target) != folder_of(file.path))
+      {
+        arrows[folder_of(file.path)].insert(folder_of(target));
+      }
+    }
+  }
+  return arrows;
+}
+
+/// No circles between rooms, nor between trials.
+inline Complaints rooms_have_no_circles(const std::vector<TextFile>& sources)
+{
+  const auto arrows = arrows_between_folders(sources);
+  enum class State
+  {
+    entered,
+    left
+  };
+  std::map<std::string, State> states;
+  Complaints complaints;
+  const std::function<void(const std::string&, const std::string&)> visit =
+      [&](const std::string& folder, const std::string& way)
+  {
+    states[folder] = State::entered;
+    const auto found = arrows.find(folder);
+    for (const std::string& next : found == arrows.end() ? std::set<std::string>{} : found->second)
+    {
+      const std::string longer = way + " → " + next;
+      if (states.count(next) == 0)
+      {
+        visit(next, longer);
+      }
+      else if (states[next] == State::entered)
+      {
+        complaints.push_back("a circle: " + longer.substr(longer.find(next)));
+      }
+    }
+    states[folder] = State::left;
+  };
+  for (const auto& [folder, targets] : arrows)
+  {
+    if (states.count(folder) == 0)
+    {
+      visit(folder, folder);
+    }
+  }
+  return complaints;
+}
+
+} // namespace cookbook::house
