@@ -2,6 +2,8 @@
 /// What every test reads first; CMake compiles it once.
 #pragma once
 
+#include "common/math/rational.hpp"
 #include "common/program/precompiled.hpp"
+#include "common/simd/choose.hpp"
 
 #include "tests/catch.hpp"

@@ -165,7 +165,7 @@ endfunction()
 # large.
 function(cookbook_chart name)
   if(COOKBOOK_RECIPES AND COOKBOOK_BOOK)
-    cookbook_program(${name} ${ARGN})
+    cookbook_program(${name} cookbook_measure ${ARGN})
     set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL TRUE)
     set(charts ${CMAKE_BINARY_DIR}/charts)
     add_custom_command(OUTPUT ${charts}/${name}.measured
@@ -176,7 +176,7 @@ function(cookbook_chart name)
     set_property(GLOBAL APPEND PROPERTY COOKBOOK_CHART_TARGETS ${name}.chart)
   endif()
   if(NOT COOKBOOK_SANITIZE)
-    cookbook_test(${name} ${ARGN})
+    cookbook_test(${name} cookbook_measure ${ARGN})
   endif()
 endfunction()
 
@@ -217,8 +217,9 @@ function(cookbook_test_program target source)
   endif()
 endfunction()
 
-# The tests of a chapter, up to eight in one source: first all that they include, then each test in a
-# namespace of its own. Sanitizers leave out what is tagged [long].
+# The tests of a chapter, up to five in one source: first what the chapter has compiled already, as
+# COOKBOOK_INSTANCES says, then all that they include, then each test in a namespace of its own.
+# Sanitizers leave out what is tagged [long].
 function(cookbook_tests_together)
   get_property(names DIRECTORY PROPERTY COOKBOOK_TOGETHER)
   get_property(libraries DIRECTORY PROPERTY COOKBOOK_TOGETHER_LIBRARIES)
@@ -229,10 +230,13 @@ function(cookbook_tests_together)
   endif()
   while(names)
     math(EXPR number "${number} + 1")
-    list(SUBLIST names 0 8 some)
+    list(SUBLIST names 0 5 some)
     list(REMOVE_ITEM names ${some})
     set(program ${COOKBOOK_CHAPTER}_tests_${number})
     set(includes "")
+    if(COOKBOOK_INSTANCES)
+      set(includes "#include \"${COOKBOOK_INSTANCES}\"")
+    endif()
     set(tests "")
     foreach(name IN LISTS some)
       set(source ${PROJECT_SOURCE_DIR}/tests/${COOKBOOK_CHAPTER}/${name}_test.cpp)

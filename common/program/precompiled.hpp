@@ -2,9 +2,7 @@
 /// What every recipe's program reads first; CMake compiles it once.
 #pragma once
 
-#include "common/math/rational.hpp"
 #include "common/math/vector.hpp"
-#include "common/simd/choose.hpp"
 
 #include <charconv>
 #include <filesystem>

@@ -3,6 +3,7 @@
 
 #include "04_obb_manifolds/box_as_published/trial/box_as_published.hpp"
 #include "04_obb_manifolds/box_as_published/trial/box_as_published_rates.hpp"
+#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
 #include "common/plot/charts/bar_chart.hpp"
 #include "common/program/program.hpp"

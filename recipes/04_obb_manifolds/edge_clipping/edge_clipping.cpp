@@ -3,6 +3,7 @@
 
 #include "04_obb_manifolds/edge_clipping/edge_clipping.hpp"
 #include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
+#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
 #include "common/plot/figures/figure3d.hpp"
 #include "common/program/program.hpp"

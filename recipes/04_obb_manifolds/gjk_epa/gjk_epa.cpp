@@ -3,6 +3,7 @@
 /// and tries all ways to run them at all cases.
 
 #include "04_obb_manifolds/gjk_epa/gjk_epa.hpp"
+#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
 #include "04_obb_manifolds/gjk_epa/trial/gjk_epa_figures.hpp"
 #include "04_obb_manifolds/gjk_epa/trial/gjk_epa_verdicts.hpp"

@@ -4,6 +4,7 @@
 
 #include "04_obb_manifolds/separating_axes/separating_axes.hpp"
 #include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
+#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
 #include "04_obb_manifolds/separating_axes/trial/separating_axes_figures.hpp"
 #include "common/program/program.hpp"

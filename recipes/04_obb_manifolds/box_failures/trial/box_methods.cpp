@@ -6,6 +6,7 @@
 #include "04_obb_manifolds/box_as_published/trial/box_as_published.hpp"
 #include "04_obb_manifolds/box_box/box_box.hpp"
 #include "04_obb_manifolds/box_failures/trial/box_pitfalls.hpp"
+#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
 #include "04_obb_manifolds/box_pairs/box_pairs.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_truth.hpp"
 #include "04_obb_manifolds/face_clipping/face_clipping.hpp"

@@ -4,6 +4,7 @@
 
 #include "04_obb_manifolds/box_judges/trial/box_every_method.hpp"
 #include "04_obb_manifolds/box_judges/trial/box_contenders.hpp"
+#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
 
 namespace cookbook

@@ -2,6 +2,7 @@
 /// \brief Runs scenes: every solver is compiled here, and nowhere else.
 
 #include "05_resolution/world/trial/world_runs.hpp"
+#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
 #include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/world_cost_measured.hpp"
 #include "05_resolution/world/trial/world_measures.hpp"

@@ -1,0 +1,12 @@
+/// \file
+/// \brief The methods for two boxes in float and in double, compiled here and nowhere else.
+
+#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
+
+namespace cookbook
+{
+
+COOKBOOK_BOX_METHODS(, float)
+COOKBOOK_BOX_METHODS(, double)
+
+} // namespace cookbook

@@ -1,0 +1,39 @@
+#pragma once
+
+/// \file
+/// \brief The methods for two boxes, in float and in double, are compiled once, in
+/// box_instances.cpp; who includes this does not compile them again.
+
+#include "04_obb_manifolds/box_as_published/trial/box_as_published.hpp"
+#include "04_obb_manifolds/box_box/box_box.hpp"
+#include "04_obb_manifolds/edge_clipping/edge_clipping.hpp"
+#include "04_obb_manifolds/face_clipping/face_clipping.hpp"
+#include "04_obb_manifolds/feature_memory/feature_memory.hpp"
+#include "04_obb_manifolds/gjk_epa/gjk_epa.hpp"
+
+/// Declares every method for a number type: with `extern` as compiled elsewhere, without as
+/// compiled here.
+#define COOKBOOK_BOX_METHODS(ELSEWHERE, REAL)                                                      \
+  ELSEWHERE template std::optional<LeastOverlap<REAL>> separating_axes(                            \
+      const Obb<REAL>&, const Obb<REAL>&);                                                         \
+  ELSEWHERE template std::optional<Manifold<REAL, most_crossings>> edge_clipping(                  \
+      const Obb<REAL>&, const Obb<REAL>&);                                                         \
+  ELSEWHERE template std::optional<Manifold<REAL>> face_clipping(                                  \
+      const Obb<REAL>&, const Obb<REAL>&);                                                         \
+  ELSEWHERE template std::optional<Manifold<REAL>> gjk_epa(const Obb<REAL>&, const Obb<REAL>&);    \
+  ELSEWHERE template std::optional<Manifold<REAL>> box_box(const Obb<REAL>&, const Obb<REAL>&);    \
+  ELSEWHERE template std::optional<std::pair<int, REAL>> box_axis(                                 \
+      const Obb<REAL>&, const Obb<REAL>&);                                                         \
+  ELSEWHERE template std::optional<REAL> overlap_on(const Obb<REAL>&, const Obb<REAL>&, int);      \
+  ELSEWHERE template std::optional<Manifold<REAL>> box_box_on(                                     \
+      const Obb<REAL>&, const Obb<REAL>&, int, const REAL&, const REAL&);                          \
+  ELSEWHERE template std::optional<Manifold<REAL, most_published_points>> box_as_published(        \
+      const Obb<REAL>&, const Obb<REAL>&, const PublishedFaults&);
+
+namespace cookbook
+{
+
+COOKBOOK_BOX_METHODS(extern, float)
+COOKBOOK_BOX_METHODS(extern, double)
+
+} // namespace cookbook
