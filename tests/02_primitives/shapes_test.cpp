@@ -1,6 +1,7 @@
 /// \file
 /// What makes a shape: every impossible number is named, with its value.
 
+#include "02_primitives/shapes/checked_shapes.hpp"
 #include "02_primitives/shapes/shapes.hpp"
 
 #include "tests/catch.hpp"

@@ -4,6 +4,7 @@
 #include "04_obb_manifolds/box_as_published/trial/box_as_published.hpp"
 #include "04_obb_manifolds/box_as_published/trial/box_as_published_rates.hpp"
 #include "04_obb_manifolds/box_failures/trial/box_failures.hpp"
+#include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"
 

@@ -2,11 +2,13 @@
 /// That the ten workloads are what they say, that the truth is true, and that the measures of a
 /// method give the right numbers for manifolds made by hand.
 
+#include "02_primitives/shapes/checked_shapes.hpp"
 #include "03_sphere_manifolds/manifold/trial/pairs_file.hpp"
 #include "04_obb_manifolds/box_judges/trial/box_steadiness.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_workloads.hpp"
 #include "04_obb_manifolds/separating_axes/separating_axes.hpp"
 #include "common/math/rational.hpp"
+#include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"
 

@@ -7,6 +7,7 @@
 #include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
 #include "04_obb_manifolds/edge_clipping/edge_clipping.hpp"
+#include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"
 

@@ -8,6 +8,7 @@
 #include "04_obb_manifolds/box_workloads/trial/box_truth.hpp"
 #include "04_obb_manifolds/face_clipping/face_clipping.hpp"
 #include "common/math/rational.hpp"
+#include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"
 

@@ -4,6 +4,7 @@
 
 #include "04_obb_manifolds/gjk_epa/gjk_epa.hpp"
 #include "04_obb_manifolds/gjk_epa/trial/gjk_epa_verdicts.hpp"
+#include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"
 

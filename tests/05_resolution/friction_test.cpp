@@ -6,6 +6,7 @@
 #include "05_resolution/friction/trial/friction_pitfalls.hpp"
 #include "05_resolution/friction/trial/friction_scenes.hpp"
 #include "05_resolution/friction/trial/friction_verdicts.hpp"
+#include "common/math/rational.hpp"
 
 #include "tests/05_resolution/meetings.hpp"
 #include "tests/catch.hpp"

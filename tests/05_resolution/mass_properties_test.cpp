@@ -1,7 +1,9 @@
 /// \file
 /// What holds for mass and inertia: formulas R26, M12 and M13, and bodies of any size.
 
+#include "02_primitives/shapes/checked_shapes.hpp"
 #include "05_resolution/impulse/impulse.hpp"
+#include "05_resolution/mass_properties/checked_mass.hpp"
 #include "05_resolution/mass_properties/mass_properties.hpp"
 #include "05_resolution/mass_properties/trial/mass_properties_cases.hpp"
 #include "05_resolution/mass_properties/trial/mass_properties_figures.hpp"

@@ -3,6 +3,7 @@
 
 #include "02_primitives/closest_point_box/closest_point_box.hpp"
 #include "02_primitives/closest_point_box/trial/closest_point_box_cases.hpp"
+#include "common/math/rotation.hpp"
 #include "common/plot/charts/chart.hpp"
 #include "common/plot/figures/figure2d.hpp"
 #include "common/program/program.hpp"
@@ -103,6 +104,7 @@ void add_errors(plot::Chart& chart, const std::string& name)
   chart.line(name, line);
 }
 
+// [error_chart]
 std::string error_chart()
 {
   plot::Chart chart(
@@ -114,13 +116,16 @@ std::string error_chart()
   chart.reference_y(1e-5, "a hundredth of a millimetre");
   return chart.svg();
 }
+// [error_chart]
 
+// [verdict_table]
 std::string verdicts()
 {
   return verdict_table(
       "Ways to answer for a point and a box.",
       {"mixed bounds", "unguarded", "shell", "recommended"}, point_box_verdicts());
 }
+// [verdict_table]
 
 } // namespace
 

@@ -1,40 +1,16 @@
 #pragma once
 
 /// \file
-/// \brief Relative velocity and nature of a collision, from a manifold and two moving bodies.
+/// \brief Approach and nature of a collision, from a manifold and two moving bodies, and how they
+/// part.
 
+#include "03_sphere_manifolds/collision/motion.hpp"
 #include "03_sphere_manifolds/manifold/manifold.hpp"
 
 #include <optional>
 
 namespace cookbook
 {
-
-// [relative_velocity]
-/// How a rigid body moves.
-template <class Real>
-struct Motion
-{
-  Vector3<Real> center;           ///< [m], world, centre of mass
-  Vector3<Real> velocity;         ///< [m/s], world, of the centre of mass
-  Vector3<Real> angular_velocity; ///< [rad/s], world
-};
-
-/// Velocity [m/s] of the body's material at a point [m], world.
-template <class Real>
-Vector3<Real> velocity_at(const Motion<Real>& body, const Vector3<Real>& point)
-{
-  return body.velocity + body.angular_velocity.cross(point - body.center);
-}
-
-/// Velocity [m/s] of B's material at a point as seen from A's; S11.
-template <class Real>
-Vector3<Real>
-relative_velocity(const Motion<Real>& a, const Motion<Real>& b, const Vector3<Real>& point)
-{
-  return velocity_at(b, point) - velocity_at(a, point);
-}
-// [relative_velocity]
 
 // [approach]
 /// What two bodies are about to do at a contact point.

@@ -122,4 +122,19 @@ at_any_size(const First& a, const Second& b, Real most, const Find& find)
 }
 // [at_any_size]
 
+/// The manifold with its points moved by an offset [m].
+template <class Real, std::size_t Capacity>
+std::optional<Manifold<Real, Capacity>>
+translated(std::optional<Manifold<Real, Capacity>> manifold, const Vector3<Real>& offset)
+{
+  if (manifold)
+  {
+    for (ContactPoint<Real>& point : manifold->points)
+    {
+      point.position += offset;
+    }
+  }
+  return manifold;
+}
+
 } // namespace cookbook

@@ -136,19 +136,4 @@ std::optional<Manifold<Real, Capacity>> swapped(std::optional<Manifold<Real, Cap
 }
 // [swapped]
 
-/// The manifold with its points moved by an offset [m].
-template <class Real, std::size_t Capacity>
-std::optional<Manifold<Real, Capacity>>
-translated(std::optional<Manifold<Real, Capacity>> manifold, const Vector3<Real>& offset)
-{
-  if (manifold)
-  {
-    for (ContactPoint<Real>& point : manifold->points)
-    {
-      point.position += offset;
-    }
-  }
-  return manifold;
-}
-
 } // namespace cookbook

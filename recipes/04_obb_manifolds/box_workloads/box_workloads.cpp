@@ -71,6 +71,7 @@ BoxPair<double> shown(const BoxWorkload& workload)
   throw std::logic_error(workload.name + " has no pair that overlaps");
 }
 
+// [draw]
 void draw(const Arguments& arguments)
 {
   plot::Grid grid("box_workloads", "", 5);
@@ -85,6 +86,7 @@ void draw(const Arguments& arguments)
   }
   save_figure(arguments, "box_workloads.svg", grid.svg());
 }
+// [draw]
 
 /// The number of pairs asked for; std::invalid_argument if it is none.
 std::size_t count_asked_for(const Arguments& arguments)

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Bodies that can be pushed and turned: motion, inverse mass, inverse inertia.
 
-#include "03_sphere_manifolds/collision/collision.hpp"
+#include "03_sphere_manifolds/collision/motion.hpp"
 #include "05_resolution/mass_properties/mass_properties.hpp"
 
 #include <algorithm>

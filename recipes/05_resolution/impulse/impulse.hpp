@@ -3,7 +3,7 @@
 /// \file
 /// \brief The impulse that makes two bodies bounce at a contact point, and what it changes.
 
-#include "03_sphere_manifolds/collision/collision.hpp"
+#include "03_sphere_manifolds/collision/motion.hpp"
 #include "05_resolution/impulse/body.hpp"
 
 namespace cookbook

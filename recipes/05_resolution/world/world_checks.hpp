@@ -4,6 +4,7 @@
 /// \brief Whether a scene makes sense, before anything moves in it.
 
 #include "05_resolution/contacts/rigid_body.hpp"
+#include "05_resolution/mass_properties/checked_mass.hpp"
 
 #include <stdexcept>
 #include <string>

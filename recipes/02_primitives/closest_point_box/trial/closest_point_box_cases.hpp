@@ -6,6 +6,7 @@
 
 #include "02_primitives/closest_point_box/trial/closest_point_box_pitfalls.hpp"
 #include "common/math/rational.hpp"
+#include "common/math/rotation.hpp"
 #include "common/program/table.hpp"
 #include "common/program/verdicts.hpp"
 

@@ -3,6 +3,7 @@
 /// \file
 /// \brief The reader's own pairs: shapes from the rows of a CSV file, manifolds back as CSV.
 
+#include "02_primitives/shapes/checked_shapes.hpp"
 #include "02_primitives/shapes/shapes.hpp"
 #include "03_sphere_manifolds/manifold/manifold.hpp"
 #include "common/files/csv.hpp"

@@ -4,6 +4,7 @@
 /// \brief Pairs of boxes that are small, large, far away, thin or flush, with the right answers.
 
 #include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
+#include "common/math/rotation.hpp"
 
 #include <string>
 #include <vector>

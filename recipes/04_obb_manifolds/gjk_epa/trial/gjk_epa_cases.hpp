@@ -6,6 +6,7 @@
 #include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_workloads.hpp"
 #include "04_obb_manifolds/gjk_epa/gjk_epa.hpp"
+#include "common/math/rotation.hpp"
 
 #include <functional>
 #include <random>

@@ -8,6 +8,7 @@
 #include "04_obb_manifolds/edge_clipping/edge_clipping.hpp"
 #include "05_resolution/impulse/bounce.hpp"
 #include "05_resolution/impulse/trial/conserved.hpp"
+#include "common/math/rotation.hpp"
 
 #include <string>
 #include <vector>

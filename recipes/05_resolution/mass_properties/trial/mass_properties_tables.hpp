@@ -3,6 +3,8 @@
 /// \file
 /// \brief What the program of mass properties prints: solids, and an axe with several heads.
 
+#include "02_primitives/shapes/checked_shapes.hpp"
+#include "05_resolution/mass_properties/checked_mass.hpp"
 #include "05_resolution/mass_properties/trial/mass_properties_figures.hpp"
 #include "common/program/table.hpp"
 

@@ -1,0 +1,37 @@
+#pragma once
+
+/// \file
+/// \brief How a rigid body moves, and the velocity of one body's surface as seen from another's.
+
+#include "common/math/vector.hpp"
+
+namespace cookbook
+{
+
+// [relative_velocity]
+/// How a rigid body moves.
+template <class Real>
+struct Motion
+{
+  Vector3<Real> center;           ///< [m], world, centre of mass
+  Vector3<Real> velocity;         ///< [m/s], world, of the centre of mass
+  Vector3<Real> angular_velocity; ///< [rad/s], world
+};
+
+/// Velocity [m/s] of the body's material at a point [m], world.
+template <class Real>
+Vector3<Real> velocity_at(const Motion<Real>& body, const Vector3<Real>& point)
+{
+  return body.velocity + body.angular_velocity.cross(point - body.center);
+}
+
+/// Velocity [m/s] of B's material at a point as seen from A's; S11.
+template <class Real>
+Vector3<Real>
+relative_velocity(const Motion<Real>& a, const Motion<Real>& b, const Vector3<Real>& point)
+{
+  return velocity_at(b, point) - velocity_at(a, point);
+}
+// [relative_velocity]
+
+} // namespace cookbook
