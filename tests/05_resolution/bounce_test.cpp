@@ -176,14 +176,27 @@ TEST_CASE("who holds and who fails at bounces of several points", "[case:S14][ca
 {
   check_verdicts(
       bounce_verdicts(), names_of(bounce_methods<double>()),
-      {"---+", "---+", "-+++", "-+++", "++++"});
+      {{"S14", {"bounce, 4 passes"}},
+       {"the same on a pedestal, points at ±0.375", {"bounce, 4 passes"}},
+       {"X18", {"each point in turn", "bounce, 1 pass", "bounce, 4 passes"}},
+       {"ball, two points in one place",
+        {"each point in turn", "bounce, 1 pass", "bounce, 4 passes"}},
+       {"ball, one point",
+        {"as published: divided, 5 passes", "each point in turn", "bounce, 1 pass",
+         "bounce, 4 passes"}}});
 }
 
 TEST_CASE("who holds and who fails at pushes", "[case:X19][case:X20][case:X26]")
 {
   // The last cube is so large that its determinant is above the threshold.
   check_verdicts(
-      response_verdicts(), {"as published", "impulse.hpp"}, {"-+", "-+", "-+", "-+", "++", "-+"});
+      response_verdicts(), {"as published", "impulse.hpp"},
+      {{"X19", {"impulse.hpp"}},
+       {"X20", {"impulse.hpp"}},
+       {"cube of 1 kg, side 0.2 m, turned [rad/s]", {"impulse.hpp"}},
+       {"ball of 1 kg, radius 0.5 m, turned [rad/s]", {"impulse.hpp"}},
+       {"cube of 1 kg, side 2 m, turned [rad/s]", {"as published", "impulse.hpp"}},
+       {"X26", {"impulse.hpp"}}});
 }
 // [verdicts]
 

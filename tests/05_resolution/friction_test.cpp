@@ -384,6 +384,18 @@ TEST_CASE(
 {
   check_verdicts(
       friction_verdicts(), names_of(friction_rules()),
-      {"-+++", "-+++", "--++", "---+", "+-++", "-+++", "++++", "+--+", "---+", "-+++", "----"});
+      {{"S9", {"box: constant bound", "pyramid: two axes", "cone"}},
+       {"S10", {"box: constant bound", "pyramid: two axes", "cone"}},
+       {"31.1°: slides 1.36 m in 10 s", {"pyramid: two axes", "cone"}},
+       {"31.1°, down the diagonal: the same", {"cone"}},
+       {"S11", {"dead zone, as published", "pyramid: two axes", "cone"}},
+       {"box twice as high as wide, 26.4°: stands",
+        {"box: constant bound", "pyramid: two axes", "cone"}},
+       {"the same, 26.7°: topples",
+        {"dead zone, as published", "box: constant bound", "pyramid: two axes", "cone"}},
+       {"S12", {"dead zone, as published", "cone"}},
+       {"S13", {"cone"}},
+       {"S28", {"box: constant bound", "pyramid: two axes", "cone"}},
+       {"the same, spin left out", {}}});
 }
 // [verdicts]

@@ -216,7 +216,11 @@ TEST_CASE("moments added up are right for one solid, without the rest of the mat
   const std::vector<VerdictRow> rows = inertia_verdicts();
   check_verdicts(
       rows, {"moments added up", "parallel axes, diagonal only", "combined"},
-      {"+++", "-++", "-++", "--+", "--+"});
+      {{"one cube", {"moments added up", "parallel axes, diagonal only", "combined"}},
+       {"eight cubes that make one", {"parallel axes, diagonal only", "combined"}},
+       {"two balls on a stick", {"parallel axes, diagonal only", "combined"}},
+       {"three cubes that make an L", {"combined"}},
+       {"a rod that leans", {"combined"}}});
   CHECK(rows[1].verdicts[0].what == "off by 75 %"); // 8/6 of 16/3
 }
 // [inertia_verdicts]

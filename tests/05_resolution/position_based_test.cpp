@@ -209,7 +209,26 @@ TEST_CASE("who holds and who fails at stacks", "[case:S1][case:S2][case:S4][case
   // As published; cold 8 and 20, warm 8 and 20 passes; positions 1 × 20, 20 × 1.
   check_verdicts(
       stack_verdicts(), names_of(contact_methods()),
-      {"-++++-+", "----+++", "----+++", " +++++ ", " +++++ ", " +++++ ", "------+", "----+++"});
+      {{"S1",
+        {"cold, 8 passes", "cold, 20 passes", "warm, 8 passes", "warm, 20 passes",
+         "positions, 20 × 1"}},
+       {"S2", {"warm, 20 passes", "positions, 1 × 20", "positions, 20 × 1"}},
+       {"ten cubes, 20 s: they stand",
+        {"warm, 20 passes", "positions, 1 × 20", "positions, 20 × 1"}},
+       {"S4",
+        {"cold, 8 passes", "cold, 20 passes", "warm, 8 passes", "warm, 20 passes",
+         "positions, 1 × 20"},
+        {"as published", "positions, 20 × 1"}},
+       {"10 kg on 1 kg: × 0.9091",
+        {"cold, 8 passes", "cold, 20 passes", "warm, 8 passes", "warm, 20 passes",
+         "positions, 1 × 20"},
+        {"as published", "positions, 20 × 1"}},
+       {"100 kg on 1 kg: × 0.9901",
+        {"cold, 8 passes", "cold, 20 passes", "warm, 8 passes", "warm, 20 passes",
+         "positions, 1 × 20"},
+        {"as published", "positions, 20 × 1"}},
+       {"S5", {"positions, 20 × 1"}},
+       {"S19", {"warm, 20 passes", "positions, 1 × 20", "positions, 20 × 1"}}});
 }
 #endif
 // [stacks]

@@ -222,6 +222,16 @@ TEST_CASE(
 TEST_CASE("who holds and who fails at a cube inside the floor", "[case:S18]")
 {
   check_verdicts(
-      correction_verdicts(), names_of(corrections()), {"+--+++", "--+-++", "---+++", "++++++"});
+      correction_verdicts(), names_of(corrections()),
+      {{"S18",
+        {"projection", "non-linear Gauss–Seidel, 4 passes", "split impulse, ≤ 3 m/s",
+         "soft, 30 Hz, ≤ 3 m/s"}},
+       {"the same: no jump of more than 4 m/s",
+        {"Baumgarte, ≤ 3 m/s", "split impulse, ≤ 3 m/s", "soft, 30 Hz, ≤ 3 m/s"}},
+       {"two tiles report it: ends on the floor",
+        {"non-linear Gauss–Seidel, 4 passes", "split impulse, ≤ 3 m/s", "soft, 30 Hz, ≤ 3 m/s"}},
+       {"cube at rest, 10 s: at most 1.5 mm deep",
+        {"projection", "Baumgarte", "Baumgarte, ≤ 3 m/s", "non-linear Gauss–Seidel, 4 passes",
+         "split impulse, ≤ 3 m/s", "soft, 30 Hz, ≤ 3 m/s"}}});
 }
 // [verdicts]

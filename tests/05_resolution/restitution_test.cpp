@@ -250,6 +250,13 @@ TEST_CASE("who holds and who fails at drops", "[case:S15][case:S16][case:S17][ca
 {
   check_verdicts(
       drop_verdicts(), names_of(bounce_rules()),
-      {"---++", "---++", "---++", "----+", "--+++", "-----", "---++"});
+      {{"S15", {"at the touch", "at the touch, threshold"}},
+       {"e = 0.5 from 5 m: up to 1.25, 0.3125 m", {"at the touch", "at the touch, threshold"}},
+       {"S16", {"at the touch", "at the touch, threshold"}},
+       {"S17", {"at the touch, threshold"}},
+       {"e = 0.5 from 1 m: rests by 1.355 + 0.5 s",
+        {"after gravity, threshold", "at the touch", "at the touch, threshold"}},
+       {"J8", {}},
+       {"the same, and the speed remembered", {"at the touch", "at the touch, threshold"}}});
 }
 // [verdicts]

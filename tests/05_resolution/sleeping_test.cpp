@@ -268,7 +268,18 @@ TEST_CASE("which rule puts whom to sleep", "[case:L1][case:L4]")
 {
   check_verdicts(
       sleep_verdicts(), names_of(sleep_rules()),
-      {"-++", "--+", "--+", "---", "--+", "--+", "--+", "+++", "-++", "-++", "-+-", "---"});
+      {{"L1", {"slow for 0.5 s", "slow, still, steady"}},
+       {"rolls up 1°, and back", {"slow, still, steady"}},
+       {"rolls up 0.1°, and back", {"slow, still, steady"}},
+       {"rolls up 0.03°, and back", {}},
+       {"swings by 1 cm on 1 m", {"slow, still, steady"}},
+       {"crawls at 4 cm/s", {"slow, still, steady"}},
+       {"turns at 0.5 rad/s", {"slow, still, steady"}},
+       {"rests, and trembles by 1 mm/s", {"slow", "slow for 0.5 s", "slow, still, steady"}},
+       {"L4", {"slow for 0.5 s", "slow, still, steady"}},
+       {"bounces out, e = 0.8, threshold", {"slow for 0.5 s", "slow, still, steady"}},
+       {"e = 0.39, every bounce answered", {"slow for 0.5 s"}},
+       {"e = 0.8, every bounce answered", {}}});
 }
 
 TEST_CASE("what wakes a tower", "[case:L2]")

@@ -306,13 +306,28 @@ TEST_CASE("which balls who stops, lets by and lets bounce", "[case:J1][case:J2][
 {
   check_verdicts(
       flight_verdicts(), names_of(flight_methods()),
-      {"-+-+++", "---+++", "---+++", "---+++", "---+++", "---+++", "++---+", "+++--+", "++--++",
-       "----++"});
+      {{"J1", {"8 substeps", "speculative", "speculative, full bounce", "swept"}},
+       {"the same at 100 m/s", {"speculative", "speculative, full bounce", "swept"}},
+       {"the same at 1,000 m/s", {"speculative", "speculative, full bounce", "swept"}},
+       {"a 2 cm wall, 1 to 1,000 m/s, to 80° askew",
+        {"speculative", "speculative, full bounce", "swept"}},
+       {"J2", {"speculative", "speculative, full bounce", "swept"}},
+       {"the same, 5,000 units a step", {"speculative", "speculative, full bounce", "swept"}},
+       {"J4", {"discrete", "8 substeps", "swept"}},
+       {"past a 2 cm wall, 3 cm beside, 1,000 m/s",
+        {"discrete", "8 substeps", "speculative, 2 cm", "swept"}},
+       {"J8", {"discrete", "8 substeps", "speculative, full bounce", "swept"}},
+       {"e = 0.8 on a 2 cm wall, 1,000 m/s", {"speculative, full bounce", "swept"}}});
 }
 
 TEST_CASE("who finds when two boxes touch", "[case:J5][case:J6]")
 {
   check_verdicts(
-      box_sweep_verdicts(), names_of(box_sweep_methods()), {"+-++", "-+++", "--++", "-+-+"});
+      box_sweep_verdicts(), names_of(box_sweep_methods()),
+      {{"J5", {"overlap at the end", "turning left out", "swept_boxes"}},
+       {"J6", {"halving, unchecked", "turning left out", "swept_boxes"}},
+       {"the same for 30 s: right through it", {"turning left out", "swept_boxes"}},
+       {"rod turns by 3 rad about its middle, peg 1 m off",
+        {"halving, unchecked", "swept_boxes"}}});
 }
 // [verdicts]
