@@ -54,16 +54,17 @@ position_points(IslandView world, const Island& island, double small)
   return points;
 }
 
-/// Brings a point up to date with where its bodies are.
-inline void update(IslandPoint& point)
+/// Brings the arms of a point up to date with how its bodies are turned.
+inline void update_arms(IslandPoint& point)
 {
-  point = island_point(*point.a, *point.b, *point.contact, *point.sum);
+  point.arm_a = arm_now(*point.a, point.sum->on_a);
+  point.arm_b = arm_now(*point.b, point.sum->on_b);
 }
 
 /// Begins a small step at a point.
 inline void begin(PositionPoint& one)
 {
-  update(one.point);
+  update_arms(one.point);
   hold(one);
   one.parted = parting_speed(one.point);
   one.pressed = 0;
@@ -74,10 +75,14 @@ inline void begin(PositionPoint& one)
 /// still owes a point that sticks, as the impulse that would take its slip back.
 inline void end(PositionPoint& one, double small, double threshold)
 {
-  update(one.point);
+  const bool touches = one.pressed > 0 || gap(one.point) <= threshold * small;
+  update_arms(one.point);
+  if (touches)
+  {
+    find_masses(one.point);
+  }
   correct_speed(one, threshold);
   one.point.sum->impulse += one.pressed / small;
-  const bool touches = one.pressed > 0 || gap(one.point) <= threshold * small;
   one.owed = touches ? slip(one) : Vector3<double>(0, 0, 0);
   one.point.sum->friction = one.owed * one.point.friction_mass / small;
 }
