@@ -46,7 +46,7 @@ struct ImpactPoint
 };
 
 /// Brings points to a share of their targets, and keeps the others from closing, one after the
-/// other until all are right to a billionth, or after 200 rounds.
+/// other until none is wrong by more than rounding, or after 200 rounds.
 inline void reach_targets(std::vector<ImpactPoint>& points, double share)
 {
   double fastest = 0;
@@ -76,21 +76,24 @@ inline void reach_targets(std::vector<ImpactPoint>& points, double share)
 inline void bounce(std::vector<ImpactPoint>& points, std::span<RigidBody* const> bodies)
 {
   std::vector<RigidBody> before;
-  double energy_before = 0;
   for (const RigidBody* const body : bodies)
   {
     before.push_back(*body);
-    energy_before += kinetic_energy(*body);
   }
-  for (const double share : {1.0, 0.8, 0.6, 0.4, 0.2, 0.0})
+  const auto energy = [&]
   {
-    double energy = 0;
-    reach_targets(points, share);
+    double sum = 0;
     for (const RigidBody* const body : bodies)
     {
-      energy += kinetic_energy(*body);
+      sum += kinetic_energy(*body);
     }
-    if (energy <= energy_before * (1 + 1e-9))
+    return sum;
+  };
+  const double energy_before = energy();
+  for (const double share : {1.0, 0.8, 0.6, 0.4, 0.2, 0.0})
+  {
+    reach_targets(points, share);
+    if (energy() <= energy_before * (1 + 1e-9))
     {
       return;
     }
@@ -106,8 +109,7 @@ inline void bounce(std::vector<ImpactPoint>& points, std::span<RigidBody* const>
 /// Lets the bodies of an island bounce; nothing if none is about to.
 inline void impacts(IslandView world, const Island& island, double step)
 {
-  const auto bouncy = [&](int i)
-  { return world.contacts[static_cast<std::size_t>(i)].restitution > 0; };
+  const auto bouncy = [&](int i) { return world.contacts[place_of(i)].restitution > 0; };
   if (std::none_of(island.contacts.begin(), island.contacts.end(), bouncy))
   {
     return;
@@ -130,7 +132,7 @@ inline void impacts(IslandView world, const Island& island, double step)
   std::vector<RigidBody*> bodies;
   for (const int i : island.bodies)
   {
-    bodies.push_back(&world.bodies[static_cast<std::size_t>(i)]);
+    bodies.push_back(&world.bodies[place_of(i)]);
   }
   bounce(points, bodies);
 }
