@@ -3,7 +3,7 @@
 /// depth, points and area against the truth; steadiness under jitter, other names and other poses.
 
 #include "04_obb_manifolds/box_box/box_box.hpp"
-#include "04_obb_manifolds/box_judges/trial/box_steadiness.hpp"
+#include "04_obb_manifolds/box_judges/trial/resting_steadiness.hpp"
 
 #include "tests/catch.hpp"
 
@@ -54,8 +54,8 @@ TEMPLATE_TEST_CASE(
   for (const std::string& name : box_workload_names())
   {
     CAPTURE(name);
-    const BoxQuality quality =
-        box_quality<Real>(box_workload(name, pairs_each), manifold_of<Real>, Demands<Real>::excess);
+    const WorkloadQuality quality = workload_quality<Real>(
+        box_workload(name, pairs_each), manifold_of<Real>, Demands<Real>::excess);
     CHECK(quality.overlapping >= pairs_each / 2);
     CHECK(quality.wrong == 0);
     CHECK(quality.not_finite == 0);
@@ -75,8 +75,8 @@ TEMPLATE_TEST_CASE(
   for (const char* const name : {"resting", "thin plates"})
   {
     CAPTURE(name);
-    const BoxSteadiness steadiness =
-        box_steadiness<Real>(box_workload(name, pairs_each), manifold_of<Real>);
+    const RestingSteadiness steadiness =
+        resting_steadiness<Real>(box_workload(name, pairs_each), manifold_of<Real>);
     CHECK(steadiness.compared == pairs_each);
     CHECK(steadiness.area >= 0.999);
     CHECK(steadiness.jump <= 3e-4);
@@ -108,7 +108,7 @@ struct Likeness
       return;
     }
     // Two normals are equally right if they need moves of equal length, or hardly any.
-    const BoxError first = box_error(pair, one), second = box_error(pair, other);
+    const ManifoldError first = manifold_error(pair, one), second = manifold_error(pair, other);
     const bool both = one && other;
     const bool turned = both && (one->normal - other->normal).norm() > Real(1e-6);
     const double apart = both ? first.excess - second.excess : first.depth;

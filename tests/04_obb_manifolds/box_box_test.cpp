@@ -3,7 +3,7 @@
 /// box_box_accuracy_test.cpp.
 
 #include "04_obb_manifolds/box_box/box_box.hpp"
-#include "04_obb_manifolds/box_box/trial/box_compare.hpp"
+#include "04_obb_manifolds/box_box/trial/compare_pairs.hpp"
 #include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
 #include "04_obb_manifolds/feature_memory/feature_memory.hpp"
 
@@ -230,7 +230,7 @@ TEMPLATE_TEST_CASE("boxes of 1e-30 m and of 1e30 m have answers in numbers", "[O
 }
 // [degenerate]
 
-TEST_CASE("pairs repeated at random are each there equally often", "[box_compare]")
+TEST_CASE("pairs repeated at random are each there equally often", "[compare_pairs]")
 {
   const BoxPair<float> one{box_in<float>(cube), box_in<float>(cube)};
   BoxPair<float> two = one;
@@ -244,24 +244,24 @@ TEST_CASE("pairs repeated at random are each there equally often", "[box_compare
   CHECK(std::count_if(many.in_double.begin(), many.in_double.end(), is_two) == 34);
 }
 
-TEST_CASE("a wrong verdict, an error of the depth and lost points are found", "[box_compare]")
+TEST_CASE("a wrong verdict, an error of the depth and lost points are found", "[compare_pairs]")
 {
   const Obb<double> above = upright({0, 1.9, 0}, {1, 1, 1});
   const BoxPair<double> pair{cube, above};
   const auto right = box_box(cube, above);
-  CHECK_FALSE(box_check(pair, right).wrong);
-  CHECK(box_check(pair, right).rests);
-  CHECK_FALSE(box_check(pair, right).points_lost);
-  CHECK(box_check(pair, right).depth_error < 1e-15);
+  CHECK_FALSE(manifold_check(pair, right).wrong);
+  CHECK(manifold_check(pair, right).rests);
+  CHECK_FALSE(manifold_check(pair, right).points_lost);
+  CHECK(manifold_check(pair, right).depth_error < 1e-15);
   const std::optional<Manifold<double>> none;
-  CHECK(box_check(pair, none).wrong);
-  CHECK(box_check(pair, none).points_lost);
+  CHECK(manifold_check(pair, none).wrong);
+  CHECK(manifold_check(pair, none).points_lost);
   Manifold<double> deeper = *right;
   deeper.depth += 0.01;
-  CHECK(box_check(pair, std::optional(deeper)).depth_error == Catch::Approx(0.01));
+  CHECK(manifold_check(pair, std::optional(deeper)).depth_error == Catch::Approx(0.01));
   const Manifold<double> single{
       right->normal, right->depth, ContactPoints<double, 8>(right->points[0])};
-  CHECK(box_check(pair, std::optional(single)).points_lost);
-  CHECK(box_accuracy({box_check(pair, right), box_check(pair, none)}).wrong == 1);
-  CHECK(box_accuracy({box_check(pair, right), box_check(pair, none)}).compared == 1);
+  CHECK(manifold_check(pair, std::optional(single)).points_lost);
+  CHECK(box_accuracy({manifold_check(pair, right), manifold_check(pair, none)}).wrong == 1);
+  CHECK(box_accuracy({manifold_check(pair, right), manifold_check(pair, none)}).compared == 1);
 }

@@ -2,8 +2,8 @@
 /// \brief What holds for the words and tables of the chart, for counted operations and for the
 /// other libraries' answers; it measures no time.
 
+#include "04_obb_manifolds/box_chart/trial/batch_and_memory.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_chart.hpp"
-#include "04_obb_manifolds/box_chart/trial/box_chart_contenders.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_chart_peers.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_chart_steps.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_flops.hpp"
@@ -138,16 +138,16 @@ TEST_CASE("a core's peak is asked for by lanes that there are", "[box_chart]")
 TEST_CASE("the batch and the recipe with a memory answer as box_box does", "[box_chart]")
 {
   const BoxPairLists lists = box_pair_lists(box_workload("random", 50).pairs);
-  const std::vector<BoxCheck> right = own_contenders()[0].checks(lists);
-  std::vector<BoxContender> same{memory_contender<float>("memory")};
+  const std::vector<ManifoldCheck> right = own_contenders()[0].checks(lists);
+  std::vector<TimedMethod> same{memory_contender<float>("memory")};
   for (const InstructionSet set : instruction_sets())
   {
     same.push_back(batch_contender(set));
   }
-  for (const BoxContender& each : same)
+  for (const TimedMethod& each : same)
   {
     CAPTURE(each.name);
-    const std::vector<BoxCheck> found = each.checks(lists);
+    const std::vector<ManifoldCheck> found = each.checks(lists);
     for (std::size_t i = 0; i < right.size(); ++i)
     {
       CHECK(found[i].depth_error == right[i].depth_error);
@@ -160,7 +160,7 @@ TEST_CASE("other libraries find that two cubes overlap, and how deep", "[box_cha
 {
   const BoxPairLists lists = box_pair_lists(
       {{cube_at(0, 0, 0), cube_at(0.5f, 1.75f, 0)}, {cube_at(0, 0, 0), cube_at(3, 0, 0)}});
-  for (const BoxContender& peer : box_peers())
+  for (const TimedMethod& peer : box_peers())
   {
     CAPTURE(peer.name);
     CHECK(peer.peer);

@@ -4,7 +4,7 @@
 
 #include "04_obb_manifolds/box_box/box_box.hpp"
 #include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
-#include "04_obb_manifolds/box_judges/trial/box_error.hpp"
+#include "04_obb_manifolds/box_judges/trial/manifold_error.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_workloads.hpp"
 #include "common/math/rotation.hpp"
 

@@ -2,8 +2,8 @@
 /// Every cell of the table of failing cases, and the right answers of its rows from fractions.
 
 #include "04_obb_manifolds/box_failures/trial/box_failures.hpp"
-#include "04_obb_manifolds/box_failures/trial/box_methods.hpp"
-#include "04_obb_manifolds/box_workloads/trial/box_truth.hpp"
+#include "04_obb_manifolds/box_failures/trial/box_failures_methods.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_overlap_truth.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_workloads.hpp"
 #include "common/math/rational.hpp"
 

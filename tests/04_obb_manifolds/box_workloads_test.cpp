@@ -4,7 +4,7 @@
 
 #include "02_primitives/shapes/checked_shapes.hpp"
 #include "03_sphere_manifolds/manifold/trial/pairs_file.hpp"
-#include "04_obb_manifolds/box_judges/trial/box_steadiness.hpp"
+#include "04_obb_manifolds/box_judges/trial/resting_steadiness.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_workloads.hpp"
 #include "04_obb_manifolds/separating_axes/separating_axes.hpp"
 #include "common/math/rational.hpp"
@@ -403,9 +403,9 @@ Manifold<double> right()
   return manifold;
 }
 
-BoxError error_of(const Answer& answer)
+ManifoldError error_of(const Answer& answer)
 {
-  return box_error<double>({cube, above}, answer);
+  return manifold_error<double>({cube, above}, answer);
 }
 
 } // namespace
@@ -413,7 +413,7 @@ BoxError error_of(const Answer& answer)
 // [measures]
 TEST_CASE("a right manifold has no error, and each wrong number shows as what it is", "[measures]")
 {
-  const BoxError none = error_of(right());
+  const ManifoldError none = error_of(right());
   CHECK((none.finite && none.answered && none.parallel && !none.wrong(1e-5)));
   CHECK(none.size == 1);
   CHECK(none.depth == Catch::Approx(0.1).margin(rounding));
@@ -447,7 +447,7 @@ TEST_CASE("131,072 m away floats are 1/64 m apart, and a point may be off by tha
   };
   const Manifold<float> manifold{
       {0, 1, 0}, 0.125f, ContactPoints<float, 8>({{131072, 1.25f, 0}, 0.125f, 0})};
-  const BoxError error = box_error<float>({at(0), at(1.875f)}, std::optional(manifold));
+  const ManifoldError error = manifold_error<float>({at(0), at(1.875f)}, std::optional(manifold));
   CHECK(error.outside == 0.25 - 0.0625 - 1 / 64.0);
   CHECK(error.depth == 0.125);
 }
@@ -456,16 +456,16 @@ TEST_CASE("a verdict is wrong only beyond 1e-5 of the size", "[measures]")
 {
   CHECK(error_of(std::nullopt).wrong(1e-5));
   const auto at = [](double y) { return BoxPair<double>{cube, upright({0, y, 0}, {1, 1, 1})}; };
-  CHECK(box_error(at(2 + 2e-5), Answer(right())).wrong(1e-5));
-  CHECK_FALSE(box_error(at(2 + 5e-6), Answer(right())).wrong(1e-5));
-  CHECK_FALSE(box_error(at(2 - 5e-6), Answer()).wrong(1e-5));
-  CHECK_FALSE(box_error(at(3), Answer()).wrong(1e-5));
+  CHECK(manifold_error(at(2 + 2e-5), Answer(right())).wrong(1e-5));
+  CHECK_FALSE(manifold_error(at(2 + 5e-6), Answer(right())).wrong(1e-5));
+  CHECK_FALSE(manifold_error(at(2 - 5e-6), Answer()).wrong(1e-5));
+  CHECK_FALSE(manifold_error(at(3), Answer()).wrong(1e-5));
 }
 
 TEST_CASE("of a hundred manifolds two are 0.3 too long: the 99th percentile is 0.3", "[measures]")
 {
-  std::vector<BoxError> errors(100);
-  for (BoxError& error : errors)
+  std::vector<ManifoldError> errors(100);
+  for (ManifoldError& error : errors)
   {
     error = {.size = 2, .depth = 0.5, .answered = true};
   }
@@ -473,7 +473,7 @@ TEST_CASE("of a hundred manifolds two are 0.3 too long: the 99th percentile is 0
   errors[8].parallel = true; // not compared
   errors[9] = {.size = 2, .depth = 0.5};
   errors[10].finite = false;
-  const BoxQuality quality = summed_up(errors, {0.1, 0.2});
+  const WorkloadQuality quality = summed_up(errors, {0.1, 0.2});
   CHECK(quality.overlapping == 100);
   CHECK(quality.wrong == 1);
   CHECK(quality.not_finite == 1);
@@ -501,7 +501,7 @@ TEST_CASE(
   const auto middle = [](const Obb<double>&, const Obb<double>& b) {
     return Answer(Manifold<double>{{0, 1, 0}, 0, ContactPoints<double, 8>({b.center, 0, 0})});
   };
-  const BoxSteadiness steady = box_steadiness<double>(box_workload("resting", 100), middle);
+  const RestingSteadiness steady = resting_steadiness<double>(box_workload("resting", 100), middle);
   CHECK(steady.compared == 100);
   CHECK(steady.lost == 0);
   CHECK(steady.recounted == 0);
@@ -520,7 +520,8 @@ TEST_CASE(
     }
     return second == 1 && pair % 5 == 1 ? Answer() : answer;
   };
-  const BoxSteadiness other = box_steadiness<double>(box_workload("resting", 100), restless);
+  const RestingSteadiness other =
+      resting_steadiness<double>(box_workload("resting", 100), restless);
   CHECK(other.lost == 20);
   CHECK(other.compared == 80);
   CHECK(other.recounted == Catch::Approx(20.0 / 80));
@@ -569,7 +570,8 @@ TEST_CASE("separating axes in float: no verdict wrong, the excess within its tol
   for (const std::string& name : box_workload_names())
   {
     CAPTURE(name);
-    const BoxQuality quality = box_quality<float>(box_workload(name, some), axes, {1e-5, 1e-6});
+    const WorkloadQuality quality =
+        workload_quality<float>(box_workload(name, some), axes, {1e-5, 1e-6});
     CHECK(quality.wrong == 0);
     CHECK(quality.not_finite == 0);
     CHECK(quality.excess_tolerated <= 1);

@@ -2,8 +2,8 @@
 /// What holds for four points of many, formula O15, and for the four deepest instead.
 
 #include "04_obb_manifolds/box_box/box_box.hpp"
-#include "04_obb_manifolds/box_judges/trial/box_steadiness.hpp"
-#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "04_obb_manifolds/box_judges/trial/resting_steadiness.hpp"
+#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "04_obb_manifolds/contact_reduction/contact_reduction.hpp"
 #include "04_obb_manifolds/contact_reduction/trial/contact_reduction_pitfalls.hpp"
 #include "04_obb_manifolds/contact_reduction/trial/contact_reduction_truth.hpp"
@@ -373,7 +373,7 @@ TEST_CASE(
   const BoxWorkload resting = box_workload("resting", 1000);
   const auto steadiness = [&](const auto& keep)
   {
-    return box_steadiness<double>(
+    return resting_steadiness<double>(
         resting,
         [&](const Obb<double>& a, const Obb<double>& b)
         {
@@ -381,9 +381,9 @@ TEST_CASE(
           return all ? std::optional(keep(*all)) : std::nullopt;
         });
   };
-  const BoxSteadiness all = steadiness([](const Manifold<double>& many) { return many; });
-  const BoxSteadiness four = steadiness(reduced<double, 8>);
-  const BoxSteadiness wrong = steadiness(four_deepest<double, 8>);
+  const RestingSteadiness all = steadiness([](const Manifold<double>& many) { return many; });
+  const RestingSteadiness four = steadiness(reduced<double, 8>);
+  const RestingSteadiness wrong = steadiness(four_deepest<double, 8>);
   CHECK((all.area > 0.999 && all.jump < 1e-3));
   CHECK((four.area > 0.7 && four.jump > 0.1 && four.jump < 0.5));
   CHECK((wrong.area < 0.25 && wrong.jump > 0.5));

@@ -4,8 +4,8 @@
 #include "03_sphere_manifolds/manifold/any_size.hpp"
 #include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
 #include "04_obb_manifolds/box_failures/trial/box_pitfalls.hpp"
-#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
+#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "04_obb_manifolds/edge_clipping/edge_clipping.hpp"
 #include "common/math/rotation.hpp"
 

@@ -4,8 +4,8 @@
 
 #include "02_primitives/closest_point_box/closest_point_box.hpp"
 #include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
-#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
-#include "04_obb_manifolds/box_workloads/trial/box_truth.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_overlap_truth.hpp"
+#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "04_obb_manifolds/face_clipping/face_clipping.hpp"
 #include "common/math/rational.hpp"
 #include "common/math/rotation.hpp"
@@ -782,7 +782,8 @@ TEST_CASE("features are the same whichever box has the reference face")
   const Obb<double> b{{0.1, 0.19, 0.2}, turned(0.3, {0, 1, 0}), {0.6, 0.1, 2}};
   const auto named = [&](int axis)
   {
-    const BoxesFromA<double> boxes = boxes_from_a<double>(a, b, {{0, 1, 0}, 0.01, axis});
+    const BoxesInFrameOfA<double> boxes =
+        boxes_in_frame_of_a<double>(a, b, {{0, 1, 0}, 0.01, axis});
     std::set<std::uint32_t> found;
     for (const ContactPoint<double>& point : face_points(boxes))
     {
@@ -892,7 +893,8 @@ TEST_CASE(
   // What rounding may leave, made large: B's deepest corner is past A's top in x and in z.
   const Obb<double> b{
       {2.6, 1.9, -0.5}, turned(-0.2, {0, 0, 1}) * turned(-0.1, {1, 0, 0}), {1, 1, 1}};
-  const BoxesFromA<double> boxes = boxes_from_a<double>(unit_cube, b, {{0, 1, 0}, 0.3, 1});
+  const BoxesInFrameOfA<double> boxes =
+      boxes_in_frame_of_a<double>(unit_cube, b, {{0, 1, 0}, 0.3, 1});
   const ContactPoints<double, 8> points = face_points(boxes);
   REQUIRE(points.size() == 1);
   const Matrix3<double>& r = b.axes;

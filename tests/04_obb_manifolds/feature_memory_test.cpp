@@ -1,7 +1,7 @@
 /// \file
 /// What holds for boxes that remember the frame before, formula O17, and what fails without.
 
-#include "04_obb_manifolds/box_judges/trial/box_steadiness.hpp"
+#include "04_obb_manifolds/box_judges/trial/resting_steadiness.hpp"
 #include "04_obb_manifolds/contact_reduction/steady_reduction.hpp"
 #include "04_obb_manifolds/feature_memory/feature_memory.hpp"
 #include "04_obb_manifolds/feature_memory/trial/feature_memory_pitfalls.hpp"

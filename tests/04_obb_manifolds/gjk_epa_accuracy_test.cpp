@@ -2,7 +2,7 @@
 /// GJK and EPA against the fifteen axes, which are held against fractions elsewhere: a million
 /// pairs of random cubes, and pairs that stand as boxes stand in practice.
 
-#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "04_obb_manifolds/gjk_epa/trial/gjk_epa_cases.hpp"
 #include "04_obb_manifolds/gjk_epa/trial/gjk_epa_pitfalls.hpp"
 

@@ -1,8 +1,8 @@
 /// \file
 /// The fifteen axes against exact truth: O1, O5 and O18, in fractions, without a tolerance.
 
-#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
-#include "04_obb_manifolds/box_workloads/trial/box_truth.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_overlap_truth.hpp"
+#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "04_obb_manifolds/separating_axes/separating_axes.hpp"
 #include "common/math/rational.hpp"
 #include "common/math/rotation.hpp"

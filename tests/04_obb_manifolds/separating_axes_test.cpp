@@ -2,7 +2,7 @@
 /// What holds for the fifteen axes of two boxes: formulas O2 to O9 and O16, by hand.
 
 #include "04_obb_manifolds/box_failures/trial/box_pitfalls.hpp"
-#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "04_obb_manifolds/separating_axes/separating_axes.hpp"
 #include "common/math/rational.hpp"
 #include "common/math/rotation.hpp"

@@ -2,7 +2,7 @@
 /// Balls on their way through a step: nothing is passed, nothing hangs in the air, and a bounce has
 /// its friction.
 
-#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/world_measures.hpp"

@@ -5,9 +5,9 @@
 #include "05_resolution/impulse/impulse.hpp"
 #include "05_resolution/impulse/trial/bounce_cases.hpp"
 #include "05_resolution/impulse/trial/conserved.hpp"
+#include "05_resolution/impulse/trial/impulse_cases.hpp"
 #include "05_resolution/impulse/trial/impulse_pitfalls.hpp"
 #include "05_resolution/impulse/trial/impulse_scenes.hpp"
-#include "05_resolution/impulse/trial/response_cases.hpp"
 #include "common/math/rational.hpp"
 #include "common/math/rotation.hpp"
 

@@ -1,7 +1,7 @@
 /// \file
 /// Which bodies may touch: sorted and swept, against every pair.
 
-#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "05_resolution/world_chart/trial/broad_phase_scenes.hpp"
 
 #include "tests/catch.hpp"

@@ -2,7 +2,7 @@
 /// The direct solver: blocks against Eigen's dense solver, towers against statics, slopes against
 /// closed forms.
 
-#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "05_resolution/direct_solver/direct_solver.hpp"
 #include "05_resolution/direct_solver/trial/direct_solver_scenes.hpp"
 

@@ -2,7 +2,7 @@
 /// Where the contacts of a world are: on both surfaces, for every pair of shapes; and balls of all
 /// sizes that roll on them.
 
-#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "05_resolution/contacts/narrow_phase.hpp"
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/scenes/trial/world_scenes.hpp"

@@ -2,9 +2,9 @@
 /// What holds for corrected positions: formulas R15 and R16, and how stacks stand on them.
 
 #include "05_resolution/position_based/position_based.hpp"
-#include "05_resolution/position_based/trial/many_contacts_verdicts.hpp"
 #include "05_resolution/position_based/trial/position_based_pitfalls.hpp"
 #include "05_resolution/position_based/trial/position_based_scenes.hpp"
+#include "05_resolution/position_based/trial/solvers_verdicts.hpp"
 #include "05_resolution/scenes/trial/motion_scenes.hpp"
 #include "common/math/rational.hpp"
 

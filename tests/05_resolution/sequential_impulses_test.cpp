@@ -1,7 +1,7 @@
 /// \file
 /// What holds for sequential impulses: formulas R7 to R10, how fast they come, cold and warm.
 
-#include "05_resolution/position_based/trial/many_contacts_cases.hpp"
+#include "05_resolution/position_based/trial/solvers_cases.hpp"
 #include "05_resolution/scenes/trial/motion_scenes.hpp"
 #include "05_resolution/sequential_impulses/sequential_impulses.hpp"
 #include "05_resolution/sequential_impulses/trial/sequential_impulses_pitfalls.hpp"

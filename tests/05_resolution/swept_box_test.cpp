@@ -1,7 +1,7 @@
 /// \file
 /// What holds for the first touch of boxes that move and turn: formula P20.
 
-#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "05_resolution/tunnelling/swept_box.hpp"
 #include "05_resolution/tunnelling/trial/tunnelling_box_scenes.hpp"
 #include "common/math/rotation.hpp"

@@ -1,7 +1,7 @@
 /// \file
 /// What holds for the first touch of a moving sphere: formula P20 without spin.
 
-#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "05_resolution/tunnelling/swept_sphere.hpp"
 #include "common/math/rotation.hpp"
 

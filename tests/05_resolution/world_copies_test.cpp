@@ -2,7 +2,7 @@
 /// A copied world is a world of its own: saved, run on, restored and run again it gives the same
 /// bits, and worlds that were given one solver do not disturb each other.
 
-#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/world/solver_names.hpp"
 #include "05_resolution/world/solvers.hpp"

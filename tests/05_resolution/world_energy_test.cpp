@@ -1,7 +1,7 @@
 /// \file
 /// Who makes energy out of nothing: random scenes that nothing drives, under every solver.
 
-#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/world/solver_names.hpp"
 #include "05_resolution/world/trial/world_runs.hpp"

@@ -4,7 +4,7 @@
 
 #include "04_obb_manifolds/box_box/box_box.hpp"
 #include "04_obb_manifolds/box_box/trial/box_box_figures.hpp"
-#include "04_obb_manifolds/box_box/trial/box_compare.hpp"
+#include "04_obb_manifolds/box_box/trial/compare_pairs.hpp"
 #include "04_obb_manifolds/feature_memory/feature_memory.hpp"
 #include "common/program/program.hpp"
 #include "common/program/table.hpp"

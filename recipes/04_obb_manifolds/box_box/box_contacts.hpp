@@ -4,7 +4,7 @@
 /// \brief The contact of two boxes on an axis that is already chosen: faces or edges.
 
 #include "04_obb_manifolds/box_box/box_overlaps.hpp"
-#include "04_obb_manifolds/box_box/face_overlap_polygon.hpp"
+#include "04_obb_manifolds/box_box/facing_rectangles.hpp"
 
 #include <algorithm>
 #include <cmath>

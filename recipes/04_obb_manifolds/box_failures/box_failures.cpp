@@ -3,7 +3,7 @@
 /// others.
 
 #include "04_obb_manifolds/box_failures/trial/box_failures.hpp"
-#include "04_obb_manifolds/box_failures/trial/box_methods.hpp"
+#include "04_obb_manifolds/box_failures/trial/box_failures_methods.hpp"
 #include "common/program/program.hpp"
 
 #include <iostream>

@@ -4,7 +4,7 @@
 #include "04_obb_manifolds/contact_reduction/contact_reduction.hpp"
 #include "04_obb_manifolds/box_box/box_box.hpp"
 #include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
-#include "04_obb_manifolds/box_judges/trial/box_steadiness.hpp"
+#include "04_obb_manifolds/box_judges/trial/resting_steadiness.hpp"
 #include "04_obb_manifolds/contact_reduction/trial/contact_reduction_figures.hpp"
 #include "04_obb_manifolds/contact_reduction/trial/contact_reduction_verdicts.hpp"
 #include "common/program/program.hpp"
@@ -47,7 +47,7 @@ void print_resting()
   Table table({"kept", "least area of 99%", "largest jump of 99%"});
   const auto add = [&](const std::string& name, const auto& keep)
   {
-    const BoxSteadiness steadiness = box_steadiness<double>(
+    const RestingSteadiness steadiness = resting_steadiness<double>(
         workload,
         [&](const Obb<double>& a, const Obb<double>& b)
         {

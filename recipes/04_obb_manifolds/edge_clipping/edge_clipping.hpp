@@ -4,7 +4,7 @@
 /// \brief The manifold of two boxes from the points where edges of one pass faces of the other.
 
 #include "03_sphere_manifolds/manifold/manifold.hpp"
-#include "04_obb_manifolds/edge_clipping/edge_crossings.hpp"
+#include "04_obb_manifolds/edge_clipping/edge_face_points.hpp"
 #include "04_obb_manifolds/separating_axes/separating_axes.hpp"
 
 #include <algorithm>

@@ -5,9 +5,9 @@
 
 #include "03_sphere_manifolds/manifold/any_size.hpp"
 #include "03_sphere_manifolds/manifold/manifold.hpp"
-#include "04_obb_manifolds/face_clipping/boxes_from_a.hpp"
-#include "04_obb_manifolds/face_clipping/crossing_edges.hpp"
-#include "04_obb_manifolds/face_clipping/face_polygon.hpp"
+#include "04_obb_manifolds/face_clipping/boxes_in_frame_of_a.hpp"
+#include "04_obb_manifolds/face_clipping/clipped_face.hpp"
+#include "04_obb_manifolds/face_clipping/closest_points_edges.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -41,7 +41,7 @@ face_point(const BoxFace<Real>& reference, const Vector3<Real>& over_face, std::
 /// One for each corner of the incident face's part over the reference face, unless there is a gap
 /// wider than `widest_gap` at it.
 template <class Real>
-ContactPoints<Real, 8> face_points(const BoxesFromA<Real>& boxes)
+ContactPoints<Real, 8> face_points(const BoxesInFrameOfA<Real>& boxes)
 {
   const bool of_a = axis_kind(boxes.least.axis) == AxisKind::face_of_a;
   const BoxFace<Real> of_box_a = face_along<Real>(boxes.a, boxes.least.normal);
@@ -71,7 +71,7 @@ ContactPoints<Real, 8> face_points(const BoxesFromA<Real>& boxes)
 // [edge_point]
 /// The point of two boxes that meet at a pair of edges.
 template <class Real>
-ContactPoint<Real> edge_point(const BoxesFromA<Real>& boxes)
+ContactPoint<Real> edge_point(const BoxesInFrameOfA<Real>& boxes)
 {
   const int i = (boxes.least.axis - 6) / 3, j = (boxes.least.axis - 6) % 3;
   const BoxEdge<Real> of_a = edge_along<Real>(boxes.a, i, boxes.least.normal);
@@ -107,7 +107,7 @@ std::optional<Manifold<Real>> face_clipping_of(const Obb<Real>& a, const Obb<Rea
   {
     return std::nullopt;
   }
-  const BoxesFromA<Real> boxes = boxes_from_a(a, b, *least);
+  const BoxesInFrameOfA<Real> boxes = boxes_in_frame_of_a(a, b, *least);
   Manifold<Real> manifold{least->normal, least->depth, {}};
   manifold.points = axis_kind(least->axis) == AxisKind::edges
                         ? ContactPoints<Real, 8>(edge_point(boxes))

@@ -3,7 +3,7 @@
 /// \file
 /// \brief EPA: the face of a convex solid, known by its farthest points, closest to the origin.
 
-#include "04_obb_manifolds/gjk_epa/expansion.hpp"
+#include "04_obb_manifolds/gjk_epa/epa_start.hpp"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Points, segments, triangles and tetrahedra, and their part that is closest to the origin.
 
-#include "04_obb_manifolds/gjk_epa/convex_difference.hpp"
+#include "04_obb_manifolds/gjk_epa/minkowski_difference.hpp"
 
 #include <array>
 

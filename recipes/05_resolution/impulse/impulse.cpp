@@ -3,10 +3,10 @@
 
 #include "05_resolution/impulse/impulse.hpp"
 #include "05_resolution/impulse/trial/bounce_cases.hpp"
+#include "05_resolution/impulse/trial/impulse_cases.hpp"
 #include "05_resolution/impulse/trial/impulse_figures.hpp"
 #include "05_resolution/impulse/trial/impulse_scenes.hpp"
 #include "05_resolution/impulse/trial/impulse_tables.hpp"
-#include "05_resolution/impulse/trial/response_cases.hpp"
 #include "common/program/number_option.hpp"
 #include "common/program/program.hpp"
 

@@ -4,7 +4,7 @@
 /// \brief Bodies of a world that hang together by contacts, as solvers are given them.
 
 #include "05_resolution/contacts/world_contact.hpp"
-#include "05_resolution/islands/contact_islands.hpp"
+#include "05_resolution/islands/find_islands.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -3,10 +3,10 @@
 
 #include "05_resolution/position_based/position_based.hpp"
 #include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
-#include "05_resolution/position_based/trial/many_contacts_verdicts.hpp"
 #include "05_resolution/position_based/trial/position_based_figures.hpp"
 #include "05_resolution/position_based/trial/position_based_pitfalls.hpp"
 #include "05_resolution/position_based/trial/position_based_scenes.hpp"
+#include "05_resolution/position_based/trial/solvers_verdicts.hpp"
 #include "common/program/number_option.hpp"
 #include "common/program/program.hpp"
 #include "common/program/table.hpp"

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Bodies that rest may sleep: when islands of them fall asleep, and what wakes them.
 
-#include "05_resolution/islands/contact_islands.hpp"
+#include "05_resolution/islands/find_islands.hpp"
 #include "common/math/vector.hpp"
 
 #include <cstddef>

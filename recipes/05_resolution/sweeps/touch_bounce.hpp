@@ -3,8 +3,8 @@
 /// \file
 /// \brief The bounce of a ball off what it has touched on its way: the whole impulse at one point.
 
-#include "05_resolution/contacts/world_contacts.hpp"
-#include "05_resolution/sweeps/impacts.hpp"
+#include "05_resolution/contacts/contact_cache.hpp"
+#include "05_resolution/sweeps/simultaneous_impacts.hpp"
 
 #include <algorithm>
 #include <cstddef>

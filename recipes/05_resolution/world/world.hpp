@@ -3,10 +3,10 @@
 /// \file
 /// \brief A world of bodies that fall, meet, bounce and rest: everything in this book, in one step.
 
-#include "05_resolution/contacts/world_contacts.hpp"
+#include "05_resolution/contacts/contact_cache.hpp"
 #include "05_resolution/sweeps/ball_sweeps.hpp"
 #include "05_resolution/sweeps/free_flight.hpp"
-#include "05_resolution/sweeps/impacts.hpp"
+#include "05_resolution/sweeps/simultaneous_impacts.hpp"
 #include "05_resolution/world/wake_neighbours.hpp"
 #include "05_resolution/world/world_checks.hpp"
 
@@ -128,7 +128,7 @@ private:
     }
     if (touches)
     {
-      impacts(view, island, scene_.step);
+      simultaneous_impacts(view, island, scene_.step);
     }
     for (const int i : island.bodies)
     {

@@ -4,7 +4,7 @@
 /// \brief Pairs of boxes with their truth, to judge the published code by.
 
 #include "04_obb_manifolds/box_as_published/trial/box_as_published.hpp"
-#include "04_obb_manifolds/box_workloads/trial/box_truth.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_overlap_truth.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_workloads.hpp"
 
 #include <algorithm>

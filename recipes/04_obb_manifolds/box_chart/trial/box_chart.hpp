@@ -3,7 +3,7 @@
 /// \file
 /// \brief What the chart of methods for two boxes says in words and tables.
 
-#include "04_obb_manifolds/box_judges/trial/box_measured.hpp"
+#include "04_obb_manifolds/box_judges/trial/method_times.hpp"
 
 #include <cmath>
 #include <string>

@@ -3,8 +3,8 @@
 /// \file
 /// \brief Measures every method for two boxes beside other libraries.
 
+#include "04_obb_manifolds/box_chart/trial/batch_and_memory.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_chart.hpp"
-#include "04_obb_manifolds/box_chart/trial/box_chart_contenders.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_chart_peers.hpp"
 
 #include <functional>
@@ -31,16 +31,16 @@ inline const std::vector<std::string> timed_workloads{"random",    "near-paralle
                                                       "edge-edge", "deep",          "thin plates"};
 
 /// All that the chart shows.
-inline std::vector<BoxContender> box_chart_contenders()
+inline std::vector<TimedMethod> chart_contenders()
 {
-  std::vector<BoxContender> all = own_contenders();
+  std::vector<TimedMethod> all = own_contenders();
   all.push_back(memory_contender<float>("feature_memory, float"));
   all.push_back(memory_contender<double>("feature_memory, double"));
   for (const InstructionSet set : instruction_sets())
   {
     all.push_back(batch_contender(set));
   }
-  const std::vector<BoxContender> peers = box_peers();
+  const std::vector<TimedMethod> peers = box_peers();
   all.insert(all.end(), peers.begin(), peers.end());
   return all;
 }
@@ -48,11 +48,11 @@ inline std::vector<BoxContender> box_chart_contenders()
 /// All methods, in cache, with what they get wrong.
 inline std::vector<MeasuredBoxMethod> measured_methods(const BoxExtent& extent)
 {
-  const std::vector<BoxContender> all = box_chart_contenders();
+  const std::vector<TimedMethod> all = chart_contenders();
   const BoxPairLists random = box_pair_lists(box_workload("random", extent.for_errors).pairs);
   const BoxWorkload resting = box_workload("resting", extent.for_errors / 4);
   std::vector<MeasuredBoxMethod> methods;
-  for (const BoxContender& each : all)
+  for (const TimedMethod& each : all)
   {
     methods.push_back(
         {{each.name, each.peer, {}}, box_accuracy(each.checks(random)), each.steadiness(resting)});
@@ -124,13 +124,13 @@ time_streams(const std::string& workload, const BoxExtent& extent, std::vector<M
   const BoxPairLists lists = box_pair_lists(box_workload(workload, extent.in_memory).pairs);
   const auto batch = std::make_shared<BoxBatch>(lists.in_float);
   TimedColumn column;
-  const BoxContender scalar = own_contenders()[0];
+  const TimedMethod scalar = own_contenders()[0];
   column.add(scalar.name, false, scalar.prepare(lists), extent.in_memory);
   for (const InstructionSet set : instruction_sets())
   {
     column.add("box_pairs, " + name_of(set), false, run_batch(batch, set, false), extent.in_memory);
   }
-  for (const BoxContender& peer : box_peers())
+  for (const TimedMethod& peer : box_peers())
   {
     column.add(peer.name, true, peer.prepare(lists), extent.in_memory);
   }

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Other libraries as contenders: those that are installed.
 
-#include "04_obb_manifolds/box_judges/trial/box_contenders.hpp"
+#include "04_obb_manifolds/box_judges/trial/timed_methods.hpp"
 #if defined(COOKBOOK_HAS_ODE)
 #include "04_obb_manifolds/box_chart/trial/box_peer_ode.hpp"
 #endif
@@ -24,7 +24,7 @@ namespace cookbook
 // [box_peer]
 /// Another library as a contender; `Pairs` places its boxes when it is made.
 template <class Pairs>
-BoxContender box_peer(const std::string& name)
+TimedMethod box_peer(const std::string& name)
 {
   using Real = typename Pairs::Real;
   const auto method = [](const Obb<Real>& a, const Obb<Real>& b) {
@@ -37,9 +37,9 @@ BoxContender box_peer(const std::string& name)
 // [box_peer]
 
 /// All that are there.
-inline std::vector<BoxContender> box_peers()
+inline std::vector<TimedMethod> box_peers()
 {
-  std::vector<BoxContender> all;
+  std::vector<TimedMethod> all;
 #if defined(COOKBOOK_HAS_ODE)
   all.push_back(box_peer<OdeBoxPairs>("ODE"));
 #endif

@@ -3,8 +3,8 @@
 /// \file
 /// \brief What share of a core's peak the batches of boxes reach.
 
+#include "04_obb_manifolds/box_chart/trial/batch_and_memory.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_chart.hpp"
-#include "04_obb_manifolds/box_chart/trial/box_chart_contenders.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_flops.hpp"
 #include "common/measure/peak.hpp"
 

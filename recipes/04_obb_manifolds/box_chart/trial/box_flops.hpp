@@ -6,7 +6,7 @@
 
 #include "04_obb_manifolds/box_box/box_choice.hpp"
 #include "04_obb_manifolds/box_box/box_contacts.hpp"
-#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_pair.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -4,7 +4,7 @@
 /// \brief FCL's boxes, placed before the clock starts, to be timed beside ours.
 
 #include "03_sphere_manifolds/manifold/manifold.hpp"
-#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_pair.hpp"
 #include "common/measure/timing.hpp"
 
 #include <fcl/narrowphase/collision.h>

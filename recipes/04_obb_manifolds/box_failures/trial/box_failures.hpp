@@ -5,7 +5,7 @@
 
 #include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
 #include "04_obb_manifolds/box_cases/trial/box_size_cases.hpp"
-#include "04_obb_manifolds/gjk_epa/trial/box_general_cases.hpp"
+#include "04_obb_manifolds/gjk_epa/trial/gjk_epa_box_cases.hpp"
 #include "common/math/rotation.hpp"
 
 #include <algorithm>

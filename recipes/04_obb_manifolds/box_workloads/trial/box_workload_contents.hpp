@@ -3,7 +3,7 @@
 /// \file
 /// \brief What a workload of pairs of boxes consists of: how many overlap, how deep, and by what.
 
-#include "04_obb_manifolds/box_workloads/trial/box_truth.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_overlap_truth.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_workloads.hpp"
 
 #include <algorithm>

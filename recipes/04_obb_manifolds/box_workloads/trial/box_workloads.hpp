@@ -3,7 +3,7 @@
 /// \file
 /// \brief Ten sets of pairs of boxes by name, shared by tests, charts and the reader's own trials.
 
-#include "04_obb_manifolds/box_workloads/trial/box_kinds.hpp"
+#include "04_obb_manifolds/box_workloads/trial/random_box_pairs.hpp"
 #include "common/files/csv.hpp"
 
 #include <string>

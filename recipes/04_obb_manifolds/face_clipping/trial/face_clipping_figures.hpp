@@ -94,8 +94,8 @@ inline plot::Figure2d depths_figure(
 /// How the incident face is cut at one side of the reference face after the other.
 inline std::string clip_figure(const BoxScene& scene)
 {
-  const BoxesFromA<double> boxes =
-      boxes_from_a(scene.a, scene.b, *separating_axes(scene.a, scene.b));
+  const BoxesInFrameOfA<double> boxes =
+      boxes_in_frame_of_a(scene.a, scene.b, *separating_axes(scene.a, scene.b));
   const BoxFace<double> reference = face_along<double>(boxes.a, boxes.least.normal);
   const BoxFace<double> incident = face_along<double>(boxes.b, -boxes.least.normal);
   FacePolygon<double> polygon = seen_from(reference, incident);

@@ -40,8 +40,8 @@ template <std::size_t Capacity>
 plot::Figure2d points_figure(
     const std::string& method, const Manifold<double, Capacity>& manifold, const BoxScene& scene)
 {
-  const BoxesFromA<double> boxes =
-      boxes_from_a(scene.a, scene.b, *separating_axes(scene.a, scene.b));
+  const BoxesInFrameOfA<double> boxes =
+      boxes_in_frame_of_a(scene.a, scene.b, *separating_axes(scene.a, scene.b));
   const BoxFace<double> reference = face_along<double>(boxes.a, boxes.least.normal);
   const BoxFace<double> incident = face_along<double>(boxes.b, -boxes.least.normal);
   const std::size_t count = manifold.points.size();

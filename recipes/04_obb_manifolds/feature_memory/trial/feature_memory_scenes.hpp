@@ -4,7 +4,7 @@
 /// \brief Boxes that rest or slide for many frames, and what becomes of axes and points meanwhile.
 
 #include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
-#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "04_obb_manifolds/feature_memory/trial/feature_memory_pitfalls.hpp"
 #include "04_obb_manifolds/separating_axes/separating_axes.hpp"
 

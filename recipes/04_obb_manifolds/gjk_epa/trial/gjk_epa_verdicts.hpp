@@ -3,7 +3,7 @@
 /// \file
 /// \brief The verdict on each way to run GJK and EPA at each case, and their table.
 
-#include "04_obb_manifolds/gjk_epa/trial/box_general_cases.hpp"
+#include "04_obb_manifolds/gjk_epa/trial/gjk_epa_box_cases.hpp"
 #include "04_obb_manifolds/gjk_epa/trial/gjk_epa_cases.hpp"
 #include "04_obb_manifolds/gjk_epa/trial/gjk_epa_pitfalls.hpp"
 #include "common/program/table.hpp"

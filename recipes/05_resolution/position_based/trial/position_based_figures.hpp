@@ -3,8 +3,8 @@
 /// \file
 /// \brief The figures of corrected positions: small steps against passes, for the same work.
 
-#include "05_resolution/position_based/trial/many_contacts_cases.hpp"
 #include "05_resolution/position_based/trial/position_based_scenes.hpp"
+#include "05_resolution/position_based/trial/solvers_cases.hpp"
 #include "common/plot/charts/chart.hpp"
 
 #include <cmath>

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Random boxes, and pairs of them in a certain position: the same on every machine.
 
-#include "02_primitives/shapes/shapes.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_pair.hpp"
 #include "common/math/norm.hpp"
 
 #include <cmath>
@@ -13,10 +13,6 @@
 
 namespace cookbook
 {
-
-/// Two boxes whose manifold is asked for.
-template <class Real>
-using BoxPair = std::pair<Obb<Real>, Obb<Real>>;
 
 // [box_draw]
 /// The rotation of the quaternion w + xi + yj + zk, which need not have length one; M16.

@@ -107,7 +107,7 @@ inline void bounce(std::vector<ImpactPoint>& points, std::span<RigidBody* const>
 
 // [impacts]
 /// Lets the bodies of an island bounce; nothing if none is about to.
-inline void impacts(IslandView world, const Island& island, double step)
+inline void simultaneous_impacts(IslandView world, const Island& island, double step)
 {
   const auto bouncy = [&](int i) { return world.contacts[place_of(i)].restitution > 0; };
   if (std::none_of(island.contacts.begin(), island.contacts.end(), bouncy))

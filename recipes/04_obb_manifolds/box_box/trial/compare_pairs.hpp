@@ -3,7 +3,7 @@
 /// \file
 /// \brief Times and checks every method on the reader's own pairs of boxes.
 
-#include "04_obb_manifolds/box_judges/trial/box_measured.hpp"
+#include "04_obb_manifolds/box_judges/trial/method_times.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
 #include "common/files/whole_file.hpp"
 
@@ -59,7 +59,7 @@ inline BoxPairLists repeated_at_random(const BoxPairLists& lists, std::size_t le
 inline std::vector<MeasuredBoxMethod>
 compared_methods(const BoxPairLists& given, const measure::Effort& effort)
 {
-  const std::vector<BoxContender> all = own_contenders();
+  const std::vector<TimedMethod> all = own_contenders();
   const std::vector<double> ns = box_times(all, repeated_at_random(given, 2048), effort);
   std::vector<MeasuredBoxMethod> methods;
   for (std::size_t m = 0; m < all.size(); ++m)

@@ -4,9 +4,9 @@
 /// \brief How steady a method's manifolds of resting boxes are, and how much of the contact they
 /// span.
 
-#include "04_obb_manifolds/box_judges/trial/box_quality.hpp"
 #include "04_obb_manifolds/box_judges/trial/face_overlap_truth.hpp"
-#include "04_obb_manifolds/box_judges/trial/manifold_difference.hpp"
+#include "04_obb_manifolds/box_judges/trial/manifold_distance.hpp"
+#include "04_obb_manifolds/box_judges/trial/workload_quality.hpp"
 
 #include <cmath>
 #include <vector>
@@ -57,7 +57,7 @@ Vector3<double> centroid(const Manifold<double, Capacity>& manifold)
 
 // [steadiness]
 /// How steady a method is on a workload of resting boxes.
-struct BoxSteadiness
+struct RestingSteadiness
 {
   std::size_t compared = 0; ///< pairs that the method says overlap, before and after a nudge
   std::size_t lost = 0;     ///< pairs that it says overlap before or after, not both
@@ -68,10 +68,10 @@ struct BoxSteadiness
 
 /// Nudges B of each pair once, by 1e-4, and compares what `method(a, b)` says before and after.
 template <class Real, class Method>
-BoxSteadiness box_steadiness(const BoxWorkload& workload, const Method& method)
+RestingSteadiness resting_steadiness(const BoxWorkload& workload, const Method& method)
 {
   BoxDraw draw(5);
-  BoxSteadiness steadiness;
+  RestingSteadiness steadiness;
   std::vector<double> areas, jumps;
   std::size_t recounted = 0;
   for (const BoxPair<float>& pair : workload.pairs)

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Checks a method's manifold of two boxes against the truth, and sums checks up.
 
-#include "04_obb_manifolds/box_judges/trial/box_steadiness.hpp"
+#include "04_obb_manifolds/box_judges/trial/resting_steadiness.hpp"
 #include "04_obb_manifolds/separating_axes/separating_axes.hpp"
 
 #include <algorithm>
@@ -36,9 +36,9 @@ inline bool rests(const Obb<double>& a, const Obb<double>& b)
 }
 // [rests]
 
-// [box_check]
+// [manifold_check]
 /// How one answer of a method stands to the truth.
-struct BoxCheck
+struct ManifoldCheck
 {
   bool wrong = false;       ///< the verdict, by more than 1e-5 of the pair's size
   bool finite = true;       ///< all numbers, and there is a point
@@ -69,11 +69,12 @@ Real true_face_depth(const Obb<Real>& a, const Obb<Real>& b)
 
 /// Checks one answer.
 template <class Real, std::size_t Capacity>
-BoxCheck box_check(const BoxPair<Real>& pair, const std::optional<Manifold<Real, Capacity>>& answer)
+ManifoldCheck
+manifold_check(const BoxPair<Real>& pair, const std::optional<Manifold<Real, Capacity>>& answer)
 {
   using True = Truer<Real>;
-  const BoxError error = box_error(pair, answer);
-  BoxCheck check;
+  const ManifoldError error = manifold_error(pair, answer);
+  ManifoldCheck check;
   check.wrong = error.wrong(1e-5);
   check.finite = error.finite;
   check.compared = answer && error.finite && error.depth >= 0;
@@ -91,7 +92,7 @@ BoxCheck box_check(const BoxPair<Real>& pair, const std::optional<Manifold<Real,
   check.points_lost = check.rests && !(has_points && area_share(a, b, in_double(*answer)) >= 0.99);
   return check;
 }
-// [box_check]
+// [manifold_check]
 
 // [box_accuracy]
 /// How good a method is on some pairs.
@@ -110,11 +111,11 @@ struct BoxAccuracy
 };
 
 /// Sums checks up.
-inline BoxAccuracy box_accuracy(const std::vector<BoxCheck>& checks)
+inline BoxAccuracy box_accuracy(const std::vector<ManifoldCheck>& checks)
 {
   BoxAccuracy sum;
   std::vector<double> errors;
-  for (const BoxCheck& check : checks)
+  for (const ManifoldCheck& check : checks)
   {
     sum.wrong += check.wrong ? 1 : 0;
     sum.not_finite += check.finite ? 0 : 1;

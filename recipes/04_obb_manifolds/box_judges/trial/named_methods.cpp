@@ -2,9 +2,9 @@
 /// \brief Every method for two boxes, in float and in double, compiled once for programs, charts
 /// and tests.
 
-#include "04_obb_manifolds/box_judges/trial/box_every_method.hpp"
-#include "04_obb_manifolds/box_judges/trial/box_contenders.hpp"
+#include "04_obb_manifolds/box_judges/trial/named_methods.hpp"
 #include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
+#include "04_obb_manifolds/box_judges/trial/timed_methods.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
 
 namespace cookbook
@@ -14,7 +14,7 @@ namespace
 
 /// A method of this book: its pairs lie in a list, its answers are forgotten one by one.
 template <class Real, class Method>
-BoxContender own_contender(const std::string& name, const Method& method)
+TimedMethod own_contender(const std::string& name, const Method& method)
 {
   const auto prepare = [method](const BoxPairLists& lists) -> std::function<void()>
   {
@@ -39,9 +39,9 @@ std::vector<std::string> box_manifold_names()
   return names;
 }
 
-std::vector<BoxContender> own_contenders()
+std::vector<TimedMethod> own_contenders()
 {
-  std::vector<BoxContender> all;
+  std::vector<TimedMethod> all;
   for_every_box_method(
       [&](const std::string& name, const auto& method)
       {

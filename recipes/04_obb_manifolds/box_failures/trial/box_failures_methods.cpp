@@ -2,13 +2,13 @@
 /// \brief The methods that the table of failing cases compares, compiled once for the program and
 /// its test.
 
-#include "04_obb_manifolds/box_failures/trial/box_methods.hpp"
+#include "04_obb_manifolds/box_failures/trial/box_failures_methods.hpp"
 #include "04_obb_manifolds/box_as_published/trial/box_as_published.hpp"
 #include "04_obb_manifolds/box_box/box_box.hpp"
 #include "04_obb_manifolds/box_failures/trial/box_pitfalls.hpp"
 #include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
 #include "04_obb_manifolds/box_pairs/box_pairs.hpp"
-#include "04_obb_manifolds/box_workloads/trial/box_truth.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_overlap_truth.hpp"
 #include "04_obb_manifolds/face_clipping/face_clipping.hpp"
 #include "04_obb_manifolds/gjk_epa/gjk_epa.hpp"
 
@@ -20,7 +20,7 @@ namespace cookbook
 namespace
 {
 
-// [box_methods]
+// [box_failures_methods]
 /// Ways to find the axis of least overlap.
 std::vector<BoxMethod> axis_methods()
 {
@@ -110,7 +110,7 @@ std::vector<BoxMethod> point_methods(const WholeAnswers& whole)
       whole.recommended,
       whole.batch};
 }
-// [box_methods]
+// [box_failures_methods]
 
 /// A row of the verdicts that `judge` passes on each method.
 template <class Judge>

@@ -4,8 +4,8 @@
 /// \brief What a manifold of two boxes gets wrong: verdict, normal, depth and points.
 
 #include "03_sphere_manifolds/manifold/manifold.hpp"
-#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
-#include "04_obb_manifolds/box_workloads/trial/box_truth.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_overlap_truth.hpp"
+#include "04_obb_manifolds/box_workloads/trial/box_pair.hpp"
 #include "common/math/ulp.hpp"
 
 #include <algorithm>
@@ -34,9 +34,9 @@ BoxPair<Real> pair_in(const BoxPair<float>& pair)
 }
 // [as_method_sees]
 
-// [box_error]
+// [manifold_error]
 /// What a manifold gets wrong; lengths in metres.
-struct BoxError
+struct ManifoldError
 {
   double size = 1;       ///< of the pair
   double depth = 0;      ///< the least overlap in truth; negative where the boxes are apart
@@ -74,11 +74,12 @@ outside_both(const Vector3<Real>& point, const Obb<Truer<Real>>& a, const Obb<Tr
 
 /// What a method's answer gets wrong.
 template <class Real, std::size_t Capacity>
-BoxError box_error(const BoxPair<Real>& pair, const std::optional<Manifold<Real, Capacity>>& answer)
+ManifoldError
+manifold_error(const BoxPair<Real>& pair, const std::optional<Manifold<Real, Capacity>>& answer)
 {
   using True = Truer<Real>;
   const Obb<True> a = box_in<True>(pair.first), b = box_in<True>(pair.second);
-  BoxError error;
+  ManifoldError error;
   error.size = static_cast<double>(pair_size(a, b));
   const True least = true_depth(true_least_overlap(a, b));
   error.depth = static_cast<double>(least);
@@ -101,6 +102,6 @@ BoxError box_error(const BoxPair<Real>& pair, const std::optional<Manifold<Real,
   }
   return error;
 }
-// [box_error]
+// [manifold_error]
 
 } // namespace cookbook

@@ -4,7 +4,7 @@
 /// \brief Contenders of the chart that are more than a function of two boxes: the batch, and the
 /// recipe with a memory.
 
-#include "04_obb_manifolds/box_judges/trial/box_contenders.hpp"
+#include "04_obb_manifolds/box_judges/trial/timed_methods.hpp"
 #include "04_obb_manifolds/box_pairs/box_pairs.hpp"
 #include "04_obb_manifolds/feature_memory/feature_memory.hpp"
 
@@ -42,7 +42,7 @@ run_batch(const std::shared_ptr<BoxBatch>& batch, InstructionSet set, bool only_
 }
 
 /// box_pairs with an instruction set.
-inline BoxContender batch_contender(InstructionSet set)
+inline TimedMethod batch_contender(InstructionSet set)
 {
   const auto method = [set](const Obb<float>& a, const Obb<float>& b)
   {
@@ -76,7 +76,7 @@ private:
 
 /// box_box with a memory: timed as in a frame like the one before.
 template <class Real>
-BoxContender memory_contender(const std::string& name)
+TimedMethod memory_contender(const std::string& name)
 {
   const auto first_frame = [](const Obb<Real>& a, const Obb<Real>& b)
   { return next_frame(ContactMemory<Real, Real>{}, a, b).manifold; };
@@ -96,11 +96,11 @@ BoxContender memory_contender(const std::string& name)
       }
     };
   };
-  BoxContender contender = box_contender<Real>(name, false, first_frame, prepare);
+  TimedMethod contender = box_contender<Real>(name, false, first_frame, prepare);
   contender.steadiness = [](const BoxWorkload& workload)
   {
     EverySecondFrame<Real> frames;
-    return box_steadiness<Real>(
+    return resting_steadiness<Real>(
         workload, [&](const Obb<Real>& a, const Obb<Real>& b) { return frames(a, b); });
   };
   return contender;

@@ -3,7 +3,7 @@
 /// \file
 /// \brief How good a method's manifolds are on a workload: percentiles and counts of their errors.
 
-#include "04_obb_manifolds/box_judges/trial/box_error.hpp"
+#include "04_obb_manifolds/box_judges/trial/manifold_error.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_workloads.hpp"
 #include "common/measure/statistics.hpp"
 
@@ -13,9 +13,9 @@
 namespace cookbook
 {
 
-// [box_quality]
+// [workload_quality]
 /// How good a method is on a workload.
-struct BoxQuality
+struct WorkloadQuality
 {
   std::size_t overlapping = 0; ///< pairs that overlap in truth
   std::size_t wrong = 0;       ///< verdicts, by more than 1e-5 of the pair's size
@@ -42,11 +42,12 @@ inline double p99(const std::vector<double>& errors)
 }
 
 /// Sums up errors.
-inline BoxQuality summed_up(const std::vector<BoxError>& errors, const ExcessTolerance& tolerance)
+inline WorkloadQuality
+summed_up(const std::vector<ManifoldError>& errors, const ExcessTolerance& tolerance)
 {
-  BoxQuality quality;
+  WorkloadQuality quality;
   std::vector<double> of_depth, of_size, tolerated;
-  for (const BoxError& error : errors)
+  for (const ManifoldError& error : errors)
   {
     quality.overlapping += error.depth >= 0 ? 1 : 0;
     quality.wrong += error.wrong(1e-5) ? 1 : 0;
@@ -75,18 +76,18 @@ inline BoxQuality summed_up(const std::vector<BoxError>& errors, const ExcessTol
 
 /// How good `method(a, b)` is on a workload, in the number type `Real`.
 template <class Real, class Method>
-BoxQuality
-box_quality(const BoxWorkload& workload, const Method& method, const ExcessTolerance& tolerance)
+WorkloadQuality workload_quality(
+    const BoxWorkload& workload, const Method& method, const ExcessTolerance& tolerance)
 {
-  std::vector<BoxError> errors;
+  std::vector<ManifoldError> errors;
   errors.reserve(workload.pairs.size());
   for (const BoxPair<float>& pair : workload.pairs)
   {
     const BoxPair<Real> seen = pair_in<Real>(pair);
-    errors.push_back(box_error(seen, method(seen.first, seen.second)));
+    errors.push_back(manifold_error(seen, method(seen.first, seen.second)));
   }
   return summed_up(errors, tolerance);
 }
-// [box_quality]
+// [workload_quality]
 
 } // namespace cookbook

@@ -3,7 +3,7 @@
 /// \file
 /// \brief The part of one face that lies over another: a polygon, cut out side by side.
 
-#include "04_obb_manifolds/edge_clipping/edge_crossings.hpp"
+#include "04_obb_manifolds/edge_clipping/edge_face_points.hpp"
 #include "04_obb_manifolds/face_clipping/box_features.hpp"
 
 #include <algorithm>

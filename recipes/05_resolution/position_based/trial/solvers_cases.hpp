@@ -4,7 +4,7 @@
 /// \brief Stacks, and what each way to solve many contacts makes of them.
 
 #include "05_resolution/position_based/position_based.hpp"
-#include "05_resolution/position_based/trial/many_contacts_pitfalls.hpp"
+#include "05_resolution/position_based/trial/solvers_pitfalls.hpp"
 #include "05_resolution/scenes/trial/stack_scenes.hpp"
 #include "05_resolution/sequential_impulses/sequential_impulses.hpp"
 #include "05_resolution/world/trial/world_measures.hpp"

@@ -3,7 +3,7 @@
 /// \file
 /// \brief The table of stacks and ways to solve many contacts.
 
-#include "05_resolution/position_based/trial/many_contacts_cases.hpp"
+#include "05_resolution/position_based/trial/solvers_cases.hpp"
 
 namespace cookbook
 {

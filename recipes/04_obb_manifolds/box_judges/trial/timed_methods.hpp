@@ -3,7 +3,7 @@
 /// \file
 /// \brief The methods that give a whole manifold of two boxes, made ready to be checked and timed.
 
-#include "04_obb_manifolds/box_judges/trial/box_check.hpp"
+#include "04_obb_manifolds/box_judges/trial/manifold_check.hpp"
 #include "common/measure/timing.hpp"
 #include "common/program/program.hpp"
 
@@ -51,27 +51,27 @@ inline BoxPairLists box_pair_lists(const std::vector<BoxPair<float>>& pairs)
 
 // [box_contender]
 /// A method in one number type, or another library: how to time it, and how good it is.
-struct BoxContender
+struct TimedMethod
 {
   std::string name;
   bool peer; ///< whether it is another library's
   /// What answers all pairs once, made ready; the pairs are copied.
   std::function<std::function<void()>(const BoxPairLists&)> prepare;
-  std::function<std::vector<BoxCheck>(const BoxPairLists&)> checks; ///< of each answer
-  std::function<BoxSteadiness(const BoxWorkload&)> steadiness;      ///< under a nudge
+  std::function<std::vector<ManifoldCheck>(const BoxPairLists&)> checks; ///< of each answer
+  std::function<RestingSteadiness(const BoxWorkload&)> steadiness;       ///< under a nudge
 };
 
 /// A contender by what it says of one pair, and how it is made ready for many.
 template <class Real, class Method, class Prepare>
-BoxContender
+TimedMethod
 box_contender(const std::string& name, bool peer, const Method& method, const Prepare& prepare)
 {
   const auto checks = [method](const BoxPairLists& lists)
   {
-    std::vector<BoxCheck> result;
+    std::vector<ManifoldCheck> result;
     for (const BoxPair<Real>& pair : lists.in<Real>())
     {
-      result.push_back(box_check(pair, method(pair.first, pair.second)));
+      result.push_back(manifold_check(pair, method(pair.first, pair.second)));
     }
     return result;
   };
@@ -82,7 +82,7 @@ box_contender(const std::string& name, bool peer, const Method& method, const Pr
       const auto answer = method(a, b);
       return answer && is_whole(*answer) ? answer : std::nullopt;
     };
-    return box_steadiness<Real>(workload, with_points);
+    return resting_steadiness<Real>(workload, with_points);
   };
   return {name, peer, prepare, checks, steadiness};
 }
@@ -92,7 +92,7 @@ box_contender(const std::string& name, bool peer, const Method& method, const Pr
 std::vector<std::string> box_manifold_names();
 
 /// Every method in float and in double, box_box in float first.
-std::vector<BoxContender> own_contenders();
+std::vector<TimedMethod> own_contenders();
 
 /// Prints the manifolds of --pairs by the method that --method names.
 void print_own_manifolds(const Arguments& arguments);

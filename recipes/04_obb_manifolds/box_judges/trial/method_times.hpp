@@ -3,7 +3,7 @@
 /// \file
 /// \brief Times of methods for two boxes, side by side, and the chart of cost against error.
 
-#include "04_obb_manifolds/box_judges/trial/box_contenders.hpp"
+#include "04_obb_manifolds/box_judges/trial/timed_methods.hpp"
 #include "common/measure/pareto.hpp"
 #include "common/measure/statistics.hpp"
 #include "common/plot/charts/chart.hpp"
@@ -30,16 +30,16 @@ struct MeasuredTimes
 struct MeasuredBoxMethod
 {
   MeasuredTimes times;
-  BoxAccuracy accuracy;       ///< on the first workload
-  BoxSteadiness steadiness{}; ///< of resting contacts
+  BoxAccuracy accuracy;           ///< on the first workload
+  RestingSteadiness steadiness{}; ///< of resting contacts
 };
 
 /// The times of contenders on the same pairs [ns a pair], all in one run.
 inline std::vector<double> box_times(
-    const std::vector<BoxContender>& all, const BoxPairLists& lists, const measure::Effort& effort)
+    const std::vector<TimedMethod>& all, const BoxPairLists& lists, const measure::Effort& effort)
 {
   std::vector<measure::Timed> timed;
-  for (const BoxContender& contender : all)
+  for (const TimedMethod& contender : all)
   {
     timed.push_back(
         {contender.name, contender.prepare(lists), static_cast<double>(lists.in_float.size())});
@@ -66,7 +66,7 @@ inline double depth_error_of(const MeasuredBoxMethod& method)
 /// The jump of resting contacts [1], of the size.
 inline double jump_of(const MeasuredBoxMethod& method)
 {
-  const BoxSteadiness& found = method.steadiness;
+  const RestingSteadiness& found = method.steadiness;
   return found.compared > 0 ? found.jump : std::numeric_limits<double>::infinity();
 }
 

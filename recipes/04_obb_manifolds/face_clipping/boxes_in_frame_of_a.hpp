@@ -11,10 +11,10 @@
 namespace cookbook
 {
 
-// [boxes_from_a]
+// [boxes_in_frame_of_a]
 /// Both boxes with A's centre as origin and A's axes as axes, and how they overlap there.
 template <class Real>
-struct BoxesFromA
+struct BoxesInFrameOfA
 {
   NumberedBox<Real> a;      ///< its edges are 0 … 11
   NumberedBox<Real> b;      ///< its edges are 12 … 23
@@ -28,8 +28,8 @@ inline constexpr double contact_gap = 0.01;
 
 /// A and B as A sees them.
 template <class Real>
-BoxesFromA<Real>
-boxes_from_a(const Obb<Real>& a, const Obb<Real>& b, const LeastOverlap<Real>& least)
+BoxesInFrameOfA<Real>
+boxes_in_frame_of_a(const Obb<Real>& a, const Obb<Real>& b, const LeastOverlap<Real>& least)
 {
   const RelativeBoxes<Real> boxes = relative_boxes(a, b);
   const Real slack = rounding_slack(boxes);
@@ -42,6 +42,6 @@ boxes_from_a(const Obb<Real>& a, const Obb<Real>& b, const LeastOverlap<Real>& l
       slack,
       std::min(Real(contact_gap) * smaller, least.depth) + slack};
 }
-// [boxes_from_a]
+// [boxes_in_frame_of_a]
 
 } // namespace cookbook

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Kinds of pairs of boxes, each drawn at random: what is hard about two boxes.
 
-#include "04_obb_manifolds/box_workloads/trial/box_draws.hpp"
+#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 
 #include <algorithm>
 
