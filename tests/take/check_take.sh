@@ -12,7 +12,7 @@ needs_exceptions="direct_solver position_based sequential_impulses soft_steps wo
 # What a recipe may bring at most, in lines.
 budget() {
   case $1 in
-    sphere_sphere) echo 800 ;;
+    sphere_sphere) echo 450 ;;
     friction) echo 500 ;;
     face_clipping) echo 1300 ;;
     box_box) echo 2300 ;;

@@ -6,15 +6,11 @@
 #include "02_primitives/shapes/shapes.hpp"
 #include "03_sphere_manifolds/manifold/manifold.hpp"
 #include "common/math/norm.hpp"
-#include "common/simd/pack.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstring>
 #include <limits>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
 namespace cookbook
@@ -78,8 +74,9 @@ overlap_manifold(const SphereOverlap<Real>& overlap, const Vector3<Real>& center
   }
   const auto written_in_place = [&]
   {
-    const ContactPoint<Real> point{center_a + overlap.position, overlap.depth, 0};
-    return Manifold<Real>{overlap.normal, overlap.depth, ContactPoints<Real, 8>(point)};
+    Manifold<Real> manifold{overlap.normal, overlap.depth, {}};
+    manifold.points.emplace_back() = {center_a + overlap.position, overlap.depth, 0};
+    return manifold;
   };
   return std::optional<Manifold<Real>>(std::in_place, Build(written_in_place));
 }
@@ -118,51 +115,6 @@ world_overlap(const Sphere<Real>& a, const Sphere<Real>& b)
 }
 // [world_overlap]
 
-// [sphere_sphere_rows]
-/// Four floats in one register: x, y, z and a fourth that stands beside them in memory.
-using Row = Pack<float, 4>;
-
-/// The same formula with x, y and z of one pair side by side: a sphere is read as one row, centre
-/// and radius; normal and depth, position and depth are written as two.
-inline std::optional<Manifold<float>>
-sphere_sphere_rows(const Sphere<float>& a, const Sphere<float>& b)
-{
-  static_assert(
-      sizeof(Sphere<float>) == sizeof(Row) && sizeof(Vector3<float>) == 3 * sizeof(float));
-  static_assert(offsetof(Manifold<float>, depth) == sizeof(Vector3<float>));
-  static_assert(offsetof(ContactPoint<float>, depth) == sizeof(Vector3<float>));
-  Row row_a;
-  Row row_b;
-  // Of the whole sphere: three of the four floats are its centre.
-  std::memcpy(&row_a.lanes, &a, sizeof row_a);
-  std::memcpy(&row_b.lanes, &b, sizeof row_b);
-  const Row a_to_b = row_b - row_a;
-  const Row squares = a_to_b * a_to_b;
-  const float squared = squares[0] + (squares[1] + squares[2]);
-  const float length = std::sqrt(squared);
-  const float depth = depth_at(length, a.radius, b.radius);
-  if (squared < SafeSquares<float>::least || !(depth >= 0))
-  {
-    const bool apart = squared >= SafeSquares<float>::least && squared <= SafeSquares<float>::most;
-    return apart ? std::nullopt : overlap_manifold<float>(world_overlap(a, b), {0, 0, 0});
-  }
-  const Row normal = a_to_b * Row(1 / length);
-  const Row position = row_a + normal * Row(way_to_contact(length, a.radius, b.radius));
-  const auto written_in_rows = [&]
-  {
-    Manifold<float> manifold;
-    std::memcpy(static_cast<void*>(&manifold), &normal, sizeof normal);
-    manifold.depth = depth; // over the row's fourth number
-    ContactPoint<float>& point = manifold.points.emplace_back();
-    std::memcpy(static_cast<void*>(&point), &position, sizeof position);
-    point.depth = depth;
-    point.feature = 0;
-    return manifold;
-  };
-  return std::optional<Manifold<float>>(std::in_place, Build(written_in_rows));
-}
-// [sphere_sphere_rows]
-
 // [sphere_sphere]
 /// The manifold of two spheres: nothing where they are apart; touching is contact of depth zero.
 ///
@@ -170,10 +122,6 @@ sphere_sphere_rows(const Sphere<float>& a, const Sphere<float>& b)
 template <class Real>
 std::optional<Manifold<Real>> sphere_sphere(const Sphere<Real>& a, const Sphere<Real>& b)
 {
-  if constexpr (std::is_same_v<Real, float>)
-  {
-    return sphere_sphere_rows(a, b);
-  }
   const Vector3<Real> a_to_b = b.center - a.center;
   const Real squared = a_to_b.squaredNorm();
   if (squared >= SafeSquares<Real>::least && squared <= SafeSquares<Real>::most)
