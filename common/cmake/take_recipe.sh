@@ -34,13 +34,18 @@ function take(path,    line, name, depth, text, blank) {
       continue
     }
     if (line ~ /^#include </ && depth == 0) { above[line] = 1; continue }
-    if (line ~ /^#pragma once/ || line ~ /^\/\/ \[.*\]$/ || line ~ /^\/\/\/ \\(file|brief)/) continue
+    if (line ~ /^\/\/\/ \\file/) about_file = 1
+    if (line !~ /^\/\/\//) about_file = 0
+    if (line ~ /^#pragma once/ || line ~ /^\/\/ \[.*\]$/ || about_file) continue
     if (line == "" && blank) continue
     blank = line == ""
     text = text line "\n"
   }
   close(root "/" path)
   sub(/^\n+/, "", text)
+  # One namespace goes on from file to file.
+  if (files_in_order > 0 && index(text, opening) == 1 && sub(closing "$", "", bodies[files_in_order - 1]))
+    text = substr(text, length(opening) + 1)
   bodies[files_in_order++] = "\n// ---- " path " ----\n\n" text
 }
 
@@ -80,6 +85,8 @@ function brief(path,    line, text) {
 }
 
 BEGIN {
+  opening = "namespace cookbook\n{\n\n"
+  closing = "\n} // namespace cookbook\n"
   name = header
   gsub(/.*\/|\.hpp$/, "", name)
   take(header)

@@ -3,166 +3,188 @@
 /// \file
 /// \brief Groups: three or four numbers that belong to one pair, computed with at once.
 
-#include "common/simd/halves.hpp"
-#include "common/simd/several.hpp"
+#include "common/simd/number.hpp"
 
-#include <cstddef>
-#include <type_traits>
+#include <cmath>
 #include <utility>
-
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi" // as in pack.hpp
-#endif
 
 namespace cookbook
 {
 inline namespace COOKBOOK_INSTRUCTION_SET
 {
 
-/// Four plain numbers in a register, or in two where one is too small.
-template <class Real>
-using FourNumbers =
-    std::conditional_t<(4 * sizeof(Real) > register_size), Halves<Real>, Pack<Real, 4>>;
-
-/// Four plain numbers, side by side.
-template <class Real>
-FourNumbers<Real> four(const Real& x, const Real& y, const Real& z, const Real& w)
-{
-  if constexpr (std::is_same_v<FourNumbers<Real>, Halves<Real>>)
-  {
-    using Half = Pack<Real, 2>;
-    return {Half::of(typename Half::Lanes{x, y}), Half::of(typename Half::Lanes{z, w})};
-  }
-  else
-  {
-    return Pack<Real, 4>::of(typename Pack<Real, 4>::Lanes{x, y, z, w});
-  }
-}
-
 // [group]
-/// Three or four numbers of a pair side by side: for plain numbers the lanes of a register, of
-/// which the fourth may be idle; for packs, with a pair in every lane, as many packs.
-template <class Real, int Size>
-using Group =
-    std::conditional_t<std::is_floating_point_v<Real>, FourNumbers<Real>, Several<Real, Size>>;
-
-/// A group of given numbers; an idle fourth lane holds the third again.
-template <class Real>
-Group<Real, 3> group(const Real& x, const Real& y, const Real& z)
+/// `Size` numbers of a pair side by side, computed with as if they were one; of packs, with a pair
+/// in every lane, as many packs.
+template <class Number, int Size>
+struct Group
 {
-  Group<Real, 3> result;
-  if constexpr (std::is_floating_point_v<Real>)
+  Number at[Size]; ///< the numbers
+
+  /// What a comparison gives.
+  struct Mask
   {
-    result = four(x, y, z, z);
+    MaskOf<Number> at[Size]; ///< of each number
+
+    friend Mask operator&(const Mask& a, const Mask& b)
+    {
+      Mask both;
+      for (int i = 0; i < Size; ++i)
+      {
+        both.at[i] = a.at[i] & b.at[i];
+      }
+      return both;
+    }
+    friend Mask operator|(const Mask& a, const Mask& b)
+    {
+      Mask either;
+      for (int i = 0; i < Size; ++i)
+      {
+        either.at[i] = a.at[i] | b.at[i];
+      }
+      return either;
+    }
+  };
+
+  Group() = default;
+  explicit Group(const Number& same) ///< the same number everywhere
+  {
+    for (Number& number : at)
+    {
+      number = same;
+    }
   }
-  else
+  const Number& operator[](int i) const { return at[i]; } ///< the i-th number, i < Size
+
+  /// What a function gives of each number of a and of b.
+  template <class Function>
+  static Group of(const Group& a, const Group& b, const Function& function)
   {
-    result.lane[0] = x;
-    result.lane[1] = y;
-    result.lane[2] = z;
+    Group result;
+    for (int i = 0; i < Size; ++i)
+    {
+      result.at[i] = function(a.at[i], b.at[i]);
+    }
+    return result;
+  }
+
+  /// What a comparison gives of each number of a and of b.
+  template <class Function>
+  static Mask mask_of(const Group& a, const Group& b, const Function& function)
+  {
+    Mask result;
+    for (int i = 0; i < Size; ++i)
+    {
+      result.at[i] = function(a.at[i], b.at[i]);
+    }
+    return result;
+  }
+
+  friend Group operator+(const Group& a, const Group& b)
+  {
+    return of(a, b, [](const Number& x, const Number& y) { return x + y; });
+  }
+  friend Group operator-(const Group& a, const Group& b)
+  {
+    return of(a, b, [](const Number& x, const Number& y) { return x - y; });
+  }
+  friend Group operator*(const Group& a, const Group& b)
+  {
+    return of(a, b, [](const Number& x, const Number& y) { return x * y; });
+  }
+  friend Group operator/(const Group& a, const Group& b)
+  {
+    return of(a, b, [](const Number& x, const Number& y) { return x / y; });
+  }
+  friend Group max(const Group& a, const Group& b)
+  {
+    return of(a, b, [](const Number& x, const Number& y) { return larger(x, y); });
+  }
+  friend Group min(const Group& a, const Group& b)
+  {
+    return of(a, b, [](const Number& x, const Number& y) { return smaller(x, y); });
+  }
+  friend Group abs(const Group& a)
+  {
+    using std::abs;
+    return of(a, a, [](const Number& x, const Number&) { return abs(x); });
+  }
+  friend Mask operator<(const Group& a, const Group& b)
+  {
+    return mask_of(a, b, [](const Number& x, const Number& y) { return x < y; });
+  }
+  friend Mask operator<=(const Group& a, const Group& b)
+  {
+    return mask_of(a, b, [](const Number& x, const Number& y) { return x <= y; });
+  }
+};
+// [group]
+
+/// The numbers of `yes` where the mask is set, those of `no` elsewhere.
+template <class Number, int Size>
+Group<Number, Size> select(
+    const typename Group<Number, Size>::Mask& mask, const Group<Number, Size>& yes,
+    const Group<Number, Size>& no)
+{
+  Group<Number, Size> result;
+  for (int i = 0; i < Size; ++i)
+  {
+    result.at[i] = select(mask.at[i], yes.at[i], no.at[i]);
   }
   return result;
 }
 
-/// A group of four numbers.
-template <class Real>
-Group<Real, 4> group(const Real& x, const Real& y, const Real& z, const Real& w)
+/// Of every pair all of `yes` where the mask is set, all of `no` elsewhere.
+template <class Number, int Size>
+Group<Number, Size>
+select(const MaskOf<Number>& mask, const Group<Number, Size>& yes, const Group<Number, Size>& no)
 {
-  Group<Real, 4> result;
-  if constexpr (std::is_floating_point_v<Real>)
+  Group<Number, Size> result;
+  for (int i = 0; i < Size; ++i)
   {
-    result = four(x, y, z, w);
-  }
-  else
-  {
-    result.lane[0] = x;
-    result.lane[1] = y;
-    result.lane[2] = z;
-    result.lane[3] = w;
+    result.at[i] = select(mask, yes.at[i], no.at[i]);
   }
   return result;
 }
 
-/// The first three lanes moved one on: y, z, x.
-template <class Real>
-Pack<Real, 4> turned_once(const Pack<Real, 4>& v)
-{
-  return Pack<Real, 4>::of(__builtin_shufflevector(v.lanes, v.lanes, 1, 2, 0, 0));
-}
-
-/// The first three lanes moved two on: z, x, y.
-template <class Real>
-Pack<Real, 4> turned_twice(const Pack<Real, 4>& v)
-{
-  return Pack<Real, 4>::of(__builtin_shufflevector(v.lanes, v.lanes, 2, 0, 1, 1));
-}
-
-/// The last three lanes.
-template <class Real>
-Pack<Real, 4> last_three(const Pack<Real, 4>& v)
-{
-  return Pack<Real, 4>::of(__builtin_shufflevector(v.lanes, v.lanes, 1, 2, 3, 3));
-}
-
-/// The three packs moved one on: y, z, x.
+/// Three given numbers.
 template <class Number>
-Several<Number, 3> turned_once(const Several<Number, 3>& v)
+Group<Number, 3> group(const Number& x, const Number& y, const Number& z)
+{
+  Group<Number, 3> result;
+  result.at[0] = x;
+  result.at[1] = y;
+  result.at[2] = z;
+  return result;
+}
+
+/// The three numbers moved one on: y, z, x.
+template <class Number>
+Group<Number, 3> turned_once(const Group<Number, 3>& v)
 {
   return group(v[1], v[2], v[0]);
 }
 
-/// The three packs moved two on: z, x, y.
+/// The three numbers moved two on: z, x, y.
 template <class Number>
-Several<Number, 3> turned_twice(const Several<Number, 3>& v)
+Group<Number, 3> turned_twice(const Group<Number, 3>& v)
 {
   return group(v[2], v[0], v[1]);
 }
 
-/// Four packs of four as a square whose rows become columns.
-template <class Real>
-void transpose(Pack<Real, 4>& a, Pack<Real, 4>& b, Pack<Real, 4>& c, Pack<Real, 4>& d)
-{
-  const auto low_ab = __builtin_shufflevector(a.lanes, b.lanes, 0, 4, 1, 5);
-  const auto low_cd = __builtin_shufflevector(c.lanes, d.lanes, 0, 4, 1, 5);
-  const auto high_ab = __builtin_shufflevector(a.lanes, b.lanes, 2, 6, 3, 7);
-  const auto high_cd = __builtin_shufflevector(c.lanes, d.lanes, 2, 6, 3, 7);
-  a.lanes = __builtin_shufflevector(low_ab, low_cd, 0, 1, 4, 5);
-  b.lanes = __builtin_shufflevector(low_ab, low_cd, 2, 3, 6, 7);
-  c.lanes = __builtin_shufflevector(high_ab, high_cd, 0, 1, 4, 5);
-  d.lanes = __builtin_shufflevector(high_ab, high_cd, 2, 3, 6, 7);
-}
-
-/// Three rows of three made columns.
-template <class Real>
-void transpose(Pack<Real, 4> (&rows)[3])
-{
-  Pack<Real, 4> idle = rows[2];
-  transpose(rows[0], rows[1], rows[2], idle);
-}
-
-/// Three rows of three made columns.
-template <class Real>
-void transpose(Halves<Real> (&rows)[3])
-{
-  Halves<Real> idle = rows[2];
-  transpose(rows[0], rows[1], rows[2], idle);
-}
-
-/// Three rows of three made columns.
-template <class Number>
-void transpose(Several<Number, 3> (&rows)[3])
+/// Rows made columns.
+template <class Number, int Size>
+void transpose(Group<Number, Size> (&rows)[Size])
 {
   using std::swap;
-  swap(rows[0].lane[1], rows[1].lane[0]);
-  swap(rows[0].lane[2], rows[2].lane[0]);
-  swap(rows[1].lane[2], rows[2].lane[1]);
+  for (int i = 0; i < Size; ++i)
+  {
+    for (int j = 0; j < i; ++j)
+    {
+      swap(rows[i].at[j], rows[j].at[i]);
+    }
+  }
 }
-// [group]
 
 } // namespace COOKBOOK_INSTRUCTION_SET
 } // namespace cookbook
-
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif

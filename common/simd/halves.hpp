@@ -123,22 +123,15 @@ Halves<Real> turned_twice(const Halves<Real>& v)
   return {pair_of<0, 0>(v.high, v.low), pair_of<1, 1>(v.low, v.low)};
 }
 
-/// The last three lanes.
-template <class Real>
-Halves<Real> last_three(const Halves<Real>& v)
-{
-  return {pair_of<1, 0>(v.low, v.high), pair_of<1, 1>(v.high, v.high)};
-}
-
 /// Four rows of four made columns.
 template <class Real>
-void transpose(Halves<Real>& a, Halves<Real>& b, Halves<Real>& c, Halves<Real>& d)
+void transpose(Halves<Real> (&rows)[4])
 {
-  const Halves<Real> p = a, q = b, r = c, s = d;
-  a = {pair_of<0, 0>(p.low, q.low), pair_of<0, 0>(r.low, s.low)};
-  b = {pair_of<1, 1>(p.low, q.low), pair_of<1, 1>(r.low, s.low)};
-  c = {pair_of<0, 0>(p.high, q.high), pair_of<0, 0>(r.high, s.high)};
-  d = {pair_of<1, 1>(p.high, q.high), pair_of<1, 1>(r.high, s.high)};
+  const Halves<Real> p = rows[0], q = rows[1], r = rows[2], s = rows[3];
+  rows[0] = {pair_of<0, 0>(p.low, q.low), pair_of<0, 0>(r.low, s.low)};
+  rows[1] = {pair_of<1, 1>(p.low, q.low), pair_of<1, 1>(r.low, s.low)};
+  rows[2] = {pair_of<0, 0>(p.high, q.high), pair_of<0, 0>(r.high, s.high)};
+  rows[3] = {pair_of<1, 1>(p.high, q.high), pair_of<1, 1>(r.high, s.high)};
 }
 
 } // namespace COOKBOOK_INSTRUCTION_SET

@@ -3,6 +3,8 @@
 /// \file
 /// \brief Masks: what comparisons of several numbers at once give.
 
+#include "common/simd/number.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -11,12 +13,6 @@
 #include <immintrin.h>
 #elif defined(__SSE2__)
 #include <emmintrin.h> // a tenth of the other, in every file
-#endif
-
-/// The instruction set this file is compiled for; a name of its own keeps the linker from ever
-/// taking one instruction set's functions for another's.
-#ifndef COOKBOOK_INSTRUCTION_SET
-#define COOKBOOK_INSTRUCTION_SET portable
 #endif
 
 namespace cookbook

@@ -105,12 +105,7 @@ struct Pack
 };
 // [pack]
 
-/// What a pack is made of; a plain number is made of itself.
-template <class Number>
-struct PartOf
-{
-  using type = Number; ///< the plain number
-};
+/// A pack is made of plain numbers.
 template <class Real, std::size_t Width>
 struct PartOf<Pack<Real, Width>>
 {
@@ -140,13 +135,6 @@ Pack<Real, Width> select(
     const Pack<Real, Width>& no)
 {
   return Pack<Real, Width>::of(mask.lanes ? yes.lanes : no.lanes);
-}
-
-/// One of two numbers: what select() is to packs.
-template <class Real>
-Real select(bool first, const Real& yes, const Real& no)
-{
-  return first ? yes : no;
 }
 
 /// The square root of every lane: a loop that becomes one instruction.

@@ -2,7 +2,7 @@
 /// What holds for relative velocity, approach, nature and the way apart.
 
 #include "03_sphere_manifolds/collision/collision.hpp"
-#include "03_sphere_manifolds/manifold/any_size.hpp"
+#include "03_sphere_manifolds/manifold/translated.hpp"
 #include "03_sphere_manifolds/sphere_sphere/sphere_sphere.hpp"
 
 #include "tests/catch.hpp"

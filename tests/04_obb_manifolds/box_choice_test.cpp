@@ -21,10 +21,10 @@ namespace
 
 /// Rows of C for two boxes turned against each other about (1, 1, 1), by an angle in degrees.
 template <class Real>
-BoxesInRows<Real> turned_by(double degrees)
+BoxesInRows<Group<Real, 3>> turned_by(double degrees)
 {
   const Matrix3<Real> c = turned(degrees * std::atan(1.0) / 45, {1, 1, 1}).cast<Real>();
-  BoxesInRows<Real> boxes{};
+  BoxesInRows<Group<Real, 3>> boxes{};
   for (int i = 0; i < 3; ++i)
   {
     boxes.rows[i] = group<Real>(c(i, 0), c(i, 1), c(i, 2));
@@ -70,17 +70,17 @@ TEMPLATE_TEST_CASE(
   for (const double degrees : {0.0, 1.1, 120.0})
   {
     CAPTURE(degrees);
-    const BoxesInRows<Real> parallel = turned_by<Real>(degrees);
-    CHECK(edge_bar<Real>(parallel, 4, tolerances) == Catch::Approx(3.8));
-    CHECK(edge_bar<Real>(parallel, Real(0.5), tolerances) == Catch::Approx(0.4375));
-    CHECK(edge_bar<Real>(parallel, Real(0.05), tolerances) == 0);
+    const BoxesInRows<Group<Real, 3>> parallel = turned_by<Real>(degrees);
+    CHECK(edge_bar(parallel, Real(4), tolerances) == Catch::Approx(3.8));
+    CHECK(edge_bar(parallel, Real(0.5), tolerances) == Catch::Approx(0.4375));
+    CHECK(edge_bar(parallel, Real(0.05), tolerances) == 0);
   }
   for (const double degrees : {1.4, 60.0, 121.5})
   {
     CAPTURE(degrees);
-    const BoxesInRows<Real> oblique = turned_by<Real>(degrees);
-    CHECK(edge_bar<Real>(oblique, 4, tolerances) == Catch::Approx(3.999).epsilon(1e-6));
-    CHECK(edge_bar<Real>(oblique, Real(0.0005), tolerances) == 0);
+    const BoxesInRows<Group<Real, 3>> oblique = turned_by<Real>(degrees);
+    CHECK(edge_bar(oblique, Real(4), tolerances) == Catch::Approx(3.999).epsilon(1e-6));
+    CHECK(edge_bar(oblique, Real(0.0005), tolerances) == 0);
   }
 }
 // [bar]
@@ -92,7 +92,7 @@ TEMPLATE_TEST_CASE("of six faces the first of least overlap is taken", "[O9]", f
   for (int least = 0; least < 6; ++least)
   {
     const auto overlap = [&](int i) { return i < least ? Real(2) : Real(1); };
-    const LeastFace<Real> face = least_face<Real>(
+    const LeastFace<Real> face = least_face(
         group<Real>(overlap(0), overlap(1), overlap(2)),
         group<Real>(overlap(3), overlap(4), overlap(5)));
     CHECK(face.index == least);
@@ -108,7 +108,7 @@ TEMPLATE_TEST_CASE(
   for (int least = 0; least < 9; ++least)
   {
     CAPTURE(least);
-    EdgeOverlaps<Real> edges[3];
+    EdgeOverlaps<Group<Real, 3>> edges[3];
     for (int i = 0; i < 3; ++i)
     {
       // Overlap 2 along all axes, which are half as long as the unit; 1 along the least.
@@ -131,7 +131,7 @@ TEMPLATE_TEST_CASE("axes of edges that are parallel are no axes", "[O4]", float,
   const auto with_squared_length = [](double squared)
   {
     const Group<Real, 3> none(Real(1)), unit(Real(1));
-    EdgeOverlaps<Real> edges[3] = {{none, unit}, {none, unit}, {none, unit}};
+    EdgeOverlaps<Group<Real, 3>> edges[3] = {{none, unit}, {none, unit}, {none, unit}};
     edges[1].overlap = group<Real>(1, Real(1e-9), 1);
     edges[1].squared = group<Real>(1, static_cast<Real>(squared), 1);
     return least_edge(edges, Real(0.5));

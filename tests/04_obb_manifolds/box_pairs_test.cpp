@@ -6,12 +6,12 @@
 #include "04_obb_manifolds/box_failures/trial/box_failures.hpp"
 #include "04_obb_manifolds/box_pairs/box_pairs.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_workloads.hpp"
-#include "04_obb_manifolds/feature_memory/feature_memory.hpp"
+#include "04_obb_manifolds/feature_memory/contact_memory.hpp"
 
+#include "tests/04_obb_manifolds/same_bits.hpp"
 #include "tests/catch.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -31,36 +31,6 @@ constexpr std::size_t many = 300;
 constexpr std::size_t many = 20'000;
 #endif
 
-/// Not a number is one answer, whatever its bits.
-bool same_number(float x, float y)
-{
-  return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y) ||
-         (std::isnan(x) && std::isnan(y));
-}
-
-bool same_vector(const Vector3<float>& v, const Vector3<float>& w)
-{
-  return same_number(v.x(), w.x()) && same_number(v.y(), w.y()) && same_number(v.z(), w.z());
-}
-
-bool same_point(const ContactPoint<float>& p, const ContactPoint<float>& q)
-{
-  return same_vector(p.position, q.position) && same_number(p.depth, q.depth) &&
-         p.feature == q.feature;
-}
-
-/// Whether two answers are the same to the last bit: the same points in the same order.
-bool same(const Answer& x, const Answer& y)
-{
-  if (!x || !y)
-  {
-    return !x && !y;
-  }
-  return same_vector(x->normal, y->normal) && same_number(x->depth, y->depth) &&
-         std::equal(
-             x->points.begin(), x->points.end(), y->points.begin(), y->points.end(), same_point);
-}
-
 /// How many of the batch's answers differ from `box_box` in any bit.
 int differences(const Pairs& pairs, InstructionSet set)
 {
@@ -68,7 +38,7 @@ int differences(const Pairs& pairs, InstructionSet set)
   int count = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i)
   {
-    count += same(answers[i], box_box(pairs[i].first, pairs[i].second)) ? 0 : 1;
+    count += same_bits(answers[i], box_box(pairs[i].first, pairs[i].second)) ? 0 : 1;
   }
   return count;
 }
@@ -285,7 +255,7 @@ TEST_CASE("room is made once, and fewer pairs leave it as it is", "[box_pairs]")
     const std::vector<Answer> answers = in_order(manifolds, few_pairs.size());
     for (std::size_t i = 0; i < few_pairs.size(); ++i)
     {
-      CHECK(same(answers[i], box_box(few_pairs[i].first, few_pairs[i].second)));
+      CHECK(same_bits(answers[i], box_box(few_pairs[i].first, few_pairs[i].second)));
     }
   }
 }

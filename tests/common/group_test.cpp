@@ -1,7 +1,7 @@
 /// \file
-/// \brief Groups of one pair and groups with a pair in every lane do the same.
+/// \brief Groups of one pair, groups with a pair in every lane, and registers do the same.
 
-#include "common/simd/choose.hpp"
+#include "common/simd/registers.hpp"
 
 #include "tests/catch.hpp"
 
@@ -77,7 +77,6 @@ TEMPLATE_TEST_CASE(
     check_same(a - b, k, x - y);
     check_same(a * b, k, x * y);
     check_same(a / b, k, x / y);
-    check_same(-a, k, -x);
     check_same(abs(a), k, abs(x));
     check_same(min(a, b), k, min(x, y));
     check_same(max(a, b), k, max(x, y));
@@ -90,10 +89,10 @@ TEMPLATE_TEST_CASE(
 }
 
 TEMPLATE_TEST_CASE(
-    "a group of one pair has its numbers in order, and the third again", "[group]", float, double)
+    "a row in registers has its numbers in order, and the third again", "[group]", float, double)
 {
-  const Group<TestType, 3> three = group<TestType>(1, 2, 3);
-  const Group<TestType, 4> four = group<TestType>(1, 2, 3, 4);
+  using Rows = RowTraits<Registers<TestType>>;
+  const Registers<TestType> three = Rows::three(1, 2, 3), four = Rows::four(1, 2, 3, 4);
   const auto check = [](const auto& numbers, const std::array<TestType, 4>& right)
   {
     for (std::size_t i = 0; i < 4; ++i)
@@ -105,27 +104,70 @@ TEMPLATE_TEST_CASE(
   check(turned_once(three), {2, 3, 1, 1});
   check(turned_twice(three), {3, 1, 2, 2});
   check(four, {1, 2, 3, 4});
-  check(last_three(four), {2, 3, 4, 4});
-  check(max(four, group<TestType>(4, 3, 2, 1)), {4, 3, 3, 4});
+  check(max(four, Rows::four(4, 3, 2, 1)), {4, 3, 3, 4});
+  check(min(four, Rows::four(4, 3, 2, 1)), {1, 2, 2, 1});
   check(-four, {-1, -2, -3, -4});
 }
 
-TEMPLATE_TEST_CASE("each of four lanes has its bit in a mask", "[group]", float, double)
+TEMPLATE_TEST_CASE(
+    "each of four numbers has its bit in a mask", "[group]", (Group<float, 3>), (Group<double, 3>),
+    Registers<float>, Registers<double>)
 {
-  using Row = Group<TestType, 4>;
+  using Rows = RowTraits<TestType>;
+  using Real = NumberOf<TestType>;
+  using Four = FourOf<TestType>;
   for (unsigned set = 0; set < 16; ++set)
   {
-    const auto at = [&](unsigned i) { return TestType((set >> i & 1) != 0 ? -1 : 1); };
-    const Row numbers = group<TestType>(at(0), at(1), at(2), at(3));
-    const Row zero(TestType(0)), one(TestType(1));
-    CHECK(bits_of(numbers < zero) == set);
-    CHECK(bits_of((numbers <= one) & (numbers < zero)) == set);
-    CHECK(bits_of((one < zero) | (numbers < zero)) == set);
-    CHECK(any(numbers < zero) == (set != 0));
-    CHECK(all(numbers < zero) == (set == 15));
+    const auto at = [&](unsigned i) { return Real((set >> i & 1) != 0 ? -1 : 1); };
+    const Four numbers = Rows::four(at(0), at(1), at(2), at(3));
+    const Four zero(Real(0)), one(Real(1));
+    CHECK(Rows::bits(numbers < zero) == set);
+    CHECK(Rows::bits((numbers <= one) & (numbers < zero)) == set);
+    CHECK(Rows::bits((one < zero) | (numbers < zero)) == set);
     for (unsigned i = 0; i < 4; ++i)
     {
-      CHECK(select(numbers < zero, one, zero)[i] == (at(i) < 0 ? 1 : 0));
+      CHECK(select(numbers < zero, one, zero)[static_cast<int>(i)] == (at(i) < 0 ? 1 : 0));
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE(
+    "four rows become columns", "[group]", (Group<float, 3>), (Group<double, 3>), Registers<float>,
+    Registers<double>)
+{
+  using Real = NumberOf<TestType>;
+  FourOf<TestType> square[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    const Real first = Real(4 * i);
+    square[i] = RowTraits<TestType>::four(first, first + 1, first + 2, first + 3);
+  }
+  transpose(square);
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      CHECK(square[i][j] == Real(4 * j + i));
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE(
+    "three rows become columns", "[group]", (Group<float, 3>), (Group<double, 3>), Registers<float>,
+    Registers<double>)
+{
+  using Real = NumberOf<TestType>;
+  TestType rows[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    rows[i] = RowTraits<TestType>::three(Real(3 * i), Real(3 * i + 1), Real(3 * i + 2));
+  }
+  transpose(rows);
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      CHECK(rows[i][j] == Real(3 * j + i));
     }
   }
 }
@@ -142,24 +184,9 @@ TEMPLATE_TEST_CASE("rows become columns, of one pair and of many", "[group]", fl
   {
     for (std::size_t j = 0; j < 3; ++j)
     {
-      CHECK(rows[i][j] == numbers_of<Real>(j, 1)[i]);
+      CHECK(rows[i][static_cast<int>(j)] == numbers_of<Real>(j, 1)[i]);
       CHECK(many_rows[i][static_cast<int>(j)][0] == numbers_of<Real>(j, 1)[i]);
       CHECK(many_rows[i][static_cast<int>(j)][3] == numbers_of<Real>(j, 4)[i]);
-    }
-  }
-  using Row = Group<Real, 4>;
-  Row square[4];
-  for (int i = 0; i < 4; ++i)
-  {
-    const Real first = Real(4 * i);
-    square[i] = group<Real>(first, first + 1, first + 2, first + 3);
-  }
-  transpose(square[0], square[1], square[2], square[3]);
-  for (int i = 0; i < 4; ++i)
-  {
-    for (int j = 0; j < 4; ++j)
-    {
-      CHECK(square[i][j] == Real(4 * j + i));
     }
   }
 }
@@ -196,17 +223,19 @@ TEST_CASE("nine places are three times three", "[group]")
   }
 }
 
-TEST_CASE("the first place at which masks are set", "[group]")
+TEMPLATE_TEST_CASE(
+    "the first place at which masks are set", "[group]", (Group<float, 3>), Registers<float>)
 {
+  using Rows = RowTraits<TestType>;
   for (int place = 0; place < 6; ++place)
   {
     CAPTURE(place);
-    // All places from this one on are set; the second pair has the last only.
+    // All places from this one on are set; the second pair of boxes has the last only.
     const auto at = [&](int i, int from) { return i < from ? 1.0f : -1.0f; };
-    const Plain zero(0.0f);
-    const Plain low = group<float>(at(0, place), at(1, place), at(2, place));
-    const Plain high = group<float>(at(3, place), at(4, place), at(5, place));
-    CHECK(first_set<float>({low < zero, high < zero}) == place);
+    const TestType zero(0.0f);
+    const TestType low = Rows::three(at(0, place), at(1, place), at(2, place));
+    const TestType high = Rows::three(at(3, place), at(4, place), at(5, place));
+    CHECK(Rows::first_set({low < zero, high < zero}) == place);
     const auto lanes = [&](int i) -> Lanes
     {
       const std::array<float, width> numbers{at(i, place), at(i, 5), at(i, place), at(i, place)};
@@ -215,26 +244,30 @@ TEST_CASE("the first place at which masks are set", "[group]")
     const Many many_low = group<Lanes>(lanes(0), lanes(1), lanes(2));
     const Many many_high = group<Lanes>(lanes(3), lanes(4), lanes(5));
     const Many many_zero(Lanes(0.0f));
-    const Lanes first = first_set<Lanes>({many_low < many_zero, many_high < many_zero});
+    const Lanes first = RowTraits<Many>::first_set({many_low < many_zero, many_high < many_zero});
     CHECK(first[0] == static_cast<float>(place));
     CHECK(first[1] == 5);
   }
 }
 
-TEST_CASE("any and all lanes of a mask", "[group]")
+TEMPLATE_TEST_CASE("any and all numbers of a mask", "[group]", (Group<float, 3>), Registers<float>)
 {
+  using Rows = RowTraits<TestType>;
+  using OfMany = RowTraits<Many>;
   for (unsigned set = 0; set < 8; ++set)
   {
     CAPTURE(set);
     const auto at = [&](unsigned i) { return (set >> i & 1) != 0 ? -1.0f : 1.0f; };
-    CHECK(any_lane<float>(group<float>(at(0), at(1), at(2)) < Plain(0.0f)) == (set != 0));
+    const auto of_one = Rows::three(at(0), at(1), at(2)) < TestType(0.0f);
+    CHECK(Rows::any(of_one) == (set != 0));
+    CHECK(Rows::all(of_one) == (set == 7));
     const Many numbers = group<Lanes>(Lanes(at(0)), Lanes(at(1)), Lanes(at(2)));
     const Many zero(Lanes(0.0f));
     const auto mask = numbers < zero;
-    CHECK(any(any_lane<Lanes>(mask)) == (set != 0));
-    CHECK(all(all_lanes<Lanes>(mask)) == (set == 7));
-    CHECK(any(all_lanes<Lanes>(mask)) == (set == 7));
-    CHECK(all(any_lane<Lanes>(mask | (zero < zero))) == (set != 0));
-    CHECK_FALSE(any(any_lane<Lanes>(mask & (zero < zero))));
+    CHECK(any(OfMany::any(mask)) == (set != 0));
+    CHECK(all(OfMany::all(mask)) == (set == 7));
+    CHECK(any(OfMany::all(mask)) == (set == 7));
+    CHECK(all(OfMany::any(mask | (zero < zero))) == (set != 0));
+    CHECK_FALSE(any(OfMany::any(mask & (zero < zero))));
   }
 }

@@ -14,8 +14,8 @@ budget() {
   case $1 in
     sphere_sphere) echo 450 ;;
     friction) echo 500 ;;
-    face_clipping) echo 1300 ;;
-    box_box) echo 2300 ;;
+    face_clipping) echo 1100 ;;
+    box_box) echo 1700 ;;
     *) echo 9999 ;;
   esac
 }

@@ -4,8 +4,7 @@
 /// \brief Answers for shapes of any finite size, also where sums and squares of their numbers would
 /// be infinite.
 
-#include "02_primitives/shapes/shapes.hpp"
-#include "03_sphere_manifolds/manifold/manifold.hpp"
+#include "03_sphere_manifolds/manifold/scaled.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,85 +14,11 @@
 namespace cookbook
 {
 
-/// The largest of a sphere's numbers, without sign.
-template <class Real>
-Real largest(const Sphere<Real>& sphere)
-{
-  return std::max(sphere.center.cwiseAbs().maxCoeff(), sphere.radius);
-}
-
-/// A plane's distance from the origin, without sign.
-template <class Real>
-Real largest(const Plane<Real>& plane)
-{
-  return std::abs(plane.distance);
-}
-
-/// The largest of a capsule's numbers, without sign.
-template <class Real>
-Real largest(const Capsule<Real>& capsule)
-{
-  const Segment<Real>& segment = capsule.segment;
-  return std::max(
-      segment.start.cwiseAbs().cwiseMax(segment.end.cwiseAbs()).maxCoeff(), capsule.radius);
-}
-
 /// The largest of a box's lengths, without sign.
 template <class Real>
 Real largest(const Obb<Real>& box)
 {
   return box.center.cwiseAbs().cwiseMax(box.half_extents).maxCoeff();
-}
-
-/// A vector times two to the power of `exponent`.
-template <class Real>
-Vector3<Real> scaled(const Vector3<Real>& v, int exponent)
-{
-  return v.unaryExpr([exponent](Real x) { return std::ldexp(x, exponent); });
-}
-
-/// A sphere times two to the power of `exponent`, seen from the origin.
-template <class Real>
-Sphere<Real> scaled(const Sphere<Real>& sphere, int exponent)
-{
-  return {scaled(sphere.center, exponent), std::ldexp(sphere.radius, exponent)};
-}
-
-/// A plane times two to the power of `exponent`, seen from the origin.
-template <class Real>
-Plane<Real> scaled(const Plane<Real>& plane, int exponent)
-{
-  return {plane.normal, std::ldexp(plane.distance, exponent)};
-}
-
-/// A capsule times two to the power of `exponent`, seen from the origin.
-template <class Real>
-Capsule<Real> scaled(const Capsule<Real>& capsule, int exponent)
-{
-  const Segment<Real>& segment = capsule.segment;
-  return {
-      {scaled(segment.start, exponent), scaled(segment.end, exponent)},
-      std::ldexp(capsule.radius, exponent)};
-}
-
-/// A box times two to the power of `exponent`, seen from the origin.
-template <class Real>
-Obb<Real> scaled(const Obb<Real>& box, int exponent)
-{
-  return {scaled(box.center, exponent), box.axes, scaled(box.half_extents, exponent)};
-}
-
-/// A manifold times two to the power of `exponent`; lengths that do not fit become infinite.
-template <class Real>
-Manifold<Real> scaled(Manifold<Real> manifold, int exponent)
-{
-  manifold.depth = std::ldexp(manifold.depth, exponent);
-  for (ContactPoint<Real>& point : manifold.points)
-  {
-    point.position = scaled(point.position, exponent);
-    point.depth = std::ldexp(point.depth, exponent);
-  }
-  return manifold;
 }
 
 // [at_any_size]
@@ -121,20 +46,5 @@ at_any_size(const First& a, const Second& b, Real most, const Find& find)
   return found ? std::optional(scaled(*found, exponent)) : std::nullopt;
 }
 // [at_any_size]
-
-/// The manifold with its points moved by an offset [m].
-template <class Real, std::size_t Capacity>
-std::optional<Manifold<Real, Capacity>>
-translated(std::optional<Manifold<Real, Capacity>> manifold, const Vector3<Real>& offset)
-{
-  if (manifold)
-  {
-    for (ContactPoint<Real>& point : manifold->points)
-    {
-      point.position += offset;
-    }
-  }
-  return manifold;
-}
 
 } // namespace cookbook

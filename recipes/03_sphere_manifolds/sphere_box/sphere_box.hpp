@@ -4,7 +4,8 @@
 /// \brief The manifold of a sphere and an oriented box.
 
 #include "02_primitives/closest_point_box/closest_point_box.hpp"
-#include "03_sphere_manifolds/manifold/any_size.hpp"
+#include "03_sphere_manifolds/manifold/any_size_spheres.hpp"
+#include "03_sphere_manifolds/manifold/translated.hpp"
 #include "03_sphere_manifolds/sphere_sphere/sphere_sphere.hpp"
 
 namespace cookbook

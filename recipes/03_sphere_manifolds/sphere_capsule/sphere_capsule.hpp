@@ -3,7 +3,7 @@
 /// \file
 /// \brief The manifold of a sphere and a capsule.
 
-#include "03_sphere_manifolds/manifold/any_size.hpp"
+#include "03_sphere_manifolds/manifold/any_size_spheres.hpp"
 #include "03_sphere_manifolds/sphere_sphere/sphere_sphere.hpp"
 #include "common/math/wide.hpp"
 

@@ -3,7 +3,8 @@
 /// \file
 /// \brief The manifold of two oriented boxes: the chapter's answer.
 
-#include "03_sphere_manifolds/manifold/any_size.hpp"
+#include "03_sphere_manifolds/manifold/scaled.hpp"
+#include "03_sphere_manifolds/manifold/translated.hpp"
 #include "04_obb_manifolds/box_box/box_manifold.hpp"
 
 #include <algorithm>
@@ -26,33 +27,33 @@ struct BoxChoice
 };
 
 /// The choice for two boxes whose squares fit; nothing where they are apart.
-template <class Real>
+template <class Row, class Real>
 std::optional<BoxChoice<Real>>
-box_choice(const BoxesInRows<Real>& boxes, const Tolerances<Real>& tolerances)
+box_choice(const BoxesInRows<Row>& boxes, const Tolerances<Real>& tolerances)
 {
-  using Row = Group<Real, 3>;
   const Row face_a = face_overlaps(boxes.half_a, boxes.columns, boxes.half_b, boxes.offset_a);
   const Row face_b = face_overlaps(boxes.half_b, boxes.rows, boxes.half_a, boxes.offset_b);
-  if (!all((Row(0) <= face_a) & (Row(0) <= face_b))) // boxes too far apart for numbers are NaN
+  if (!RowTraits<Row>::all(
+          (Row(0) <= face_a) & (Row(0) <= face_b))) // boxes too far apart for numbers are NaN
   {
     return std::nullopt;
   }
-  const EdgeOverlaps<Real> edges[] = {
+  const EdgeOverlaps<Row> edges[] = {
       edge_overlaps(boxes, 0), edge_overlaps(boxes, 1), edge_overlaps(boxes, 2)};
-  if (any(min(min(edges[0].overlap, edges[1].overlap), edges[2].overlap) < Row(0)))
+  if (RowTraits<Row>::any(min(min(edges[0].overlap, edges[1].overlap), edges[2].overlap) < Row(0)))
   {
     return std::nullopt;
   }
-  const LeastFace<Real> face = least_face<Real>(face_a, face_b);
+  const LeastFace<Real> face = least_face(face_a, face_b);
   return BoxChoice<Real>{face, least_edge(edges, edge_bar(boxes, face.depth, tolerances))};
 }
 // [box_choice]
 
 // [box_manifold]
 /// The manifold of two boxes whose squares fit.
-template <class Real>
+template <class Row, class Real>
 std::optional<Manifold<Real>> box_manifold(
-    const Obb<Real>& a, const Obb<Real>& b, const BoxesInRows<Real>& boxes,
+    const Obb<Real>& a, const Obb<Real>& b, const BoxesInRows<Row>& boxes,
     const Tolerances<Real>& tolerances)
 {
   const std::optional<BoxChoice<Real>> choice = box_choice(boxes, tolerances);
@@ -62,7 +63,7 @@ std::optional<Manifold<Real>> box_manifold(
   }
   const auto& [face, edge] = *choice;
   return edge.found()
-             ? edge_manifold<Real>(a, boxes, edge.index, std::sqrt(edge.squared_depth))
+             ? edge_manifold(a, boxes, edge.index, std::sqrt(edge.squared_depth))
              : face_manifold(a, b, boxes, face, kept_gap(face, tolerances), tolerances.hair);
 }
 // [box_manifold]
@@ -83,11 +84,26 @@ box_box_at_unit_size(const Obb<Real>& a, const Obb<Real>& b)
   const int exponent = size > 0 ? std::ilogb(size) : 0;
   const Obb<Real> near{{0, 0, 0}, a.axes, scaled(a.half_extents, -exponent)};
   const Obb<Real> other{scaled(quarter, 2 - exponent), b.axes, scaled(b.half_extents, -exponent)};
-  const auto found =
-      box_manifold(near, other, boxes_in_rows(near, other), tolerances_of(near, other));
+  const auto found = box_manifold(
+      near, other, boxes_in_rows<Group<Real, 3>>(near, other), tolerances_of(near, other));
   return found ? translated(std::optional(scaled(*found, exponent)), a.center) : std::nullopt;
 }
 // [at_unit_size]
+
+// [box_box_in]
+/// box_box() with its numbers in rows of a certain type: a Group, or registers.
+template <class Row, class Real>
+[[gnu::flatten]] std::optional<Manifold<Real>> box_box_in(const Obb<Real>& a, const Obb<Real>& b)
+{
+  const BoxesInRows<Row> boxes = boxes_in_rows<Row>(a, b);
+  const Tolerances<Real> tolerances = tolerances_of(a, b);
+  if (!has_moderate_size(tolerances.size))
+  {
+    return box_box_at_unit_size(a, b);
+  }
+  return box_manifold(a, b, boxes, tolerances);
+}
+// [box_box_in]
 
 // [box_box]
 /// The manifold of two oriented boxes; nothing where they are apart.
@@ -98,26 +114,20 @@ box_box_at_unit_size(const Obb<Real>& a, const Obb<Real>& b)
 /// point. A point's feature tells the axis by 64s, see axis_of_feature().
 /// Half extents are zero or more, axes orthonormal, all numbers finite. O2–O4, O9, O10–O14.
 template <class Real>
-[[gnu::flatten]] std::optional<Manifold<Real>> box_box(const Obb<Real>& a, const Obb<Real>& b)
+std::optional<Manifold<Real>> box_box(const Obb<Real>& a, const Obb<Real>& b)
 {
-  const BoxesInRows<Real> boxes = boxes_in_rows(a, b);
-  const Tolerances<Real> tolerances = tolerances_of(a, b);
-  if (!has_moderate_size(tolerances.size))
-  {
-    return box_box_at_unit_size(a, b);
-  }
-  return box_manifold(a, b, boxes, tolerances);
+  return box_box_in<Group<Real, 3>>(a, b);
 }
 // [box_box]
 
 // [box_axis]
 /// The axis, 0 … 14, on which box_box() builds its manifold, and the overlap [m] along it; nothing
 /// where the boxes are apart.
-template <class Real>
+template <class Row, class Real>
 [[gnu::flatten]] std::optional<std::pair<int, Real>>
-box_axis(const Obb<Real>& a, const Obb<Real>& b)
+box_axis_in(const Obb<Real>& a, const Obb<Real>& b)
 {
-  const BoxesInRows<Real> boxes = boxes_in_rows(a, b);
+  const BoxesInRows<Row> boxes = boxes_in_rows<Row>(a, b);
   const Tolerances<Real> tolerances = tolerances_of(a, b);
   if (!has_moderate_size(tolerances.size))
   {

@@ -51,21 +51,20 @@ struct LeastFace
   Index<Real> index; ///< 0, 1, 2 for A's axes, 3, 4, 5 for B's
 };
 
-/// The least number of a group.
-template <class Real>
-Real least_of(const Group<Real, 3>& group)
+/// The least number of a row.
+template <class Row>
+NumberOf<Row> least_of(const Row& row)
 {
   using std::min;
-  return min(group[0], min(group[1], group[2]));
+  return min(row[0], min(row[1], row[2]));
 }
 
 /// The first of the six least overlaps.
-template <class Real>
-LeastFace<Real> least_face(const Group<Real, 3>& face_a, const Group<Real, 3>& face_b)
+template <class Row>
+LeastFace<NumberOf<Row>> least_face(const Row& face_a, const Row& face_b)
 {
-  using Row = Group<Real, 3>;
-  const Real depth = least_of<Real>(min(face_a, face_b));
-  return {depth, first_set<Real>({face_a <= Row(depth), face_b <= Row(depth)})};
+  const NumberOf<Row> depth = least_of(min(face_a, face_b));
+  return {depth, RowTraits<Row>::first_set({face_a <= Row(depth), face_b <= Row(depth)})};
 }
 // [least_face]
 
@@ -85,14 +84,13 @@ inline constexpr float parallel_cosine = 0.99985f;
 ///
 /// A hair less than the face's: rounding alone shall not decide. Where two faces are parallel, a
 /// twentieth less, or half the margin: a face keeps all its points, and the next frame's.
-template <class Real>
+template <class Row, class Real>
 Real edge_bar(
-    const BoxesInRows<Real>& boxes, const Real& face_depth, const Tolerances<Real>& tolerances)
+    const BoxesInRows<Row>& boxes, const Real& face_depth, const Tolerances<Real>& tolerances)
 {
-  using Row = Group<Real, 3>;
   using std::max;
   const Row largest = max(max(abs(boxes.rows[0]), abs(boxes.rows[1])), abs(boxes.rows[2]));
-  const auto parallel = any_lane<Real>(Row(Real(parallel_cosine)) < largest);
+  const auto parallel = RowTraits<Row>::any(Row(Real(parallel_cosine)) < largest);
   const Real preference = max(face_depth * Real(0.05f), tolerances.margin * Real(0.5f));
   return max(face_depth - select(parallel, preference, tolerances.hair), Real(0));
 }
@@ -114,10 +112,10 @@ struct LeastEdge
 /// The edge axes whose overlap stays under a bar, and which of them has the least.
 ///
 /// Squares are compared: s² < bar² |L|² needs no root. Axes shorter than ε are left out.
-template <class Real>
-LeastEdge<Real> least_edge(const EdgeOverlaps<Real> (&edges)[3], const Real& bar)
+template <class Row>
+LeastEdge<NumberOf<Row>> least_edge(const EdgeOverlaps<Row> (&edges)[3], const NumberOf<Row>& bar)
 {
-  using Row = Group<Real, 3>;
+  using Real = NumberOf<Row>;
   constexpr float epsilon = std::numeric_limits<float>::epsilon();
   const Real none(LeastEdge<Real>::none);
   Row square[3];
@@ -128,7 +126,7 @@ LeastEdge<Real> least_edge(const EdgeOverlaps<Real> (&edges)[3], const Real& bar
     under[i] = (square[i] < Row(bar * bar) * edges[i].squared) &
                (Row(Real(epsilon * epsilon)) < edges[i].squared);
   }
-  if (!any(any_lane<Real>(under[0] | under[1] | under[2])))
+  if (!any(RowTraits<Row>::any(under[0] | under[1] | under[2])))
   {
     return {none, index<Real>(0)};
   }
@@ -137,9 +135,9 @@ LeastEdge<Real> least_edge(const EdgeOverlaps<Real> (&edges)[3], const Real& bar
   {
     squared_depth[i] = select(under[i], square[i] / edges[i].squared, Row(none));
   }
-  const Real least = least_of<Real>(min(min(squared_depth[0], squared_depth[1]), squared_depth[2]));
+  const Real least = least_of(min(min(squared_depth[0], squared_depth[1]), squared_depth[2]));
   return {
-      least, first_set<Real>(
+      least, RowTraits<Row>::first_set(
                  {squared_depth[0] <= Row(least), squared_depth[1] <= Row(least),
                   squared_depth[2] <= Row(least)})};
 }

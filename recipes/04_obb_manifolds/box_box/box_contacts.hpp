@@ -40,28 +40,27 @@ Vector3<Real> axis_of(const Obb<Real>& box, const K& k)
 
 // [edge_contact]
 /// Where two edges cross.
-template <class Real>
+template <class Row>
 struct EdgeContact
 {
-  Group<Real, 3> normal;   ///< [1], unit, world, from A to B
-  Group<Real, 3> position; ///< [m], world, midway between the edges' closest points
+  Row normal;   ///< [1], unit, world, from A to B
+  Row position; ///< [m], world, midway between the edges' closest points
 };
 
 /// The contact of A's edge along its axis i and B's along its axis j; O13.
 ///
 /// All in A's frame, its axes taken in the order i, i+1, i+2: there L = a_i × b_j is (0, −b₂, b₁).
 /// The point of B's edge is where the lines cross, the point of A's edge is the closest to that.
-template <class Real, class Lane>
-EdgeContact<Real>
-edge_contact(const Obb<Real>& a, const BoxesInRows<Real>& boxes, const Lane& i, const Lane& j)
+template <class Row, class Real, class Which>
+EdgeContact<Row>
+edge_contact(const Obb<Real>& a, const BoxesInRows<Row>& boxes, const Which& i, const Which& j)
 {
-  using Row = Group<Real, 3>;
   using std::copysign, std::sqrt;
-  const Lane i1 = next(i), i2 = next(i1), j1 = next(j), j2 = next(j1);
+  const Which i1 = next(i), i2 = next(i1), j1 = next(j), j2 = next(j1);
   const Row& row0 = chosen(boxes.rows, i);
   const Row& row1 = chosen(boxes.rows, i1);
   const Row& row2 = chosen(boxes.rows, i2);
-  const auto b = [&](const Lane& k) -> Vector3<Real> {
+  const auto b = [&](const Which& k) -> Vector3<Real> {
     return {chosen(row0, k), chosen(row1, k), chosen(row2, k)};
   };
   const Vector3<Real> t(
@@ -83,27 +82,30 @@ edge_contact(const Obb<Real>& a, const BoxesInRows<Real>& boxes, const Lane& i, 
   const Vector3<Real> on_b = middle_b + bj * along_b;
   const Real along_a = clamped(on_b[0], chosen(boxes.half_a, i));
 
-  const BoxColumns<Real> columns = columns_of(a);
-  const Row &e0 = chosen(columns.axes, i), &e1 = chosen(columns.axes, i1),
-            &e2 = chosen(columns.axes, i2);
+  Row axes[3];
+  get_axes(a, axes);
+  const Row &e0 = chosen(axes, i), &e1 = chosen(axes, i1), &e2 = chosen(axes, i2);
   const Real half(0.5f);
   const Row middle = e0 * Row((along_a + on_b[0]) * half) + e1 * Row((a1 + on_b[1]) * half) +
                      e2 * Row((a2 + on_b[2]) * half);
   const Real unit = side / sqrt(squared);
-  return {e1 * Row(l1 * unit) + e2 * Row(l2 * unit), columns.center + middle};
+  return {e1 * Row(l1 * unit) + e2 * Row(l2 * unit), row_of<Row>(a.center) + middle};
 }
 // [edge_contact]
 
 // [face_contact]
 /// Where two faces meet: up to eight points, as two times four.
-template <class Real>
+template <class Row>
 struct FaceContact
 {
-  Vector3<Real> normal;                  ///< [1], unit, world, from A to B
-  Group<Real, 4> position[2][3];         ///< [m], world: x, y and z of twice four points
-  Group<Real, 4> depth[2];               ///< [m]
-  typename Group<Real, 4>::Mask kept[2]; ///< which of the points there are
-  Index<Real> incident;                  ///< the other box's axis
+  using Real = NumberOf<Row>;
+  using Four = FourOf<Row>;
+
+  Vector3<Real> normal;        ///< [1], unit, world, from A to B
+  Four position[2][3];         ///< [m], world: x, y and z of twice four points
+  Four depth[2];               ///< [m]
+  typename Four::Mask kept[2]; ///< which of the points there are
+  Index<Real> incident;        ///< the other box's axis
 };
 
 /// The contact of a box's face along its axis k with the face of the other that looks at it most
@@ -112,15 +114,14 @@ struct FaceContact
 /// `c` are the rows of the other box's axes as this one sees them, `offset` is where its centre is.
 /// Points with a gap are kept up to `gap` [m]; a hair [m] decides no corner. Mirrored boxes are as
 /// good as others.
-template <class Real, class Lane>
-FaceContact<Real> face_contact(
-    const Obb<Real>& box, const Obb<Real>& other, const Group<Real, 3> (&c)[3],
-    const Group<Real, 3>& offset, const Lane& k, const Real& gap, const Real& hair)
+template <class Row, class Real, class Which>
+FaceContact<Row> face_contact(
+    const Obb<Real>& box, const Obb<Real>& other, const Row (&c)[3], const Row& offset,
+    const Which& k, const Real& gap, const Real& hair)
 {
-  using Row = Group<Real, 3>;
-  using Four = Group<Real, 4>;
+  using Four = FourOf<Row>;
   using std::copysign, std::max;
-  const Lane u = next(k), v = next(u);
+  const Which u = next(k), v = next(u);
   const Row& row_k = chosen(c, k);
   const Row& row_u = chosen(c, u);
   const Row& row_v = chosen(c, v);
@@ -129,7 +130,7 @@ FaceContact<Real> face_contact(
 
   const Row slant = abs(row_k);
   const Real most = max(slant[0], max(slant[1], slant[2]));
-  const Index<Real> incident = first_set<Real>({Row(most) <= slant});
+  const Index<Real> incident = RowTraits<Row>::first_set({Row(most) <= slant});
   const auto m = which(incident);
   const auto p = next(m), q = next(p);
   const auto half = [](const Obb<Real>& of, const auto& axis)
@@ -154,15 +155,15 @@ FaceContact<Real> face_contact(
       -side * half_p * chosen(row_k, p),
       -side * left * chosen(row_k, q)};
 
-  FaceContact<Real> contact;
+  FaceContact<Row> contact;
   contact.incident = incident;
   contact.normal = axis_of(box, k) * side;
   const Vector3<Real> axis_u = axis_of(box, u), axis_v = axis_of(box, v);
-  const FourCorners<Real> corners[] = {
-      corners_on_other<Real>(rectangles, hair), corners_on_this<Real>(rectangles, hair)};
+  const FourCorners<Four> corners[] = {
+      corners_on_other<Four>(rectangles, hair), corners_on_this<Four>(rectangles, hair)};
   for (int part = 0; part < 2; ++part)
   {
-    const FourCorners<Real>& four = corners[part];
+    const FourCorners<Four>& four = corners[part];
     const Four up = Four(half_k) - four.depth * Four(Real(0.5f));
     for (int x = 0; x < 3; ++x)
     {

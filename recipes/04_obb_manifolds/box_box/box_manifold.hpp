@@ -8,9 +8,7 @@
 #include "04_obb_manifolds/box_box/box_choice.hpp"
 #include "04_obb_manifolds/box_box/box_contacts.hpp"
 
-#include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 
 namespace cookbook
@@ -18,29 +16,29 @@ namespace cookbook
 inline namespace COOKBOOK_INSTRUCTION_SET
 {
 
-/// The three numbers of a group as a vector.
-template <class Real>
-Vector3<Real> vector_of(const Group<Real, 3>& group)
+/// The three numbers of a row as a vector.
+template <class Row>
+Vector3<NumberOf<Row>> vector_of(const Row& row)
 {
-  return {group[0], group[1], group[2]};
+  return {row[0], row[1], row[2]};
 }
 
 // [edge_manifold]
 /// The manifold on the axis of two edges, 3 i + j for a_i × b_j, along which the boxes overlap by
 /// `depth` [m]: one point.
-template <class Real>
+template <class Row, class Real>
 std::optional<Manifold<Real>>
-edge_manifold(const Obb<Real>& a, const BoxesInRows<Real>& boxes, int edges, const Real& depth)
+edge_manifold(const Obb<Real>& a, const BoxesInRows<Row>& boxes, int edges, const Real& depth)
 {
   const auto built = [&]
   {
     const int i = edges / 3, j = edges % 3;
-    const EdgeContact<Real> contact = edge_contact<Real>(a, boxes, i, j);
+    const EdgeContact<Row> contact = edge_contact(a, boxes, i, j);
     Manifold<Real> manifold;
-    manifold.normal = vector_of<Real>(contact.normal);
+    manifold.normal = vector_of(contact.normal);
     manifold.depth = depth;
     manifold.points.push_back(
-        {vector_of<Real>(contact.position), depth, static_cast<std::uint32_t>(64 * (6 + edges))});
+        {vector_of(contact.position), depth, static_cast<std::uint32_t>(64 * (6 + edges))});
     return manifold;
   };
   return std::optional<Manifold<Real>>(std::in_place, Build(built));
@@ -64,20 +62,11 @@ template <class Real>
 // [deepest_point]
 
 // [face_manifold]
-/// Writes a contact point from its x, y, z and depth in one group.
-template <class Real>
-void write_point(ContactPoint<Real>& point, const Group<Real, 4>& numbers, std::uint32_t feature)
-{
-  static_assert(offsetof(ContactPoint<Real>, depth) == 3 * sizeof(Real));
-  std::memcpy(static_cast<void*>(&point), &numbers, sizeof(numbers));
-  point.feature = feature;
-}
-
 /// The manifold on the axis of a face: the corners of the polygon in which two faces overlap, with
 /// gaps up to `widest_gap` [m]; a hair [m] decides no corner.
-template <class Real>
+template <class Row, class Real>
 std::optional<Manifold<Real>> face_manifold(
-    const Obb<Real>& a, const Obb<Real>& b, const BoxesInRows<Real>& boxes,
+    const Obb<Real>& a, const Obb<Real>& b, const BoxesInRows<Row>& boxes,
     const LeastFace<Real>& face, const Real& widest_gap, const Real& hair)
 {
   const bool of_a = face.index < 3;
@@ -85,7 +74,7 @@ std::optional<Manifold<Real>> face_manifold(
   const Obb<Real>& other = of_a ? b : a;
   const auto built = [&]
   {
-    const FaceContact<Real> contact = face_contact<Real>(
+    const FaceContact<Row> contact = face_contact(
         box, other, of_a ? boxes.rows : boxes.columns, of_a ? boxes.offset_a : boxes.offset_b,
         of_a ? face.index : face.index - 3, widest_gap, hair);
     Manifold<Real> manifold;
@@ -94,16 +83,19 @@ std::optional<Manifold<Real>> face_manifold(
     const auto feature = static_cast<std::uint32_t>(64 * face.index + 8 * contact.incident);
     for (std::uint32_t part = 0; part < 2; ++part)
     {
-      Group<Real, 4> rows[] = {
+      FourOf<Row> points[] = {
           contact.position[part][0], contact.position[part][1], contact.position[part][2],
           contact.depth[part]};
-      transpose(rows[0], rows[1], rows[2], rows[3]);
-      const std::uint32_t kept = bits_of(contact.kept[part]);
+      transpose(points);
+      const std::uint32_t kept = RowTraits<Row>::bits(contact.kept[part]);
       for (std::uint32_t i = 0; i < 4; ++i)
       {
+        const FourOf<Row>& from = points[i];
         manifold.points.emplace_back_if(
-            kept >> i & 1, [&](ContactPoint<Real>& point)
-            { write_point(point, rows[i], feature + 4 * part + i); });
+            kept >> i & 1,
+            [&](ContactPoint<Real>& point) {
+              point = {{from[0], from[1], from[2]}, from[3], feature + 4 * part + i};
+            });
       }
     }
     if (manifold.points.empty())

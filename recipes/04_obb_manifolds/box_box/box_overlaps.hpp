@@ -4,12 +4,9 @@
 /// \brief The overlaps of two boxes along all fifteen axes, three axes at a time.
 
 #include "02_primitives/shapes/shapes.hpp"
-#include "common/simd/choose.hpp"
+#include "common/simd/row.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <cstring>
-#include <type_traits>
 
 namespace cookbook
 {
@@ -18,11 +15,9 @@ inline namespace COOKBOOK_INSTRUCTION_SET
 
 // [boxes_in_rows]
 /// Two boxes seen from A, its numbers in rows of three.
-template <class Real>
+template <class Row>
 struct BoxesInRows
 {
-  using Row = Group<Real, 3>;
-
   Row rows[3];    ///< C [1], row i is A's axis i against B's three
   Row columns[3]; ///< Cᵀ [1], row j is B's axis j against A's three
   Row half_a;     ///< [m], A's half extents
@@ -31,43 +26,14 @@ struct BoxesInRows
   Row offset_b;   ///< −Cᵀt [m], from B's centre to A's along B's axes
 };
 
-/// The numbers of a box as groups.
-template <class Real>
-struct BoxColumns
+/// The axes of a box as rows, each its x, y and z.
+template <class Row, class Real>
+void get_axes(const Obb<Real>& box, Row (&axes)[3])
 {
-  Group<Real, 3> center;  ///< [m], world
-  Group<Real, 3> axes[3]; ///< [1], each its x, y and z
-  Group<Real, 3> half;    ///< [m]
-};
-
-/// A box's numbers in groups.
-template <class Real>
-BoxColumns<Real> columns_of(const Obb<Real>& box)
-{
-  BoxColumns<Real> columns;
-  if constexpr (std::is_floating_point_v<Real>)
+  for (int i = 0; i < 3; ++i)
   {
-    // The fifteen numbers of a box lie in one row: four at a time are read, three are meant.
-    static_assert(sizeof(Obb<Real>) == 15 * sizeof(Real));
-    const auto four_from = [&](std::size_t k)
-    {
-      Group<Real, 4> four;
-      std::memcpy(
-          static_cast<void*>(&four), reinterpret_cast<const char*>(&box) + k * sizeof(Real),
-          sizeof(four));
-      return four;
-    };
-    columns = {four_from(0), {four_from(3), four_from(6), four_from(9)}, last_three(four_from(11))};
+    axes[i] = row_of<Row>(box.axes.col(i));
   }
-  else
-  {
-    const auto group_of = [](const auto& v) { return group<Real>(v[0], v[1], v[2]); };
-    columns = {
-        group_of(box.center),
-        {group_of(box.axes.col(0)), group_of(box.axes.col(1)), group_of(box.axes.col(2))},
-        group_of(box.half_extents)};
-  }
-  return columns;
 }
 
 /// The sum of three rows, each times a number.
@@ -78,31 +44,33 @@ Row combined(const Row (&rows)[3], const Real& x, const Real& y, const Real& z)
 }
 
 /// B as A sees it, its centre at d [m] from A's.
-template <class Real>
-BoxesInRows<Real> boxes_in_rows(const Obb<Real>& a, const Obb<Real>& b, const Vector3<Real>& d)
+template <class Row, class Real>
+BoxesInRows<Row> boxes_in_rows(const Obb<Real>& a, const Obb<Real>& b, const Vector3<Real>& d)
 {
-  BoxColumns<Real> in_a = columns_of(a), in_b = columns_of(b);
-  transpose(in_a.axes);
-  transpose(in_b.axes);
-  BoxesInRows<Real> boxes;
+  Row axes_a[3], axes_b[3];
+  get_axes(a, axes_a);
+  get_axes(b, axes_b);
+  transpose(axes_a);
+  transpose(axes_b);
+  BoxesInRows<Row> boxes;
   for (int i = 0; i < 3; ++i)
   {
-    boxes.rows[i] = combined(in_b.axes, a.axes(0, i), a.axes(1, i), a.axes(2, i));
+    boxes.rows[i] = combined(axes_b, a.axes(0, i), a.axes(1, i), a.axes(2, i));
   }
   std::copy(boxes.rows, boxes.rows + 3, boxes.columns);
   transpose(boxes.columns);
-  boxes.half_a = in_a.half;
-  boxes.half_b = in_b.half;
-  boxes.offset_a = combined(in_a.axes, d[0], d[1], d[2]);
-  boxes.offset_b = combined(in_b.axes, -d[0], -d[1], -d[2]);
+  boxes.half_a = row_of<Row>(a.half_extents);
+  boxes.half_b = row_of<Row>(b.half_extents);
+  boxes.offset_a = combined(axes_a, d[0], d[1], d[2]);
+  boxes.offset_b = combined(axes_b, -d[0], -d[1], -d[2]);
   return boxes;
 }
 
 /// B as A sees it.
-template <class Real>
-BoxesInRows<Real> boxes_in_rows(const Obb<Real>& a, const Obb<Real>& b)
+template <class Row, class Real>
+BoxesInRows<Row> boxes_in_rows(const Obb<Real>& a, const Obb<Real>& b)
 {
-  return boxes_in_rows<Real>(a, b, b.center - a.center);
+  return boxes_in_rows<Row, Real>(a, b, b.center - a.center);
 }
 // [boxes_in_rows]
 
@@ -119,21 +87,20 @@ Row face_overlaps(const Row& half, const Row (&others)[3], const Row& half_other
 
 // [edge_overlaps]
 /// The overlaps along a_i × b_0, a_i × b_1 and a_i × b_2, as long as these are.
-template <class Real>
+template <class Row>
 struct EdgeOverlaps
 {
-  Group<Real, 3> overlap; ///< |L| times metres; O3
-  Group<Real, 3> squared; ///< |L|², O4
+  Row overlap; ///< |L| times metres; O3
+  Row squared; ///< |L|², O4
 };
 
 /// The overlaps along A's edge i crossed with all three of B's.
 ///
 /// In place of |C| stand the cofactors of C, from the very L that is used everywhere else: equal in
 /// exact numbers, and right also where the edges are nearly parallel.
-template <class Real>
-EdgeOverlaps<Real> edge_overlaps(const BoxesInRows<Real>& boxes, int i)
+template <class Row>
+EdgeOverlaps<Row> edge_overlaps(const BoxesInRows<Row>& boxes, int i)
 {
-  using Row = Group<Real, 3>;
   const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
   const Row &r1 = boxes.rows[i1], &r2 = boxes.rows[i2];
   const Row cofactor = abs(turned_once(r1) * r2 - turned_once(r2) * r1);

@@ -18,11 +18,11 @@ inline namespace COOKBOOK_INSTRUCTION_SET
 // [answer_edges]
 /// Writes the manifolds of pairs that all meet with edges.
 inline void answer_edges(
-    const Obb<Lanes>& a, const BoxesInRows<Lanes>& boxes, const LeastEdge<Lanes>& edge,
+    const Obb<Lanes>& a, const BoxesInRows<Three>& boxes, const LeastEdge<Lanes>& edge,
     const Words& pair, SixteenEdgeManifolds& out, std::size_t at)
 {
   const Lanes i = third(edge.index), j = edge.index - i * Lanes(3.0f);
-  const EdgeContact<Lanes> contact = edge_contact<Lanes>(a, boxes, which(i), which(j));
+  const EdgeContact<Three> contact = edge_contact(a, boxes, which(i), which(j));
   for (int x = 0; x < 3; ++x)
   {
     store_pack(contact.normal[x], out.normal[x] + at);
@@ -45,15 +45,15 @@ Lanes::Mask answer_faces(
     std::size_t at)
 {
   const Tolerances<Lanes> tolerances = tolerances_of(box, other);
-  const FaceContact<Lanes> contact =
-      face_contact<Lanes>(box, other, axes, offset, k, kept_gap(face, tolerances), tolerances.hair);
+  const FaceContact<Three> contact =
+      face_contact(box, other, axes, offset, k, kept_gap(face, tolerances), tolerances.hair);
   const Lanes towards_b = select(FaceOf(face.index).a, Lanes(1.0f), Lanes(-1.0f));
   Words kept = Words{};
   for (std::size_t slot = 0; slot < 8; ++slot)
   {
     const std::size_t part = slot / 4;
     const int i = static_cast<int>(slot % 4);
-    kept |= contact.kept[part].lane[i].lanes & static_cast<std::int32_t>(1u << slot);
+    kept |= contact.kept[part].at[i].lanes & static_cast<std::int32_t>(1u << slot);
     for (int x = 0; x < 3; ++x)
     {
       store_pack(contact.position[part][x][i], out.position[slot][x] + at);

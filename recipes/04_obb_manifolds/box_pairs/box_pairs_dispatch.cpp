@@ -4,7 +4,7 @@
 #include "04_obb_manifolds/box_box/box_box.hpp"
 #include "04_obb_manifolds/box_pairs/box_pairs.hpp"
 #include "04_obb_manifolds/box_pairs/box_pairs_kernel.hpp"
-#include "04_obb_manifolds/feature_memory/feature_memory.hpp"
+#include "04_obb_manifolds/feature_memory/contact_memory.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -19,9 +19,9 @@ inline namespace COOKBOOK_INSTRUCTION_SET
 struct Overlaps
 {
   Three face_a, face_b;
-  EdgeOverlaps<Lanes> edges[3];
+  EdgeOverlaps<Three> edges[3];
 
-  explicit Overlaps(const BoxesInRows<Lanes>& boxes)
+  explicit Overlaps(const BoxesInRows<Three>& boxes)
       : face_a(face_overlaps(boxes.half_a, boxes.columns, boxes.half_b, boxes.offset_a)),
         face_b(face_overlaps(boxes.half_b, boxes.rows, boxes.half_a, boxes.offset_b)),
         edges{edge_overlaps(boxes, 0), edge_overlaps(boxes, 1), edge_overlaps(boxes, 2)}
@@ -33,7 +33,7 @@ struct Overlaps
   {
     const Three zero(Lanes(0.0f));
     const Three edge = min(min(edges[0].overlap, edges[1].overlap), edges[2].overlap);
-    return all_lanes<Lanes>((zero <= face_a) & (zero <= face_b) & (zero <= edge));
+    return RowTraits<Three>::all((zero <= face_a) & (zero <= face_b) & (zero <= edge));
   }
 };
 // [overlaps]
@@ -49,11 +49,11 @@ struct Choice
 };
 
 /// What is chosen by all fifteen overlaps.
-Choice choice_of(const BoxesInRows<Lanes>& boxes, const Tolerances<Lanes>& tolerances)
+Choice choice_of(const BoxesInRows<Three>& boxes, const Tolerances<Lanes>& tolerances)
 {
   const Overlaps overlaps(boxes);
   Choice choice;
-  choice.face = least_face<Lanes>(overlaps.face_a, overlaps.face_b);
+  choice.face = least_face(overlaps.face_a, overlaps.face_b);
   choice.edge = least_edge(overlaps.edges, edge_bar(boxes, choice.face.depth, tolerances));
   const Lanes::Mask moderate = has_moderate_size(tolerances.size);
   const std::uint32_t touching = bits_of(overlaps.touching() & moderate);
@@ -92,7 +92,7 @@ void written(Block* blocks, std::size_t& count, std::size_t more, Ahead<Block>& 
     const Lanes &here = box.center[x], &there = other.center[x];
     d[x] = select(of.a, there - here, -(here - there));
   }
-  const BoxesInRows<Lanes> boxes = boxes_in_rows<Lanes>(box, other, d);
+  const BoxesInRows<Three> boxes = boxes_in_rows<Three>(box, other, d);
   const Lanes::Mask pointless = answer_faces(
       box, other, boxes.rows, boxes.offset_a, 0, face, words_at(waiting.pair + from),
       room.faces[room.face_count / 16], room.face_count % 16);
@@ -108,8 +108,8 @@ void written(Block* blocks, std::size_t& count, std::size_t more, Ahead<Block>& 
   const LeastEdge<Lanes> edge{
       load_pack<Lanes>(waiting.depth + from), load_pack<Lanes>(waiting.index + from)};
   answer_edges(
-      a, boxes_in_rows(a, b), edge, words_at(waiting.pair + from), room.edges[room.edge_count / 16],
-      room.edge_count % 16);
+      a, boxes_in_rows<Three>(a, b), edge, words_at(waiting.pair + from),
+      room.edges[room.edge_count / 16], room.edge_count % 16);
   written(room.edges, room.edge_count, count, next.edges);
 }
 
@@ -136,7 +136,7 @@ void answer_or_wait(
     const PairsInBlocks& pairs, Waiting& faces, Waiting& edges, BoxPairsRoom& room, Next& next)
 {
   const Obb<Lanes> a = boxes_at(pairs.a, pairs.at), b = boxes_at(pairs.b, pairs.at);
-  const BoxesInRows<Lanes> boxes = boxes_in_rows(a, b);
+  const BoxesInRows<Three> boxes = boxes_in_rows<Three>(a, b);
   next.ask();
   const Choice choice = choice_of(boxes, tolerances_of(a, b));
   next.ask();
@@ -214,7 +214,7 @@ void answer_or_wait(
     for (std::size_t at = 0; at < 16; at += width)
     {
       const Obb<Lanes> box_a = boxes_at(a[block], at), box_b = boxes_at(b[block], at);
-      word |= bits_of(Overlaps(boxes_in_rows(box_a, box_b)).touching()) << at;
+      word |= bits_of(Overlaps(boxes_in_rows<Three>(box_a, box_b)).touching()) << at;
       answered = answered & has_moderate_size(tolerances_of(box_a, box_b).size);
     }
     touching[block] = word;

@@ -3,6 +3,7 @@
 /// \file
 /// \brief The points where the edges of one box pass the faces of another.
 
+#include "04_obb_manifolds/separating_axes/side_of_face.hpp"
 #include "common/math/vector.hpp"
 
 #include <algorithm>
@@ -22,13 +23,6 @@ struct ClippedEdge
   int enter_face = -1; ///< 0 … 5 for +x, −x, +y, −y, +z, −z; −1 where the edge starts inside
   int leave_face = -1; ///< the same for the other end
 };
-
-/// Which side of a face a point is on: 1 outside, 0 on it as far as rounding can tell, −1 inside.
-template <class Real>
-int side_of_face(Real distance, Real slack)
-{
-  return distance > slack ? 1 : distance < -slack ? -1 : 0;
-}
 
 /// Cuts an edge at the six faces of the box [−h, h]; nothing where no piece lies in it.
 template <class Real>

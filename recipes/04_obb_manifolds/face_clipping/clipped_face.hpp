@@ -3,8 +3,8 @@
 /// \file
 /// \brief The part of one face that lies over another: a polygon, cut out side by side.
 
-#include "04_obb_manifolds/edge_clipping/edge_face_points.hpp"
 #include "04_obb_manifolds/face_clipping/box_features.hpp"
+#include "04_obb_manifolds/separating_axes/side_of_face.hpp"
 
 #include <algorithm>
 #include <array>

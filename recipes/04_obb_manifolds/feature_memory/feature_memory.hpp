@@ -5,53 +5,14 @@
 /// was known of each.
 
 #include "04_obb_manifolds/box_box/box_box.hpp"
+#include "04_obb_manifolds/feature_memory/contact_memory.hpp"
 #include "04_obb_manifolds/separating_axes/box_axes.hpp"
 
-#include <array>
 #include <cmath>
 #include <utility>
 
 namespace cookbook
 {
-
-// [feature_id]
-/// The axis, 0 … 14, that the manifold of a contact point was built on; part of its feature, O17.
-inline int axis_of_feature(std::uint32_t feature)
-{
-  return static_cast<int>(feature / 64);
-}
-
-/// The axis that a manifold was built on; −1 if there is none.
-template <class Real>
-int axis_of(const std::optional<Manifold<Real>>& manifold)
-{
-  return manifold ? axis_of_feature(manifold->points[0].feature) : -1;
-}
-
-/// For each point of a manifold what belongs to it.
-template <class Warm>
-using PerPoint = std::array<Warm, 8>;
-
-/// What was known of the points of the frame before, for the points of this one that have the same
-/// feature; `Warm{}` for points that are new.
-template <class Real, class Warm>
-PerPoint<Warm>
-carried_by_id(const Manifold<Real>& before, const PerPoint<Warm>& warm, const Manifold<Real>& now)
-{
-  PerPoint<Warm> carried{};
-  for (std::size_t i = 0; i < now.points.size(); ++i)
-  {
-    for (std::size_t j = 0; j < before.points.size(); ++j)
-    {
-      if (now.points[i].feature == before.points[j].feature)
-      {
-        carried[i] = warm[j];
-      }
-    }
-  }
-  return carried;
-}
-// [feature_id]
 
 // [on_axis]
 /// The direction of an axis, 0 … 14, of two boxes, of length one; it may point from B to A.
@@ -82,11 +43,11 @@ std::optional<Real> overlap_on(const Obb<Real>& a, const Obb<Real>& b, int axis)
 
 /// The manifold of two boxes on an axis, 0 … 14, that somebody chose, along which they overlap by
 /// `depth` [m]; below zero they are apart. Corners with a gap are kept up to `widest_gap` [m].
-template <class Real>
+template <class Row, class Real>
 std::optional<Manifold<Real>> box_box_on(
     const Obb<Real>& a, const Obb<Real>& b, int axis, const Real& depth, const Real& widest_gap)
 {
-  const BoxesInRows<Real> boxes = boxes_in_rows(a, b);
+  const BoxesInRows<Row> boxes = boxes_in_rows<Row>(a, b);
   return axis_kind(axis) == AxisKind::edges
              ? edge_manifold(a, boxes, axis - 6, depth)
              : face_manifold(
@@ -94,11 +55,11 @@ std::optional<Manifold<Real>> box_box_on(
 }
 
 /// The same with the gap that box_box() allows.
-template <class Real>
+template <class Row, class Real>
 std::optional<Manifold<Real>>
 box_box_on(const Obb<Real>& a, const Obb<Real>& b, int axis, const Real& depth)
 {
-  return box_box_on(
+  return box_box_on<Row>(
       a, b, axis, depth, kept_gap<Real>(LeastFace<Real>{depth, axis}, tolerances_of(a, b)));
 }
 // [on_axis]
@@ -139,13 +100,26 @@ steady_axis(int before, const Obb<Real>& a, const Obb<Real>& b, const std::pair<
 // [keeps_axis]
 
 // [feature_memory]
-/// What is known of two boxes from one frame to the next.
-template <class Real, class Warm>
-struct ContactMemory
+/// next_frame() with its numbers in rows of a certain type: a Group, or registers.
+template <class Row, class Real, class Warm>
+ContactMemory<Real, Warm>
+next_frame_in(const ContactMemory<Real, Warm>& before, const Obb<Real>& a, const Obb<Real>& b)
 {
-  std::optional<Manifold<Real>> manifold; ///< nothing where they are apart
-  PerPoint<Warm> warm;                    ///< of each point, such as the impulse it has taken up
-};
+  ContactMemory<Real, Warm> now{box_box_in<Row>(a, b), {}};
+  if (!now.manifold || !before.manifold)
+  {
+    return now;
+  }
+  const int found = axis_of(now.manifold);
+  const auto [axis, overlap] =
+      steady_axis(axis_of(before.manifold), a, b, std::pair(found, now.manifold->depth));
+  if (axis != found)
+  {
+    now.manifold = box_box_on<Row>(a, b, axis, overlap);
+  }
+  now.warm = carried_by_id(*before.manifold, before.warm, *now.manifold);
+  return now;
+}
 
 /// The contact of two boxes in this frame, from that in the frame before; O17.
 ///
@@ -156,20 +130,7 @@ template <class Real, class Warm>
 ContactMemory<Real, Warm>
 next_frame(const ContactMemory<Real, Warm>& before, const Obb<Real>& a, const Obb<Real>& b)
 {
-  ContactMemory<Real, Warm> now{box_box(a, b), {}};
-  if (!now.manifold || !before.manifold)
-  {
-    return now;
-  }
-  const int found = axis_of(now.manifold);
-  const auto [axis, overlap] =
-      steady_axis(axis_of(before.manifold), a, b, std::pair(found, now.manifold->depth));
-  if (axis != found)
-  {
-    now.manifold = box_box_on(a, b, axis, overlap);
-  }
-  now.warm = carried_by_id(*before.manifold, before.warm, *now.manifold);
-  return now;
+  return next_frame_in<Group<Real, 3>>(before, a, b);
 }
 // [feature_memory]
 

@@ -4,9 +4,11 @@
 /// \brief Where two bodies of a world touch, or will within a margin: manifolds of chapters 3
 /// and 4.
 
+#include "04_obb_manifolds/feature_memory/feature_memory.hpp"
 #include "05_resolution/contacts/ghost_contact.hpp"
 #include "05_resolution/contacts/near_shapes.hpp"
 #include "05_resolution/contacts/world_contact.hpp"
+#include "common/simd/registers.hpp"
 
 #include <optional>
 #include <utility>
@@ -46,7 +48,8 @@ inline ContactMemory<double, WorldPoint> meet(
     double margin)
 {
   const Obb<double> grown_a = grown(a, margin / 2), grown_b = grown(b, margin / 2);
-  const std::optional<std::pair<int, double>> found = box_axis(grown_a, grown_b);
+  const std::optional<std::pair<int, double>> found =
+      box_axis_in<Registers<double>>(grown_a, grown_b);
   if (!found)
   {
     return {};
@@ -56,7 +59,8 @@ inline ContactMemory<double, WorldPoint> meet(
   const double growth = margin / 2 *
                         ((a.axes.transpose() * normal).cwiseAbs().sum() +
                          (b.axes.transpose() * normal).cwiseAbs().sum());
-  return remembered(before, box_box_on(a, b, axis, overlap - growth, growth + margin));
+  return remembered(
+      before, box_box_on<Registers<double>>(a, b, axis, overlap - growth, growth + margin));
 }
 // [meet]
 

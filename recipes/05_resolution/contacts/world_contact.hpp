@@ -3,7 +3,7 @@
 /// \file
 /// \brief The contact of two bodies of a world: points that stay on the bodies, and their gaps.
 
-#include "04_obb_manifolds/feature_memory/feature_memory.hpp"
+#include "04_obb_manifolds/feature_memory/contact_memory.hpp"
 #include "05_resolution/contacts/rigid_body.hpp"
 
 #include <cstddef>

@@ -3,6 +3,7 @@
 /// \file
 /// \brief What each change for speed brought: resting boxes by the plain text and by the fast one.
 
+#include "04_obb_manifolds/box_box/box_box_in_registers.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_chart.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_chart_measure.hpp"
 #include "04_obb_manifolds/face_clipping/face_clipping.hpp"
@@ -17,10 +18,11 @@ namespace cookbook
 /// The axis of two boxes that overlap, as box_box() chooses it, without the contact.
 inline float depth_in_rows(const Obb<float>& a, const Obb<float>& b)
 {
-  const BoxesInRows<float> boxes = boxes_in_rows(a, b);
-  const EdgeOverlaps<float> edges[] = {
+  using Row = Registers<float>;
+  const BoxesInRows<Row> boxes = boxes_in_rows<Row>(a, b);
+  const EdgeOverlaps<Row> edges[] = {
       edge_overlaps(boxes, 0), edge_overlaps(boxes, 1), edge_overlaps(boxes, 2)};
-  const LeastFace<float> face = least_face<float>(
+  const LeastFace<float> face = least_face(
       face_overlaps(boxes.half_a, boxes.columns, boxes.half_b, boxes.offset_a),
       face_overlaps(boxes.half_b, boxes.rows, boxes.half_a, boxes.offset_b));
   const LeastEdge<float> edge = least_edge(edges, edge_bar(boxes, face.depth, tolerances_of(a, b)));
@@ -57,7 +59,7 @@ inline std::vector<SpeedStep> measured_steps(std::size_t pairs, const measure::E
   const auto batch = std::make_shared<BoxBatch>(resting);
   const auto plain_axes = [](const auto& a, const auto& b) { return separating_axes(a, b); };
   const auto plain = [](const auto& a, const auto& b) { return face_clipping(a, b); };
-  const auto fast = [](const auto& a, const auto& b) { return box_box(a, b); };
+  const auto fast = [](const auto& a, const auto& b) { return box_box_in_registers(a, b); };
   TimedColumn column;
   column.add("depth, axis by axis", false, for_all(resting, plain_axes), pairs);
   column.add("depth, three axes at a time", false, for_all(resting, depth_in_rows), pairs);

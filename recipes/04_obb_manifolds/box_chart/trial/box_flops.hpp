@@ -108,32 +108,32 @@ inline BoxFlops box_flops(const Obb<float>& in_float, const Obb<float>& other_in
   const Obb<Counted> a = counted(in_float), b = counted(other_in_float);
   using Three = Group<Counted, 3>;
   Counted::flops = 0;
-  const BoxesInRows<Counted> boxes = boxes_in_rows(a, b);
+  const BoxesInRows<Three> boxes = boxes_in_rows<Three>(a, b);
   const Three face_a = face_overlaps(boxes.half_a, boxes.columns, boxes.half_b, boxes.offset_a);
   const Three face_b = face_overlaps(boxes.half_b, boxes.rows, boxes.half_a, boxes.offset_b);
-  const EdgeOverlaps<Counted> edges[] = {
+  const EdgeOverlaps<Three> edges[] = {
       edge_overlaps(boxes, 0), edge_overlaps(boxes, 1), edge_overlaps(boxes, 2)};
   // Who only asks whether they overlap needs no squared lengths, two products and a sum each.
   const std::size_t overlaps = Counted::flops - 9 * 3;
   const Three least =
       min(min(min(face_a, face_b), edges[0].overlap), min(edges[1].overlap, edges[2].overlap));
-  if (any(any_lane<Counted>(least < Three(Counted(0)))))
+  if (any(RowTraits<Three>::any(least < Three(Counted(0)))))
   {
     return {overlaps, overlaps};
   }
   const Tolerances<Counted> tolerances = tolerances_of(a, b);
-  const LeastFace<Counted> face = least_face<Counted>(face_a, face_b);
+  const LeastFace<Counted> face = least_face(face_a, face_b);
   const LeastEdge<Counted> edge = least_edge(edges, edge_bar(boxes, face.depth, tolerances));
   // Either contact takes as many operations on one axis as on any other.
   const auto first = which(Counted(0));
   if (any(edge.found()))
   {
-    edge_contact<Counted>(a, boxes, first, first);
+    edge_contact(a, boxes, first, first);
     sqrt(edge.squared_depth);
   }
   else
   {
-    face_contact<Counted>(
+    face_contact(
         a, b, boxes.rows, boxes.offset_a, first, kept_gap(face, tolerances), tolerances.hair);
   }
   return {overlaps, Counted::flops};

@@ -4,7 +4,7 @@
 /// \brief The methods that give a whole manifold of two boxes, by name.
 
 #include "04_obb_manifolds/box_as_published/trial/box_as_published.hpp"
-#include "04_obb_manifolds/box_box/box_box.hpp"
+#include "04_obb_manifolds/box_box/box_box_in_registers.hpp"
 #include "04_obb_manifolds/contact_reduction/contact_reduction.hpp"
 #include "04_obb_manifolds/edge_clipping/edge_clipping.hpp"
 #include "04_obb_manifolds/face_clipping/face_clipping.hpp"
@@ -22,12 +22,15 @@ namespace cookbook
 template <class Visit>
 void for_every_box_method(const Visit& visit)
 {
+  visit(
+      "box_box_in_registers",
+      [](const auto& a, const auto& b) { return box_box_in_registers(a, b); });
   visit("box_box", [](const auto& a, const auto& b) { return box_box(a, b); });
   visit(
       "contact_reduction",
       [](const auto& a, const auto& b)
       {
-        const auto manifold = box_box(a, b);
+        const auto manifold = box_box_in_registers(a, b);
         return manifold ? std::optional(reduced(*manifold)) : std::nullopt;
       });
   visit("face_clipping", [](const auto& a, const auto& b) { return face_clipping(a, b); });
