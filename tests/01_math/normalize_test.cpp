@@ -8,6 +8,7 @@
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/verdicts.hpp"
 
 #include <numeric>
 
@@ -42,21 +43,6 @@ std::vector<Vector3<int>> whole_vectors(int most)
     }
   }
   return all;
-}
-
-template <class Real>
-void check_cases()
-{
-  const auto methods = normalize_methods<Real>();
-  for (const NormalizeCase<Real>& one : normalize_cases(Real()))
-  {
-    for (std::size_t i = 0; i < methods.size(); ++i)
-    {
-      const Verdict verdict = normalize_verdict(methods[i].normalize(one.v), one.v);
-      INFO(methods[i].name << " " << one.what << ": " << verdict.what);
-      CHECK(verdict.holds == one.holds[i]);
-    }
-  }
 }
 
 } // namespace
@@ -220,8 +206,35 @@ TEST_CASE("R v is q v q* divided by |q|² for 125 whole quaternions", "[M16]")
 // [cases]
 TEST_CASE("each way to normalise holds or fails as the table says", "[case:A1][case:A2]")
 {
-  check_cases<float>();
-  check_cases<double>();
+  check_verdicts(
+      normalize_verdicts(normalize_cases(0.0f)), names_of(normalize_methods<float>()),
+      {{"A1", {"threshold", "wider", "scaled"}},
+       {"A2", {"wider", "scaled"}},
+       {"(1e20, 1e20, 1e20)", {"wider", "scaled"}},
+       {"(1, 2, 2)", {"naive", "threshold", "wider", "scaled"}},
+       {"(1, 2, 2) · 1e-7", {"naive", "wider", "scaled"}},
+       {"(1, 2, 2) · 1e-22", {"wider", "scaled"}},
+       {"(3, 4, 0) · smallest float", {"wider", "scaled"}},
+       {"(1e20, 1, 0)", {"wider", "scaled"}},
+       {"half of the largest", {"wider", "scaled"}}});
+  check_verdicts(
+      normalize_verdicts(normalize_cases(0.0)), names_of(normalize_methods<double>()),
+      {{"(1, 2, 2), double", {"naive", "threshold", "wider", "scaled"}},
+       {"(1, 1, 1) · 1e200, double", {"scaled"}},
+       {"(3, 4, 0) · 1e-200, double", {"scaled"}}});
+}
+
+TEST_CASE("a direction that is 3 ulp off is right, one that is 5 ulp off is not", "[case:A1]")
+{
+  // (1, 2, 2) has the length 3; a component's error is counted in ulps of one, 2^-23.
+  const auto off = [](float ulps)
+  {
+    const Direction<float> answer{{1.0f / 3 + ulps * 0x1p-23f, 2.0f / 3, 2.0f / 3}, 3};
+    return normalize_verdict<float>(answer, {1, 2, 2});
+  };
+  CHECK(off(3).holds);
+  CHECK_FALSE(off(5).holds);
+  CHECK_FALSE(off(-5).holds);
 }
 // [cases]
 

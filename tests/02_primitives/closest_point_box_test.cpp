@@ -8,6 +8,7 @@
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/verdicts.hpp"
 
 using namespace cookbook;
 
@@ -252,16 +253,16 @@ TEST_CASE(
     "each way to answer for a point and a box holds or fails as the table says",
     "[case:D1][case:D2][case:D3][case:D4][case:D8]")
 {
-  const std::vector<PointBoxCase> cases = point_box_cases();
-  const std::vector<VerdictRow> verdicts = point_box_verdicts();
-  for (std::size_t i = 0; i < cases.size(); ++i)
-  {
-    for (std::size_t j = 0; j < cases[i].holds.size(); ++j)
-    {
-      INFO(cases[i].what << ", way " << j << ": " << verdicts[i].verdicts[j].what);
-      CHECK(verdicts[i].verdicts[j].holds == cases[i].holds[j]);
-    }
-  }
+  check_verdicts(
+      point_box_verdicts(), names_of(point_box_methods()),
+      {{"D1", {"recommended"}},
+       {"D2", {"recommended"}},
+       {"D3", {"recommended"}},
+       {"D4", {"mixed bounds", "shell", "recommended"}},
+       {"D8", {"unguarded", "shell", "recommended"}},
+       {"cube, 4 m above", {"mixed bounds", "unguarded", "shell", "recommended"}},
+       {"cube, inside its edge", {"recommended"}},
+       {"4 mm, 0.2 mm off", {"mixed bounds", "unguarded", "recommended"}}});
 }
 
 TEST_CASE("the table tells a wrong direction and a wrong distance from a right answer", "[case:D1]")
@@ -273,6 +274,10 @@ TEST_CASE("the table tells a wrong direction and a wrong distance from a right a
   CHECK(point_box_verdict({{0, -1, 0}, -0.05}, floor, truth).what == "wrong direction");
   CHECK(point_box_verdict({{0, 1, 0}, 0.05}, floor, truth).what == "distance 0.05, not -0.05");
   CHECK(point_box_verdict({{0, 2, 0}, -0.05}, floor, truth).what == "no direction");
+  // Right to 1e-12 m, a few roundings of numbers up to 10.
+  CHECK(point_box_verdict({{0, 1, 0}, -0.05 + 5e-13}, floor, truth).holds);
+  CHECK_FALSE(point_box_verdict({{0, 1, 0}, -0.05 + 2e-12}, floor, truth).holds);
+  CHECK_FALSE(point_box_verdict({{0, 1 + 1e-12, 0}, -0.05}, floor, truth).holds);
 }
 // [cases]
 

@@ -2,6 +2,7 @@
 /// What holds for files of pairs: shapes from rows, manifolds as rows, errors by line and column.
 
 #include "03_sphere_manifolds/manifold/trial/pairs_file.hpp"
+#include "03_sphere_manifolds/sphere_sphere/sphere_sphere.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/common/run_program.hpp"
@@ -60,6 +61,38 @@ TEST_CASE("a wrong shape is named by file, line and column, and nothing is print
   CHECK(result.status == 1);
   CHECK(result.out.empty());
   CHECK(result.err.find(".csv:3:8: br: radius must be zero or more, got -2") != std::string::npos);
+}
+
+TEST_CASE(
+    "a manifold that does not fit the number type is named by its row, and none printed", "[pairs]")
+{
+  const std::filesystem::path path = std::filesystem::temp_directory_path() /
+                                     ("cookbook_huge_" + std::to_string(getpid()) + ".csv");
+  std::ofstream(path) << spheres << "0,0,0,1,0,0,0,1\n0,0,0,3e38,1,0,0,3e38\n";
+  const auto printed = [&](const std::string& scalar)
+  {
+    return run(
+        {"demo", "--pairs", path.string(), "--scalar", scalar},
+        [](const Arguments& given)
+        {
+          print_pairs(
+              given,
+              [](const PairsRow& row, auto zero)
+              {
+                using Real = decltype(zero);
+                return sphere_sphere(sphere_at<Real>(row, 0), sphere_at<Real>(row, 4));
+              });
+        });
+  };
+  const Run in_float = printed("float"), in_double = printed("double");
+  std::filesystem::remove(path);
+  CHECK(in_float.status == 1);
+  CHECK(in_float.out.empty());
+  CHECK(
+      in_float.err.find(".csv:3:1: the manifold is too large for the number type") !=
+      std::string::npos);
+  CHECK(in_double.status == 0);
+  CHECK(in_double.out.find("inf") == std::string::npos);
 }
 
 TEST_CASE("a number that does not fit the number type is named", "[pairs]")

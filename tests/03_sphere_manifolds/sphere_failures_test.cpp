@@ -4,24 +4,37 @@
 #include "03_sphere_manifolds/sphere_failures/trial/sphere_box_failures.hpp"
 #include "03_sphere_manifolds/sphere_failures/trial/sphere_failures.hpp"
 #include "03_sphere_manifolds/sphere_plane/sphere_plane.hpp"
+#include "common/math/rational.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/verdicts.hpp"
 
 using namespace cookbook;
 
 namespace
 {
 
-void expect(
-    const std::string& id, const std::vector<std::string>& methods,
-    const std::vector<Verdict>& verdicts, const std::vector<bool>& holds)
+/// What is right of shapes whose distance is known exactly, by hand: the sum of radii less the
+/// distance of the centres, or of a sphere's radius and its distance to the box's surface.
+struct RightDepth
 {
-  REQUIRE(verdicts.size() == methods.size());
-  REQUIRE(holds.size() == methods.size());
-  for (std::size_t i = 0; i < methods.size(); ++i)
+  std::string id;
+  Rational depth;
+};
+
+/// Asserts the depths that the verdicts are passed by, and how far an answer may be from them.
+template <class Cases>
+void check_right_depths(const Cases& cases, const std::vector<RightDepth>& depths)
+{
+  REQUIRE(cases.size() == depths.size());
+  for (std::size_t i = 0; i < depths.size(); ++i)
   {
-    CAPTURE(id, methods[i], verdicts[i].what);
-    CHECK(verdicts[i].holds == holds[i]);
+    INFO(depths[i].id);
+    CHECK(cases[i].id == depths[i].id);
+    // The box of 100 m has numbers fifty times as large as the others.
+    CHECK(cases[i].right.tolerance == (cases[i].id == "D5" ? 1e-5 : 1e-6));
+    const Rational off = abs(Rational(cases[i].right.depth) - depths[i].depth);
+    CHECK(off <= Rational(cases[i].right.tolerance) / 1000);
   }
 }
 
@@ -32,11 +45,17 @@ TEST_CASE(
     "every way to two spheres' manifold fails or survives as the table says",
     "[case:C1][case:C2][case:C3][case:C4][case:C6][case:C7][case:C8][case:X01][case:X02]")
 {
-  for (const SphereCase& one : sphere_cases())
-  {
-    const auto verdicts = verdicts_of(sphere_answers(one.a, one.b), one.right);
-    expect(one.id, sphere_method_names(), verdicts, one.holds);
-  }
+  check_verdicts(
+      sphere_verdicts(), sphere_method_names(),
+      {{"C1", {"float, world", "float, relative", "batch", "double"}},
+       {"X01", {"float, world", "float, relative", "batch", "double"}},
+       {"C2", {"float, world", "float, relative", "1/√x, 2 steps", "batch", "double"}},
+       {"C3", {"float, relative", "1/√x, 2 steps", "batch", "double"}},
+       {"X02", {"float, relative", "1/√x, 2 steps", "batch", "double"}},
+       {"C4", {"float, relative", "1/√x, 2 steps", "batch", "double"}},
+       {"C6", {"double"}},
+       {"C7", {"float, relative", "double"}},
+       {"C8", {"float, world", "float, relative", "batch", "double"}}});
 }
 // [sphere_verdicts]
 
@@ -46,13 +65,50 @@ TEST_CASE(
     "[case:D1][case:D2][case:D3][case:D4][case:D5][case:D8][case:D9]"
     "[case:X05][case:X06][case:X07][case:X28]")
 {
-  for (const SphereBoxCase& one : box_cases())
-  {
-    const auto verdicts = verdicts_of(box_answers(one.sphere, one.half), one.right);
-    expect(one.id, box_method_names(), verdicts, one.holds);
-  }
+  check_verdicts(
+      box_verdicts(), box_method_names(),
+      {{"D1", {"signed distance"}},
+       {"X05", {"signed distance"}},
+       {"D2", {"signed distance"}},
+       {"X07", {"signed distance"}},
+       {"D3", {"as published", "outside formula only", "signed distance"}},
+       {"X06", {"outside formula only", "signed distance"}},
+       {"D4", {"as published", "signed distance"}},
+       {"D5", {"signed distance"}},
+       {"D9", {"signed distance"}},
+       {"D8", {"as published", "outside formula only", "signed distance"}},
+       {"X28", {"as published", "outside formula only", "signed distance"}}});
 }
 // [box_verdicts]
+
+// [right_depths]
+TEST_CASE("the depths in the tables are those of fractions, within 1e-6 m", "[verdict]")
+{
+  const auto thousandths = [](int count) { return Rational(count, 1000); };
+  check_right_depths(
+      sphere_cases(), {{"C1", thousandths(100)},
+                       {"X01", thousandths(400)},
+                       {"C2", thousandths(300)},
+                       {"C3", 2},
+                       {"X02", 4},
+                       {"C4", 2},
+                       {"C6", Rational(-1, 100'000)},
+                       {"C7", thousandths(1)},
+                       {"C8", 0}});
+  check_right_depths(
+      box_cases(), {{"D1", thousandths(100 + 50)},
+                    {"X05", thousandths(100 + 250)},
+                    {"D2", thousandths(100 + 500)},
+                    {"X07", thousandths(100 + 1000)},
+                    {"D3", thousandths(100 - 1)},
+                    {"X06", Rational(998, 10'000)},
+                    {"D4", 1},
+                    {"D5", 1},
+                    {"D9", thousandths(5 + 10)},
+                    {"D8", thousandths(500 - 4000)},
+                    {"X28", thousandths(500 - 4000)}});
+}
+// [right_depths]
 
 // [verdicts]
 TEST_CASE("a verdict says what is wrong: contact, depth, normal, number", "[verdict]")
@@ -70,6 +126,12 @@ TEST_CASE("a verdict says what is wrong: contact, depth, normal, number", "[verd
   CHECK(what(Found{{0, 1, 0}, 0.5}, right) == "normal 90° off");
   CHECK(what(Found{{-1, 0, 0}, 0.5}, right) == "normal 180° off");
   CHECK(what(Found{{NAN, 0, 0}, 0.5}, right) == "not a number");
+  // The limit is the case's own tolerance, for depth, length and direction alike.
+  CHECK(verdict_of(Found{{1, 0, 0}, 0.5 + 0.9e-6}, right).holds);
+  CHECK(verdict_of(Found{{1, 0.9e-6, 0}, 0.5}, right).holds);
+  CHECK_FALSE(verdict_of(Found{{1, 0, 0}, 0.5 - 1.1e-6}, right).holds);
+  CHECK_FALSE(verdict_of(Found{{1, 1.1e-6, 0}, 0.5}, right).holds);
+  CHECK_FALSE(verdict_of(Found{{1 + 1.1e-6, 0, 0}, 0.5}, right).holds);
 }
 // [verdicts]
 

@@ -148,10 +148,20 @@ TEST_CASE("the batch and the recipe with a memory answer as box_box does", "[box
   {
     CAPTURE(each.name);
     const std::vector<ManifoldCheck> found = each.checks(lists);
+    REQUIRE(found.size() == right.size());
     for (std::size_t i = 0; i < right.size(); ++i)
     {
+      CHECK(found[i].compared == right[i].compared);
       CHECK(found[i].depth_error == right[i].depth_error);
+      CHECK(found[i].rests == right[i].rests);
+      CHECK(found[i].points_lost == right[i].points_lost);
     }
+    // By the truth, not by box_box: as good as float allows.
+    const BoxAccuracy accuracy = box_accuracy(found);
+    CHECK(accuracy.wrong == 0);
+    CHECK(accuracy.not_finite == 0);
+    CHECK(accuracy.compared > 5);
+    CHECK(accuracy.points_lost == 0);
     each.prepare(lists)();
   }
 }
@@ -181,7 +191,24 @@ TEST_CASE("a step is told beside the row that it is the faster form of", "[box_c
   CHECK(has(html, "<td>other</td><td>90</td><td></td><td></td>"));
 }
 
-TEST_CASE("the depth without the contact is that of the manifold", "[box_chart]")
+TEST_CASE("the depth without the contact: 0.1 m of cubes, 0.3 of an edge in an edge", "[box_chart]")
+{
+  const float depth = depth_in_rows(cube_at(0, 0, 0), cube_at(0.3f, 1.9f, 0));
+  CHECK(depth == Catch::Approx(0.1).epsilon(1e-5));
+  // Edges upward and downward, along z and along x: each √2 from its cube's centre.
+  const float eighth = std::atan(1.0f), root = std::sqrt(2.0f);
+  const Obb<float> below{
+      {0, 0, 0}, Eigen::AngleAxisf(eighth, Vector3<float>::UnitZ()).toRotationMatrix(), {1, 1, 1}};
+  const Obb<float> above{
+      {0, 2 * root - 0.3f, 0},
+      Eigen::AngleAxisf(eighth, Vector3<float>::UnitX()).toRotationMatrix(),
+      {1, 1, 1}};
+  CHECK(depth_in_rows(below, above) == Catch::Approx(0.3).epsilon(1e-5));
+}
+
+TEST_CASE(
+    "the depth without the contact is the true least, or that of a face a little deeper",
+    "[box_chart]")
 {
   for (const char* const name : {"random", "resting", "edge-edge"})
   {
@@ -190,6 +217,13 @@ TEST_CASE("the depth without the contact is that of the manifold", "[box_chart]"
       if (const auto manifold = box_box(a, b))
       {
         CHECK(depth_in_rows(a, b) == manifold->depth);
+        const Obb<double> in_a = orthonormal(a), in_b = orthonormal(b);
+        const double least = true_depth(true_least_overlap(in_a, in_b));
+        const double rounding = 1e-6 * pair_size(in_a, in_b);
+        // A face may be a twentieth of its depth or a two-hundredth of the smaller box deeper.
+        const double smaller = std::min(in_a.half_extents.sum(), in_b.half_extents.sum());
+        CHECK(depth_in_rows(a, b) >= least - rounding);
+        CHECK(depth_in_rows(a, b) <= least + std::max(least / 19, smaller / 200) + rounding);
       }
     }
   }

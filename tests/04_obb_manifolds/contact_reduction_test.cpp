@@ -11,6 +11,7 @@
 #include "04_obb_manifolds/contact_reduction/trial/contact_support.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/verdicts.hpp"
 
 #include <array>
 #include <set>
@@ -261,19 +262,10 @@ TEST_CASE(
     "eight points of two cubes: reduced() keeps the best four, the others fail as the table says",
     "[case:G19]")
 {
-  using Names = std::set<std::string>;
-  const std::vector<std::string> names = names_of(reduction_methods());
-  const std::vector<VerdictRow> rows = reduction_verdicts();
-  const std::array<Names, 2> fails{Names{"reduced_over"}, Names{"four_deepest", "reduced_over"}};
-  REQUIRE(rows.size() == fails.size());
-  for (std::size_t row = 0; row < rows.size(); ++row)
-  {
-    for (std::size_t i = 0; i < names.size(); ++i)
-    {
-      INFO(names[i] << ": " << rows[row].verdicts[i].what);
-      CHECK(rows[row].verdicts[i].holds == (fails[row].count(names[i]) == 0));
-    }
-  }
+  check_verdicts(
+      reduction_verdicts(), names_of(reduction_methods()),
+      {{"G19", {"four_deepest", "reduced", "steadily_reduced"}},
+       {"the same, leaning by 1e-3", {"reduced", "steadily_reduced"}}});
   const Manifold<double> level = octagon_of_cubes(0);
   REQUIRE(level.points.size() == 8);
   CHECK(area(support(level)) == Catch::Approx(8 * (root - 1)).margin(1e-12));
@@ -301,6 +293,26 @@ TEST_CASE("four of eight that have lost the deepest point are no good, whatever 
   CHECK(verdict.what.find("deepest lost") != std::string::npos);
 }
 // [reduction_verdicts]
+
+TEST_CASE("four points that span a hundredth less than the best four are no good", "[O15]")
+{
+  const auto shrunk = [](double scale)
+  {
+    const ReductionMethod method{
+        "", [=](const Manifold<double>& all)
+        {
+          Manifold<double, most_kept> few = best_four(all);
+          for (ContactPoint<double>& point : few.points)
+          {
+            point.position.x() *= scale;
+          }
+          return few;
+        }};
+    return verdict_on_reduction(method, octagon_of_cubes(0));
+  };
+  CHECK(shrunk(0.992).holds);
+  CHECK_FALSE(shrunk(0.988).holds);
+}
 
 // [reduced_over]
 TEST_CASE("the rim of a triangle is over it, and nothing is over one without an area", "[O15]")

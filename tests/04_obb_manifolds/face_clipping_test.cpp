@@ -252,6 +252,15 @@ TEST_CASE("each point has its own depth: a cube that leans by 2/100 is 0.05 and 
   }
 }
 
+TEST_CASE("of gaps of 1/4 all four points are kept up to 1/4, one below: the deepest", "[O12]")
+{
+  const NumberedBox<double> a{upright({0, 0, 0}, {1, 1, 1}), 0};
+  const NumberedBox<double> b{upright({0, 2.25, 0}, {1, 1, 1}), box_edges};
+  const LeastOverlap<double> least{{0, 1, 0}, 0, 1};
+  CHECK(face_points<double>({a, b, least, 0, 0.25}).size() == 4);
+  CHECK(face_points<double>({a, b, least, 0, 0.2499}).size() == 1);
+}
+
 TEST_CASE("a gap is kept up to the depth and to a hundredth of the smaller box, no wider", "[O12]")
 {
   const double sin = 200.0 / 10001, cos = 9999.0 / 10001, less = 400.0 / 10001;

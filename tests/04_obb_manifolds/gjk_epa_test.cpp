@@ -7,6 +7,7 @@
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/verdicts.hpp"
 
 #include <algorithm>
 #include <random>
@@ -671,13 +672,38 @@ TEST_CASE("of the equal ways out of a cube in its own place every one comes out"
 }
 // [limits]
 
-TEST_CASE("the table has a verdict of each method on each case", "[gjk][epa]")
+TEST_CASE("who holds and who fails at deep, level and random solids", "[gjk][epa][case:K4]")
 {
-  const std::vector<VerdictRow> rows = convex_verdicts();
-  REQUIRE(rows.size() == convex_cases().size());
-  for (const VerdictRow& row : rows)
+  check_verdicts(
+      convex_verdicts(), names_of(convex_methods()),
+      {{"G14", {"gjk_epa", "absolute_gap", "no_rebuild", "two_judges"}},
+       {"G15", {"gjk_epa", "absolute_gap", "two_judges"}},
+       {"K1", {"gjk_epa", "no_rebuild", "two_judges"}},
+       {"two spheres, deep", {"gjk_epa", "two_judges"}},
+       {"K2", {"gjk_epa", "absolute_gap", "two_judges"}},
+       {"two cubes in line, 0.25 mm deep", {"gjk_epa", "absolute_gap", "two_judges"}},
+       {"K3", {"gjk_epa", "absolute_gap", "no_rebuild"}},
+       {"two cubes in line, 0.1 µm deep", {"gjk_epa", "absolute_gap", "two_judges"}},
+       {"K4", {"gjk_epa", "absolute_gap", "two_judges"}}});
+}
+
+TEST_CASE("the depths of the table's round shapes, and how near an answer must be", "[gjk][epa]")
+{
+  // The box is 11.7 high; the capsule's lower end is 2.2 above its middle, less a radius of 1.9.
+  CHECK(capsule_in_box_depth == Catch::Approx(11.4).epsilon(1e-15));
+  CHECK(two_spheres_depth == Catch::Approx(1.7).epsilon(1e-15));
+  const ConvexMethod millimetre_off{
+      "", [](const ConvexPair<float>&) { return std::optional(11.4f + 0.0012f); },
+      [](const ConvexPair<double>&) { return std::optional(1.7 + 0.0012); }};
+  for (const ConvexCase& one : convex_cases())
   {
-    CHECK(row.verdicts.size() == names_of(convex_methods()).size());
-    CHECK(row.verdicts[0].holds);
+    INFO(one.id);
+    CHECK_FALSE((one.id[1] == '1' && one.verdict(millimetre_off).holds));
   }
+  CHECK(verdict_on_depth(1.7009, 1.7, 1e-3).holds);
+  CHECK_FALSE(verdict_on_depth(1.6989, 1.7, 1e-3).holds);
+  CHECK(verdict_on_depth(std::nullopt, -1e-7, 1e-9).holds);
+  CHECK_FALSE(verdict_on_depth(0, -1e-7, 1e-9).holds);
+  CHECK_FALSE(verdict_on_depth(std::nullopt, 1e-7, 1e-9).holds);
+  CHECK(random_cubes == 50'000);
 }

@@ -13,11 +13,15 @@
 #include "04_obb_manifolds/face_clipping/face_clipping.hpp"
 #include "04_obb_manifolds/gjk_epa/gjk_epa.hpp"
 #include "common/math/rational.hpp"
+#include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
 
 using namespace cookbook;
 
@@ -286,3 +290,295 @@ TEMPLATE_TEST_CASE(
   gjk.check(64);
 }
 // [parting_boxes]
+
+namespace
+{
+
+/// Multiples of a half from -1 to 1 along each axis: with half extents these are the corners of a
+/// box, the middles of its edges and faces, its centre, and points between them.
+std::vector<Vector3<double>> lattice(double most = 1)
+{
+  std::vector<Vector3<double>> points;
+  for (double x = -most; x <= most; x += 0.5)
+  {
+    for (double y = -most; y <= most; y += 0.5)
+    {
+      for (double z = -most; z <= most; z += 0.5)
+      {
+        points.push_back({x, y, z});
+      }
+    }
+  }
+  return points;
+}
+
+/// A length and a place [m] that all numbers of a pair are made of.
+struct Setting
+{
+  double unit;
+  Vector3<double> origin;
+
+  Vector3<double> at(const Vector3<double>& point) const { return origin + unit * point; }
+};
+
+/// Metres, millimetres, and as small and as large as leaves room for squares in double and for
+/// sums in float; each at the origin and a thousand times its unit away.
+std::vector<Setting> settings()
+{
+  std::vector<Setting> all;
+  for (const double unit : {1.0, 1e-3, 1e-30, 1e30})
+  {
+    all.push_back({unit, {0, 0, 0}});
+    all.push_back({unit, unit * Vector3<double>(1000, -700, 300)});
+  }
+  return all;
+}
+
+/// Along the axes, +y and −y among them, and along 2-3-6.
+const Vector3<double> directions[] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1},
+                                      {0, -1, 0}, {-1, 0, 0}, {2.0 / 7, 3.0 / 7, 6.0 / 7}};
+
+/// Boxes that are cubes, of three lengths, plates, rods and points.
+const Vector3<double> half_extents[] = {{1, 1, 1}, {0.5, 1, 2}, {1, 0, 0.5}, {0, 0, 1}, {0, 0, 0}};
+
+} // namespace
+
+// [parting_places]
+TEMPLATE_TEST_CASE(
+    "balls in each other's centre, on surfaces, ends, faces, edges and corners part, from 1e-30 to "
+    "1e30 m",
+    "[S5][S8][case:C3][case:D4]", float, double)
+{
+  using Real = TestType;
+  for (const Setting& set : settings())
+  {
+    const double unit = set.unit;
+    const Vector3<double>& origin = set.origin;
+    CAPTURE(unit, origin.x());
+    Partings spheres, planes, capsules, boxes;
+    for (const double radius : {0.0, 0.25, 1.0, 3.0})
+    {
+      for (const Vector3<double>& point : lattice())
+      {
+        const Sphere<Real> ball = in<Real>(Sphere<double>{set.at(point), unit * radius});
+        for (const double other : {0.0, 0.5, 1.0})
+        {
+          const Sphere<Real> b = in<Real>(Sphere<double>{origin, unit * other});
+          spheres.add(ball, b, sphere_sphere(ball, b));
+        }
+        for (const Vector3<double>& direction : directions)
+        {
+          const Vector3<Real> normal = direction.cast<Real>();
+          const Plane<Real> plane{normal, normal.dot(Vector3<Real>(origin.cast<Real>()))};
+          planes.add(ball, plane, sphere_plane(ball, plane));
+          // Segments of no length too; the ball is on an end of some, and on the middle of others.
+          for (const double length : {0.0, 0.5, 1.0})
+          {
+            const Capsule<Real> capsule =
+                in<Real>(Capsule<double>{{origin, set.at(length * direction)}, unit * radius / 4});
+            capsules.add(ball, capsule, sphere_capsule(ball, capsule));
+          }
+        }
+      }
+      for (const Vector3<double>& half : half_extents)
+      {
+        for (const Vector3<double>& point : lattice(1.5))
+        {
+          const Matrix3<double> axes = rational_rotation<double>(1, 2, 3, 4);
+          const Vector3<double> on_box = axes * half.cwiseProduct(point);
+          const Sphere<Real> ball = in<Real>(Sphere<double>{set.at(on_box), unit * radius / 2});
+          const Obb<Real> box = box_in<Real>(Obb<double>{origin, axes, unit * half});
+          boxes.add(ball, box, sphere_box(ball, box));
+        }
+      }
+    }
+    spheres.check(8);
+    planes.check(8);
+    capsules.check(8);
+    boxes.check(16);
+  }
+}
+
+TEMPLATE_TEST_CASE(
+    "cubes, plates, rods and points, parallel, turned and contained, part, from 1e-30 to 1e30 m",
+    "[O5][case:G5]", float, double)
+{
+  using Real = TestType;
+  const Matrix3<double> turns[] = {
+      rational_rotation<double>(1, 0, 0, 0), rational_rotation<double>(3, 0, 1, 0),
+      rational_rotation<double>(30'000, 1, 2, 3), rational_rotation<double>(1, 2, 3, 4)};
+  for (const Setting& set : settings())
+  {
+    const double unit = set.unit;
+    const Vector3<double>& origin = set.origin;
+    CAPTURE(unit, origin.x());
+    Partings axes, edges, faces, recommended, gjk;
+    int count = 0;
+    for (const Vector3<double>& half_a : half_extents)
+    {
+      for (const Vector3<double>& half_b : half_extents)
+      {
+        for (const Matrix3<double>& turn : turns)
+        {
+          for (const Vector3<double>& point : lattice())
+          {
+            if (++count % 8 != 0)
+            {
+              continue; // of 12,500 pairs every eighth
+            }
+            const Matrix3<double> first = rational_rotation<double>(count % 16, 1, 2, 2);
+            const Obb<Real> a = box_in<Real>(Obb<double>{origin, first, unit * half_a});
+            const Obb<Real> b =
+                box_in<Real>(Obb<double>{set.at(first * point), first * turn, unit * half_b});
+            if (const auto least = separating_axes(a, b))
+            {
+              axes.add(a, b, std::optional(Manifold<Real>{least->normal, least->depth, {}}));
+            }
+            edges.add(a, b, edge_clipping(a, b));
+            faces.add(a, b, face_clipping(a, b));
+            recommended.add(a, b, box_box(a, b));
+            gjk.add(a, b, gjk_epa(a, b));
+          }
+        }
+      }
+    }
+    CHECK(axes.deepest <= 16);
+    edges.check(16);
+    faces.check(16);
+    recommended.check(16);
+    gjk.check(64);
+  }
+}
+// [parting_places]
+
+namespace
+{
+
+using Exact3 = Vector3<Rational>;
+
+/// Whole vectors of whole length: units in fractions.
+std::vector<Direction<Rational>> whole_directions()
+{
+  std::vector<Direction<Rational>> all;
+  for (const auto& [v, length] :
+       {std::pair(Exact3(2, 3, 6), 7), std::pair(Exact3(-1, 2, 2), 3),
+        std::pair(Exact3(3, 0, -4), 5), std::pair(Exact3(1, -4, 8), 9),
+        std::pair(Exact3(0, 1, 0), 1)})
+  {
+    all.push_back({v / Rational(length), length});
+  }
+  return all;
+}
+
+/// A box in fractions, its corner and its turn out of small whole numbers.
+Obb<Rational> whole_box(BoxDraw& draw)
+{
+  const auto whole = [&](int least, int most)
+  { return Rational(least + draw.whole(most - least + 1), 2); };
+  const int w = 1 + draw.whole(3), x = draw.whole(3), y = draw.whole(3), z = draw.whole(3);
+  const Exact3 center(whole(-2, 2), whole(-2, 2), whole(-2, 2));
+  return {center, rational_rotation<Rational>(w, x, y, z), {whole(0, 3), whole(0, 3), whole(0, 3)}};
+}
+
+/// Moves B by the least of the fifteen overlaps, along its axis L by overlap L / |L|², which needs
+/// no root; nothing where the boxes are apart.
+std::optional<Obb<Rational>> parted(const Obb<Rational>& a, Obb<Rational> b)
+{
+  const RelativeBoxes<Rational> boxes = relative_boxes(a, b);
+  std::optional<AxisOverlap<Rational>> least;
+  for (int axis = 0; axis < box_axes; ++axis)
+  {
+    const AxisOverlap<Rational> along = axis_overlap(boxes, axis);
+    if (from_parallel_edges(along))
+    {
+      continue;
+    }
+    if (along.overlap < 0)
+    {
+      return std::nullopt;
+    }
+    const auto square = [](const AxisOverlap<Rational>& o) -> Rational
+    { return o.overlap * o.overlap / o.squared_length; };
+    least = !least || square(along) < square(*least) ? along : *least;
+  }
+  const Rational way = (least->offset < 0 ? -1 : 1) * least->overlap / least->squared_length;
+  b.center += a.axes * Exact3(least->axis * way);
+  return b;
+}
+
+} // namespace
+
+// [parting_exact]
+TEST_CASE("in fractions balls touch, to the last digit, once they have parted", "[S1][S5][P1][P2]")
+{
+  for (const Direction<Rational>& along : whole_directions())
+  {
+    for (int quarters = 0; quarters <= 12; ++quarters)
+    {
+      const Rational distance(quarters, 4), a(3, 2), b(5, 4);
+      const SphereOverlap<Rational> two = sphere_overlap<Rational>({along.unit, distance}, a, b);
+      const Exact3 apart = along.unit * distance + two.normal * two.depth;
+      CHECK((two.depth < 0 || apart.squaredNorm() == (a + b) * (a + b)));
+      const Plane<Rational> plane{along.unit, Rational(1, 3)};
+      const Exact3 center = along.unit * (distance - 1);
+      const Rational height = signed_distance(plane, center),
+                     depth = depth_at<Rational>(height, a, 0);
+      const Plane<Rational> lowered{plane.normal, plane.distance - depth};
+      CHECK((depth < 0 || signed_distance(lowered, center) == a));
+      // A capsule along 2-3-6 and a ball beside it, along 3-(-6)-2, or beyond one of its ends.
+      const Exact3 axis = Exact3(2, 3, 6) / Rational(7), beside = Exact3(3, -6, 2) / Rational(7);
+      const Segment<Rational> segment{along.unit, along.unit + axis * Rational(2)};
+      const bool beyond = quarters > 8;
+      const Rational off(quarters % 3 == 0 ? 0 : 1, 2);
+      const Exact3 ball = segment.start + axis * distance + beside * (beyond ? Rational(0) : off);
+      const Exact3 way = closest_point(segment, ball) - ball;
+      const Rational length = beyond ? distance - 2 : off;
+      CHECK(way.squaredNorm() == length * length);
+      const Direction<Rational> to{length == 0 ? beside : Exact3(way / length), length};
+      const SphereOverlap<Rational> capsule = sphere_overlap<Rational>(to, a, b);
+      const Exact3 move = capsule.normal * capsule.depth;
+      const Segment<Rational> moved{segment.start + move, segment.end + move};
+      CHECK((closest_point(moved, ball) - ball).squaredNorm() == (a + b) * (a + b));
+    }
+  }
+}
+
+TEST_CASE("in fractions a ball touches a box once it has left its nearest face", "[S8][P3][P5]")
+{
+  const Exact3 half(2, 1, Rational(1, 2));
+  const Rational radius(3, 4);
+  for (const Vector3<double>& point : lattice())
+  {
+    const Exact3 local = half.cwiseProduct(exact<Rational>(point));
+    const Direction<Rational> out = nearest_face(local, half);
+    // The ball's normal is into the box: the box moves against the way out.
+    const SphereOverlap<Rational> overlap =
+        sphere_overlap<Rational>({-out.unit, out.length}, radius, 0);
+    CHECK(overlap.depth >= radius);
+    const Exact3 left = local - overlap.normal * overlap.depth;
+    const Exact3 outside = left - clamp_to_box(left, half);
+    CHECK(outside.squaredNorm() == radius * radius);
+  }
+}
+
+TEST_CASE(
+    "in fractions 2,000 boxes, flat and equal ones among them, do not overlap any more", "[O5]")
+{
+  BoxDraw draw(8);
+  int touching = 0, contained = 0;
+  for (int i = 0; i < pairs / 10; ++i)
+  {
+    const Obb<Rational> a = whole_box(draw);
+    Obb<Rational> b = i % 8 == 0 ? a : whole_box(draw);
+    b.axes = i % 4 == 0 ? a.axes : b.axes;
+    if (const std::optional<Obb<Rational>> moved = parted(a, b))
+    {
+      ++touching;
+      contained += a.center == b.center ? 1 : 0;
+      CHECK(true_least_overlap(a, *moved).signed_square <= 0);
+    }
+  }
+  CHECK(touching > pairs / 40);
+  CHECK(contained > 0);
+}
+// [parting_exact]

@@ -5,12 +5,17 @@
 #include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "05_resolution/direct_solver/direct_solver.hpp"
 #include "05_resolution/direct_solver/trial/direct_solver_scenes.hpp"
+#include "05_resolution/scenes/trial/scene_bodies.hpp"
+#include "05_resolution/world/solver_names.hpp"
+#include "05_resolution/world/solvers.hpp"
 
 #include "tests/catch.hpp"
 
 #include <Eigen/Dense>
 
+#include <array>
 #include <cmath>
+#include <map>
 
 namespace
 {
@@ -23,6 +28,56 @@ constexpr double long_run = 3;
 #else
 constexpr double long_run = 20;
 #endif
+
+/// What a tower of straight contacts of four points gives way [m], when it carries what statics
+/// says: at each contact, overlap · β/h is the speed that the load's quarter has at its softness R.
+/// The sums from the ground up are how far each body sinks.
+std::vector<double> sinks(const Scene& tower)
+{
+  const DirectSettings settings;
+  const std::vector<double> load = loads(tower);
+  std::vector<double> sinks{0};
+  for (std::size_t i = 1; i < tower.bodies.size(); ++i)
+  {
+    const double below = i == 1 ? 0 : 1 / tower.bodies[i - 1].mass;
+    const double softness = settings.compliance * (below + 1 / tower.bodies[i].mass);
+    sinks.push_back(sinks.back() + load[i] / 4 * softness * tower.step / settings.correction);
+  }
+  return sinks;
+}
+
+/// A body in nothing, with moments that no body has, or with those of a ball: the direct solver
+/// finds no answer for the first.
+struct LoneBody
+{
+  std::array<RigidBody, 1> bodies{rigid_body(ball_body("ball", 1, {0, 0, 0}))};
+
+  explicit LoneBody(bool sound) { bodies[0].moments *= sound ? 1 : -1; }
+
+  /// Whether a solver moves it in one whole step, by g h²; small steps move it by less.
+  bool falls_in_one_step(DirectOrSoft& solver)
+  {
+    solver({bodies, {}, {0, -10, 0}}, {{0}, {}}, 0.1);
+    return bodies[0].position.y() < -0.0999;
+  }
+};
+
+/// How many frames the solver lets pass after so many in which there was no answer, before it tries
+/// again.
+int frames_passed_after(int frames)
+{
+  DirectOrSoft solver(8);
+  for (int i = 0; i < frames; ++i)
+  {
+    CHECK_FALSE(LoneBody(false).falls_in_one_step(solver));
+  }
+  int passed = 0;
+  while (!LoneBody(true).falls_in_one_step(solver))
+  {
+    ++passed;
+  }
+  return passed;
+}
 
 WorldRun directly(const std::string& scene, double duration)
 {
@@ -127,6 +182,52 @@ TEST_CASE("all scenes that shall stand sink and drift by less than 0.1 mm in 20 
 }
 // [stands]
 
+TEST_CASE("towers sink by what statics and the softness of their contacts say, in nm", "[R9]")
+{
+  // What is printed: the sink of the topmost body, and the deepest overlap. Unit loads of 1 kg give
+  // g h² · 10⁻⁷ / (4 · 0.2) = 0.3406 nm; a tower of ten has 10 + 2 (9 + … + 1) of them.
+  const double unit = 9.81 / 3600 * 1e-7 / 0.8;
+  CHECK(sinks(named_scene("tower")).back() == Catch::Approx(100 * unit).epsilon(1e-12));
+  const std::map<std::string, double> overlaps{
+      {"tower", 18},
+      {"tower_20", 38},
+      {"tower_40", 78},
+      {"heavy_on_light_100", 101},
+      {"heavy_on_light_1000", 1001},
+      {"heavy_on_light_10000", 10001}};
+  for (const auto& [name, units] : overlaps)
+  {
+    CAPTURE(name);
+    const WorldRun run = directly(name, 3);
+    // In three seconds all but a thousandth has settled; a hundredth of a nanometre is rounding.
+    CHECK(run.sink == Catch::Approx(sinks(named_scene(name)).back()).epsilon(1e-3).margin(1e-11));
+    CHECK(run.overlap == Catch::Approx(units * unit).epsilon(1e-3).margin(1e-11));
+    CHECK(run.drift <= 1e-11);
+  }
+}
+
+TEST_CASE("what is shifted, flat, turned or a pyramid sinks no more than a straight tower", "[R9]")
+{
+  const double straight = sinks(named_scene("tower_20")).back();
+  for (const char* const name : {"tower_shifted_20", "plates"})
+  {
+    CAPTURE(name);
+    CHECK(directly(name, 3).sink == Catch::Approx(straight).epsilon(1e-3));
+  }
+  // Turned cubes meet in eight points, which carry together; four are on the ground.
+  const double turned = directly("tower_turned_20", 3).sink;
+  CHECK(turned > straight / 2);
+  CHECK(turned < straight * 0.55);
+  const double pyramid = directly("pyramid", 3).sink;
+  CHECK(pyramid > 0);
+  CHECK(pyramid < sinks(named_scene("tower")).back());
+  for (const char* const name : {"tower_shifted_20", "tower_turned_20", "plates", "pyramid"})
+  {
+    CAPTURE(name);
+    CHECK(directly(name, 3).drift < straight / 4);
+  }
+}
+
 TEST_CASE("a million to one on one kg: the light cube is pressed in by less than 1 mm", "[case:S6]")
 {
   const WorldRun run = directly("heavy_on_light_1000000", 5);
@@ -143,4 +244,75 @@ TEST_CASE("a cube on 30° with μ = 0.5 slides with 0.65715 m/s², to 1e-6", "[R
   const double speed = run.frames.back().bodies.back().velocity.norm();
   CHECK(speed == Catch::Approx(2 * wanted).epsilon(1e-6));
 }
+
+TEST_CASE("a block that slides feels at once what pushes it down: μ (m g + 100 N)", "[R28]")
+{
+  Scene scene;
+  scene.bodies = {ground(), box_body("block", {0.5, 0.25, 0.5}, {0, 0.25, 0})};
+  scene.bodies[0].friction = scene.bodies[1].friction = 0.4;
+  scene.bodies[1].velocity = {5, 0, 0};
+  World world(scene, solver_named("direct"));
+  const auto lost = [&](double pushed)
+  {
+    const double before = world.bodies()[1].velocity.x();
+    world.push(1, {0, -pushed, 0});
+    world.step();
+    return before - world.bodies()[1].velocity.x();
+  };
+  const auto right = [](double pushed) { return 0.4 * (9.81 + pushed) / 60; };
+  lost(0);
+  // The cone is followed to 1e-6 of the impulse.
+  CHECK(lost(0) == Catch::Approx(right(0)).epsilon(1e-5));
+  CHECK(lost(100) == Catch::Approx(right(100)).epsilon(1e-5));
+  CHECK(lost(0) == Catch::Approx(right(0)).epsilon(1e-5));
+}
 // [R28]
+
+// [R29]
+TEST_CASE(
+    "in the world a block at 5 m/s, μ = 0.4, goes 3.186 m straight ahead, less half a step, any "
+    "heading",
+    "[R29]")
+{
+  for (const std::string& solver : solver_names())
+  {
+    for (const int degrees : {0, 30, 45, 77, 180})
+    {
+      CAPTURE(solver, degrees);
+      const double angle = degrees * std::acos(-1) / 180;
+      const Vector3<double> ahead(std::cos(angle), 0, std::sin(angle));
+      Scene scene;
+      scene.bodies = {ground(), box_body("block", {0.5, 0.05, 0.5}, {0, 0.05, 0})};
+      scene.bodies[0].friction = scene.bodies[1].friction = 0.4;
+      scene.bodies[1].velocity = 5 * ahead;
+      World world(scene, solver_named(solver));
+      while (world.time() < 2)
+      {
+        world.step();
+      }
+      const Vector3<double> gone = world.bodies()[1].position - scene.bodies[1].position;
+      const double way = gone.dot(ahead), whole = 25 / (2 * 0.4 * 9.81);
+      // Half a step of a frame, or of a small step.
+      CHECK(way < whole);
+      CHECK(way > whole - 1.01 * 5 * scene.step / 2);
+      CHECK(world.bodies()[1].velocity.norm() <= 1e-3); // position_based trembles by 0.2 mm/s
+      const Vector3<double> aside = gone - way * ahead - gone.y() * Vector3<double>::UnitY();
+      CHECK(aside.norm() <= 1e-3);
+    }
+  }
+}
+// [R29]
+
+// [direct_or_soft]
+TEST_CASE("where there is no answer, the direct solver pauses for 1, 2, 4, 8 and 16 frames")
+{
+  // Failures come in frames 1, 3, 6, 11, 20 and 37.
+  CHECK(frames_passed_after(0) == 0);
+  CHECK(frames_passed_after(1) == 1);
+  CHECK(frames_passed_after(3) == 2);
+  CHECK(frames_passed_after(6) == 4);
+  CHECK(frames_passed_after(11) == 8);
+  CHECK(frames_passed_after(20) == 16);
+  CHECK(frames_passed_after(37) == 16);
+}
+// [direct_or_soft]

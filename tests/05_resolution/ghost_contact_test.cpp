@@ -75,6 +75,18 @@ TEST_CASE("the side of a tile laid flush is a ghost, that of a step of 1 cm is n
   CHECK_FALSE(is_ghost(cube, tile(0.0006), right, -1e-6, 0.005));
 }
 
+TEST_CASE(
+    "a turned box whose edge meets a face 2 mm beside the face's end is no ghost", "[case:S22]")
+{
+  // Along its own axis, 45° off the normal, it overlaps by next to nothing; along the face by much.
+  const double eighth = std::sqrt(0.5);
+  Matrix3<double> turn;
+  turn << eighth, -eighth, 0, eighth, eighth, 0, 0, 0, 1;
+  const Obb<double> diamond{{0.5 + 2 * 0.5 * eighth + 0.001, 0.998, 0}, turn, {0.5, 0.5, 0.5}};
+  CHECK_FALSE(is_ghost(cube, diamond, right, 0.001, 0.005));
+  CHECK_FALSE(is_ghost(diamond, cube, -right, 0.001, 0.005));
+}
+
 TEST_CASE("thin boxes that meet over their whole width are no ghosts", "[case:S22]")
 {
   const Vector3<double> thin(0.5, 0.001, 0.5);

@@ -262,6 +262,22 @@ TEST_CASE("half the step: a quarter of turned's error, a sixteenth of turned_fin
       Catch::Approx(16).margin(1));
 }
 
+TEST_CASE("a body swings by half a radian at most in each part of a step, of 16 at most", "[R24]")
+{
+  const auto parts = [](double swing)
+  {
+    SpinAxes<double> axes{{1, 1, 1}, 1, {0, 2}, {2, -2}};
+    return std::pair(cut(axes, 1.0, swing / 2), axes.third.rate);
+  };
+  for (const auto& [swing, count] : {std::pair(0.1, 1), {0.49, 1}, {0.51, 2}, {1.2, 3}, {7.9, 16}})
+  {
+    CAPTURE(swing);
+    CHECK(parts(swing) == std::pair(count, -2.0));
+    CHECK(parts(-swing) == std::pair(count, -2.0));
+  }
+  CHECK(parts(8.1) == std::pair(1, 0.0));
+}
+
 TEST_CASE("a step back undoes a step, for 100 bodies", "[R24]")
 {
   Whole whole;

@@ -174,6 +174,14 @@ TEST_CASE("after 64 looks an advance stops short of the wall, never behind it", 
 // [few_advances]
 
 // [sweep_degenerate]
+TEST_CASE("a ball that arrives with the end of its way touches, one 1 nm short does not")
+{
+  const auto hit = swept_sphere_box<double>(ball_at(-3, 0, 0), {1.5, 0, 0}, cube);
+  REQUIRE(hit);
+  CHECK(hit->time == 1);
+  CHECK(!swept_sphere_box<double>(ball_at(-3, 0, 0), {1.5 - 1e-9, 0, 0}, cube));
+}
+
 TEST_CASE("a ball 1 nm beside the edge flies by, 1 nm inside it touches")
 {
   const Vector3<double> down(0, -1000, 0);

@@ -368,3 +368,25 @@ TEST_CASE(
 }
 // [cases]
 #endif
+
+// [watched_rim]
+TEST_CASE("a cube falls asleep while its corners turn at 3 mm/s, not at 5")
+{
+  // Of 2 mm in half a second: 4 mm/s. A corner of the cube is √3/2 m from its centre.
+  const auto sleeps = [](double corner_speed)
+  {
+    Scene scene;
+    scene.gravity.setZero();
+    scene.bodies.push_back({"cube", BoxShape{{0.5, 0.5, 0.5}}, 1});
+    scene.bodies.back().angular_velocity = {0, corner_speed / std::sqrt(0.75), 0};
+    World world(scene, solver_named("direct"), true);
+    while (world.time() < 2)
+    {
+      world.step();
+    }
+    return world.sleeps(0);
+  };
+  CHECK(sleeps(0.003));
+  CHECK_FALSE(sleeps(0.005));
+}
+// [watched_rim]

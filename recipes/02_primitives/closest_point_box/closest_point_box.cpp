@@ -122,8 +122,7 @@ std::string error_chart()
 std::string verdicts()
 {
   return verdict_table(
-      "Ways to answer for a point and a box.",
-      {"mixed bounds", "unguarded", "shell", "recommended"}, point_box_verdicts());
+      "Ways to answer for a point and a box.", names_of(point_box_methods()), point_box_verdicts());
 }
 // [verdict_table]
 

@@ -65,30 +65,22 @@ void draw(const Arguments& arguments)
   save_figure(arguments, "sphere_box.svg", figure.svg());
 }
 
-template <class Real>
-std::optional<Manifold<Real>> of_row(const PairsRow& row, Real)
-{
-  return sphere_box(sphere_at<Real>(row, 0), obb_at<Real>(row, 4));
-}
-
 } // namespace
 
 int main(int argc, char** argv)
 {
-  const Arguments arguments{
-      .name = "sphere_box",
-      .summary = "The manifold of a sphere and an oriented box, inside and outside.",
-      .pairs_header = "ax,ay,az,ar,bx,by,bz,bqw,bqx,bqy,bqz,bhx,bhy,bhz",
-      .options = {scalar_option()}};
-  return run_program(
-      argc, argv, arguments,
+  return run_pairs_program(
+      argc, argv,
+      {.name = "sphere_box",
+       .summary = "The manifold of a sphere and an oriented box, inside and outside.",
+       .pairs_header = "ax,ay,az,ar,bx,by,bz,bqw,bqx,bqy,bqz,bhx,bhy,bhz"},
+      [](const PairsRow& row, auto zero)
+      {
+        using Real = decltype(zero);
+        return sphere_box(sphere_at<Real>(row, 0), obb_at<Real>(row, 4));
+      },
       [](const Arguments& given)
       {
-        if (!given.pairs.empty())
-        {
-          return print_pairs(
-              given, [](const PairsRow& row, auto real) { return of_row(row, real); });
-        }
         print_way();
         draw(given);
       });

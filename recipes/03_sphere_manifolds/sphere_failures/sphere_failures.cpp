@@ -30,26 +30,6 @@ void print(const std::vector<std::string>& methods, const std::vector<VerdictRow
   std::cout << table.text();
 }
 
-std::vector<VerdictRow> sphere_rows()
-{
-  std::vector<VerdictRow> rows;
-  for (const SphereCase& one : sphere_cases())
-  {
-    rows.push_back({one.id, one.what, verdicts_of(sphere_answers(one.a, one.b), one.right)});
-  }
-  return rows;
-}
-
-std::vector<VerdictRow> box_rows()
-{
-  std::vector<VerdictRow> rows;
-  for (const SphereBoxCase& one : box_cases())
-  {
-    rows.push_back({one.id, one.what, verdicts_of(box_answers(one.sphere, one.half), one.right)});
-  }
-  return rows;
-}
-
 } // namespace
 
 int main(int argc, char** argv)
@@ -61,14 +41,14 @@ int main(int argc, char** argv)
       argc, argv, arguments,
       [](const Arguments& given)
       {
-        print(sphere_method_names(), sphere_rows());
+        print(sphere_method_names(), sphere_verdicts());
         std::cout << '\n';
-        print(box_method_names(), box_rows());
+        print(box_method_names(), box_verdicts());
         save_figure(
             given, "sphere_failures.html",
-            verdict_table("Two spheres", sphere_method_names(), sphere_rows()));
+            verdict_table("Two spheres", sphere_method_names(), sphere_verdicts()));
         save_figure(
             given, "sphere_failures_box.html",
-            verdict_table("A sphere and a box", box_method_names(), box_rows()));
+            verdict_table("A sphere and a box", box_method_names(), box_verdicts()));
       });
 }

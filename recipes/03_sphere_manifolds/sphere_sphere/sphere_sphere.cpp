@@ -72,30 +72,22 @@ void draw(const Arguments& arguments)
   save_figure(arguments, "sphere_sphere.svg", figure.svg());
 }
 
-template <class Real>
-std::optional<Manifold<Real>> of_row(const PairsRow& row, Real)
-{
-  return sphere_sphere(sphere_at<Real>(row, 0), sphere_at<Real>(row, 4));
-}
-
 } // namespace
 
 int main(int argc, char** argv)
 {
-  const Arguments arguments{
-      .name = "sphere_sphere",
-      .summary = "The manifold of two spheres: normal, depth and contact point.",
-      .pairs_header = "ax,ay,az,ar,bx,by,bz,br",
-      .options = {scalar_option()}};
-  return run_program(
-      argc, argv, arguments,
+  return run_pairs_program(
+      argc, argv,
+      {.name = "sphere_sphere",
+       .summary = "The manifold of two spheres: normal, depth and contact point.",
+       .pairs_header = "ax,ay,az,ar,bx,by,bz,br"},
+      [](const PairsRow& row, auto zero)
+      {
+        using Real = decltype(zero);
+        return sphere_sphere(sphere_at<Real>(row, 0), sphere_at<Real>(row, 4));
+      },
       [](const Arguments& given)
       {
-        if (!given.pairs.empty())
-        {
-          return print_pairs(
-              given, [](const PairsRow& row, auto real) { return of_row(row, real); });
-        }
         print_approach();
         draw(given);
       });

@@ -96,20 +96,14 @@ void draw(const Arguments& arguments, const std::vector<Counted>& all)
 
 int main(int argc, char** argv)
 {
-  const Arguments arguments{
-      .name = "box_as_published",
-      .summary = "What the published code makes of two boxes, and how often it is wrong.",
-      .pairs_header = box_pairs_header,
-      .options = {scalar_option()}};
-  return run_program(
-      argc, argv, arguments,
+  return run_pairs_program(
+      argc, argv,
+      {.name = "box_as_published",
+       .summary = "What the published code makes of two boxes, and how often it is wrong.",
+       .pairs_header = box_pairs_header},
+      of_box_rows([](const auto& a, const auto& b) { return box_as_published(a, b); }),
       [](const Arguments& given)
       {
-        if (!given.pairs.empty())
-        {
-          return print_box_pairs(
-              given, [](const auto& a, const auto& b) { return box_as_published(a, b); });
-        }
         const std::vector<Counted> all = count_all();
         print(all);
         draw(given, all);

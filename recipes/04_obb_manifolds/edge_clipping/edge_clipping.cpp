@@ -95,20 +95,14 @@ void draw(const Arguments& arguments)
 
 int main(int argc, char** argv)
 {
-  const Arguments arguments{
-      .name = "edge_clipping",
-      .summary = "The manifold of two boxes from edges of one that pass faces of the other.",
-      .pairs_header = box_pairs_header,
-      .options = {scalar_option()}};
-  return run_program(
-      argc, argv, arguments,
+  return run_pairs_program(
+      argc, argv,
+      {.name = "edge_clipping",
+       .summary = "The manifold of two boxes from edges of one that pass faces of the other.",
+       .pairs_header = box_pairs_header},
+      of_box_rows([](const auto& a, const auto& b) { return edge_clipping(a, b); }),
       [](const Arguments& given)
       {
-        if (!given.pairs.empty())
-        {
-          return print_box_pairs(
-              given, [](const auto& a, const auto& b) { return edge_clipping(a, b); });
-        }
         print_points();
         print_counts();
         draw(given);

@@ -103,21 +103,15 @@ void print_tilts()
 
 int main(int argc, char** argv)
 {
-  const Arguments arguments{
-      .name = "face_clipping",
-      .summary = "The full manifold of two boxes: a face cut out by a face, or two edges.",
-      .pairs_header = box_pairs_header,
-      .options = {scalar_option()}};
-  return run_program(
-      argc, argv, arguments,
+  return run_pairs_program(
+      argc, argv,
+      {.name = "face_clipping",
+       .summary = "The full manifold of two boxes: a face cut out by a face, or two edges.",
+       .pairs_header = box_pairs_header},
+      of_box_rows(
+          [](const auto& a, const auto& b) { return face_clipping(a, b); }, BoxLengths::any),
       [](const Arguments& given)
       {
-        if (!given.pairs.empty())
-        {
-          return print_box_pairs(
-              given, [](const auto& a, const auto& b) { return face_clipping(a, b); },
-              BoxLengths::any);
-        }
         print_points();
         print_cases();
         print_tilts();

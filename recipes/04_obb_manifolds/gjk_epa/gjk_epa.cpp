@@ -77,20 +77,14 @@ void print_cases()
 
 int main(int argc, char** argv)
 {
-  const Arguments arguments{
-      .name = "gjk_epa",
-      .summary = "The manifold of two boxes by GJK and EPA: normal, depth, one point.",
-      .pairs_header = box_pairs_header,
-      .options = {scalar_option()}};
-  return run_program(
-      argc, argv, arguments,
+  return run_pairs_program(
+      argc, argv,
+      {.name = "gjk_epa",
+       .summary = "The manifold of two boxes by GJK and EPA: normal, depth, one point.",
+       .pairs_header = box_pairs_header},
+      of_box_rows([](const auto& a, const auto& b) { return gjk_epa(a, b); }, BoxLengths::any),
       [](const Arguments& given)
       {
-        if (!given.pairs.empty())
-        {
-          return print_box_pairs(
-              given, [](const auto& a, const auto& b) { return gjk_epa(a, b); }, BoxLengths::any);
-        }
         print_steps();
         print_cases();
         save_figure(given, "gjk_epa.svg", polytope_steps(below, above).svg());

@@ -55,20 +55,14 @@ std::optional<Manifold<Real>> without_points(const Obb<Real>& a, const Obb<Real>
 
 int main(int argc, char** argv)
 {
-  const Arguments arguments{
-      .name = "separating_axes",
-      .summary = "The separating-axis test of two boxes: normal and depth, no points.",
-      .pairs_header = box_pairs_header,
-      .options = {scalar_option()}};
-  return run_program(
-      argc, argv, arguments,
+  return run_pairs_program(
+      argc, argv,
+      {.name = "separating_axes",
+       .summary = "The separating-axis test of two boxes: normal and depth, no points.",
+       .pairs_header = box_pairs_header},
+      of_box_rows([](const auto& a, const auto& b) { return without_points(a, b); }),
       [](const Arguments& given)
       {
-        if (!given.pairs.empty())
-        {
-          return print_box_pairs(
-              given, [](const auto& a, const auto& b) { return without_points(a, b); });
-        }
         print_cases();
         save_figure(given, "separating_axes.svg", axes_chart().svg());
         save_figure(given, "separating_axes_boxes.svg", ridges_figure().svg());

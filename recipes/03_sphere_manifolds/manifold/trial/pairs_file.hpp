@@ -6,82 +6,51 @@
 #include "02_primitives/shapes/checked_shapes.hpp"
 #include "02_primitives/shapes/shapes.hpp"
 #include "03_sphere_manifolds/manifold/manifold.hpp"
-#include "common/files/csv.hpp"
+#include "common/files/pairs_row.hpp"
 #include "common/program/program.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <iostream>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cookbook
 {
 
-/// A row of a file of pairs, with what an error needs to say where it is.
-struct PairsRow
+/// A shape from a row, if its numbers make sense; else CsvError at the column of the member at
+/// fault.
+template <class Shape>
+Shape checked_shape(
+    const PairsRow& row, const Shape& shape,
+    const std::map<std::string, std::size_t>& column_of_member)
 {
-  std::string file;   ///< its path
-  std::string header; ///< names of the columns
-  CsvRow row;         ///< the numbers
-
-  /// The number in a column, rounded to `Real`; CsvError if it is too large or too small for that.
-  template <class Real>
-  Real at(std::size_t column) const
+  try
   {
-    const double value = row.values[column];
-    const bool too_large = std::abs(value) > static_cast<double>(std::numeric_limits<Real>::max());
-    const Real rounded = too_large ? Real(0) : static_cast<Real>(value);
-    if (rounded == Real(0) && value != 0)
-    {
-      fail(
-          column, round_trip(value) + (too_large ? " is too large" : " is too small") +
-                      " for the number type");
-    }
-    return rounded;
+    return checked(shape);
   }
-
-  /// Three columns from `first` on, as a vector.
-  template <class Real>
-  Vector3<Real> vector(std::size_t first) const
+  catch (const InvalidShape& error)
   {
-    return {at<Real>(first), at<Real>(first + 1), at<Real>(first + 2)};
+    row.fail(column_of_member.at(error.member()), error.what());
   }
-
-  /// Throws CsvError at a column, beginning with the column's name.
-  [[noreturn]] void fail(std::size_t column, const std::string& sentence) const
-  {
-    throw CsvError(file, row.line, column + 1, csv_column(header, column) + ": " + sentence);
-  }
-
-  /// The shape, if its numbers make sense; else CsvError at the column of the member at fault.
-  template <class Shape>
-  Shape checked_shape(
-      const Shape& shape, const std::map<std::string, std::size_t>& column_of_member) const
-  {
-    try
-    {
-      return checked(shape);
-    }
-    catch (const InvalidShape& error)
-    {
-      fail(column_of_member.at(error.member()), error.what());
-    }
-  }
-};
+}
 
 /// The sphere whose four columns begin at `first`: centre, radius.
 template <class Real>
 Sphere<Real> sphere_at(const PairsRow& row, std::size_t first)
 {
   const Sphere<Real> sphere{row.vector<Real>(first), row.at<Real>(first + 3)};
-  return row.checked_shape(
-      sphere, {{"center.x", first},
-               {"center.y", first + 1},
-               {"center.z", first + 2},
-               {"radius", first + 3}});
+  return checked_shape(
+      row, sphere,
+      {{"center.x", first},
+       {"center.y", first + 1},
+       {"center.z", first + 2},
+       {"radius", first + 3}});
 }
 
 /// The box whose ten columns begin at `first`: centre, quaternion w x y z, half extents.
@@ -99,14 +68,15 @@ Obb<Real> obb_at(const PairsRow& row, std::size_t first)
   const Obb<Real> box{
       row.vector<Real>(first), q.normalized().toRotationMatrix().template cast<Real>(),
       row.vector<Real>(first + 7)};
-  return row.checked_shape(
-      box, {{"center.x", first},
-            {"center.y", first + 1},
-            {"center.z", first + 2},
-            {"axes", first + 3},
-            {"half_extents.x", first + 7},
-            {"half_extents.y", first + 8},
-            {"half_extents.z", first + 9}});
+  return checked_shape(
+      row, box,
+      {{"center.x", first},
+       {"center.y", first + 1},
+       {"center.z", first + 2},
+       {"axes", first + 3},
+       {"half_extents.x", first + 7},
+       {"half_extents.y", first + 8},
+       {"half_extents.z", first + 9}});
 }
 
 /// All manifolds as CSV: `pair,hit,depth,nx,ny,nz,count,p0x,p0y,p0z,p0depth,…`, pairs from zero.
@@ -159,23 +129,52 @@ inline Option scalar_option()
   return {"scalar", "number type for --pairs", "double", {"float", "double"}, {"pairs"}};
 }
 
+/// Whether all numbers of a manifold are finite.
+template <class Real, std::size_t Capacity>
+bool is_finite(const Manifold<Real, Capacity>& manifold)
+{
+  return manifold.normal.allFinite() && std::isfinite(manifold.depth) &&
+         std::all_of(
+             manifold.points.begin(), manifold.points.end(),
+             [](const ContactPoint<Real>& point)
+             { return point.position.allFinite() && std::isfinite(point.depth); });
+}
+
 // [print_pairs]
 /// Prints the manifold that `find(row, Real())` gives of every row of --pairs, in the number type
-/// that --scalar names; the whole file is read first.
+/// that --scalar names; the whole file is read first. CsvError at a row whose manifold does not fit
+/// that type.
 template <class Find>
 void print_pairs(const Arguments& arguments, const Find& find)
 {
   const auto print_as = [&](auto zero)
   {
+    const std::string file = arguments.pairs.string();
     std::vector<decltype(find(std::declval<PairsRow>(), zero))> manifolds;
-    for (CsvRow& row : read_csv(arguments.pairs, arguments.pairs_header))
+    for (const CsvRow& row : read_csv(arguments.pairs, arguments.pairs_header))
     {
-      manifolds.push_back(
-          find({arguments.pairs.string(), arguments.pairs_header, std::move(row)}, zero));
+      manifolds.push_back(find({file, arguments.pairs_header, row}, zero));
+      if (manifolds.back() && !is_finite(*manifolds.back()))
+      {
+        throw CsvError(file, row.line, 1, "the manifold is too large for the number type");
+      }
     }
     std::cout << manifolds_csv(manifolds);
   };
   arguments.value("scalar") == "float" ? print_as(0.0f) : print_as(0.0);
+}
+
+/// Runs a program that takes --pairs and --scalar: prints the manifolds of the reader's own pairs,
+/// as print_pairs() does, or else calls `own(arguments)` for the chapter's scene.
+template <class Find>
+int run_pairs_program(
+    int argc, char** argv, Arguments arguments, const Find& find,
+    const std::function<void(const Arguments&)>& own)
+{
+  arguments.options.push_back(scalar_option());
+  return run_program(
+      argc, argv, std::move(arguments),
+      [&](const Arguments& given) { given.pairs.empty() ? own(given) : print_pairs(given, find); });
 }
 // [print_pairs]
 

@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief The cases that break ways to two spheres' manifold, and which ways survive them.
+/// \brief The cases that break ways to two spheres' manifold.
 
 #include "03_sphere_manifolds/sphere_failures/trial/sphere_verdicts.hpp"
 #include "03_sphere_manifolds/sphere_methods/trial/sphere_methods.hpp"
@@ -15,16 +15,14 @@ namespace cookbook
 {
 
 // [sphere_cases]
-/// Two spheres, what is right of them, and which methods survive: as published, float in the
-/// world, float relative to A, 1/√x with two Newton steps, batch, double.
+/// Two spheres, and what is right of them.
 struct SphereCase
 {
-  std::string id;          ///< in the book
-  std::string what;        ///< the set-up, in a few words
-  Sphere<double> a;        ///< A
-  Sphere<double> b;        ///< B
-  Right right;             ///< the answer
-  std::vector<bool> holds; ///< for each method
+  std::string id;   ///< in the book
+  std::string what; ///< the set-up, in a few words
+  Sphere<double> a; ///< A
+  Sphere<double> b; ///< B
+  Right right;      ///< the answer
 };
 
 /// The cases of two spheres.
@@ -36,60 +34,23 @@ inline std::vector<SphereCase> sphere_cases()
   const Vector3<double> far(1e6, 1e6, 1e6);
   const double tiny = 1e-23;
   return {
-      {"C1",
-       "unit spheres, 1.9 apart",
-       {at(0), 1},
-       {at(1.9), 1},
-       {0.1, x, 1e-6},
-       {false, true, true, false, true, true}},
-      {"X01",
-       "radii 0.5, 0.6 apart",
-       {at(0), 0.5},
-       {at(0.6), 0.5},
-       {0.4, x, 1e-6},
-       {false, true, true, false, true, true}},
-      {"C2",
-       "radii 0.5, 0.7 apart",
-       {at(0), 0.5},
-       {at(0.7), 0.5},
-       {0.3, x, 1e-6},
-       {false, true, true, true, true, true}},
-      {"C3",
-       "radii 1 and 1, concentric",
-       {at(0), 1},
-       {at(0), 1},
-       {2, y, 1e-6},
-       {false, false, true, true, true, true}},
-      {"X02",
-       "radii 1 and 3, concentric",
-       {at(0), 1},
-       {at(0), 3},
-       {4, y, 1e-6},
-       {false, false, true, true, true, true}},
-      {"C4",
-       "centres 1e-23 apart",
-       {at(0), 1},
-       {at(tiny), 1},
-       {2, x, 1e-6},
-       {false, false, true, true, true, true}},
+      {"C1", "unit spheres, 1.9 apart", {at(0), 1}, {at(1.9), 1}, {0.1, x, 1e-6}},
+      {"X01", "radii 0.5, 0.6 apart", {at(0), 0.5}, {at(0.6), 0.5}, {0.4, x, 1e-6}},
+      {"C2", "radii 0.5, 0.7 apart", {at(0), 0.5}, {at(0.7), 0.5}, {0.3, x, 1e-6}},
+      {"C3", "radii 1 and 1, concentric", {at(0), 1}, {at(0), 1}, {2, y, 1e-6}},
+      {"X02", "radii 1 and 3, concentric", {at(0), 1}, {at(0), 3}, {4, y, 1e-6}},
+      {"C4", "centres 1e-23 apart", {at(0), 1}, {at(tiny), 1}, {2, x, 1e-6}},
       {"C6",
        "radii 1e-4 and 1e4, a gap of 1e-5",
        {at(0), 1e4},
        {at(1e4 + 1e-4 + 1e-5), 1e-4},
-       {-1e-5, x, 1e-6},
-       {false, false, false, false, false, true}},
+       {-1e-5, x, 1e-6}},
       {"C7",
        "radii 0.5, 0.999 apart, 1e6 away on all axes",
        {far, 0.5},
        {far + at(0.999), 0.5},
-       {0.001, x, 1e-6},
-       {false, false, true, false, false, true}},
-      {"C8",
-       "unit spheres that touch",
-       {at(0), 1},
-       {at(2), 1},
-       {0, x, 1e-6},
-       {false, true, true, false, true, true}}};
+       {0.001, x, 1e-6}},
+      {"C8", "unit spheres that touch", {at(0), 1}, {at(2), 1}, {0, x, 1e-6}}};
 }
 // [sphere_cases]
 
@@ -126,6 +87,17 @@ sphere_answers(const Sphere<double>& a, const Sphere<double>& b)
       found(sphere_sphere_reciprocal<2>(float_a, float_b)),
       found_by_batch(float_a, float_b),
       found(sphere_sphere(a, b))};
+}
+
+/// The verdicts on all ways, case by case.
+inline std::vector<VerdictRow> sphere_verdicts()
+{
+  std::vector<VerdictRow> rows;
+  for (const SphereCase& one : sphere_cases())
+  {
+    rows.push_back({one.id, one.what, verdicts_of(sphere_answers(one.a, one.b), one.right)});
+  }
+  return rows;
 }
 
 } // namespace cookbook

@@ -58,7 +58,7 @@ void print_own_manifolds(const Arguments& arguments)
       {
         if (name == arguments.value("method"))
         {
-          print_box_pairs(arguments, method);
+          print_pairs(arguments, of_box_rows(method));
         }
       });
 }

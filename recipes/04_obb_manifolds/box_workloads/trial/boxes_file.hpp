@@ -44,18 +44,15 @@ box_pair_at(const PairsRow& row, BoxLengths lengths = BoxLengths::with_squares)
 }
 // [box_pair_at]
 
-/// Prints the manifold that `method(a, b)` gives of every row of --pairs.
+/// The manifold that `method(a, b)` gives of a row, as print_pairs() asks for it.
 template <class Method>
-void print_box_pairs(
-    const Arguments& arguments, const Method& method, BoxLengths lengths = BoxLengths::with_squares)
+auto of_box_rows(const Method& method, BoxLengths lengths = BoxLengths::with_squares)
 {
-  print_pairs(
-      arguments,
-      [&](const PairsRow& row, auto zero)
-      {
-        const auto [a, b] = box_pair_at<decltype(zero)>(row, lengths);
-        return method(a, b);
-      });
+  return [method, lengths](const PairsRow& row, auto zero)
+  {
+    const auto [a, b] = box_pair_at<decltype(zero)>(row, lengths);
+    return method(a, b);
+  };
 }
 
 } // namespace cookbook

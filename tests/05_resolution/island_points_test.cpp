@@ -1,0 +1,182 @@
+/// \file
+/// What the world's solvers do at one contact point: friction, however the scene is turned, a gap
+/// that closes in one small step, and bounces beside points that rest.
+
+#include "05_resolution/scenes/trial/scene_bodies.hpp"
+#include "05_resolution/soft_steps/soft_steps.hpp"
+#include "05_resolution/sweeps/simultaneous_impacts.hpp"
+#include "common/math/rotation.hpp"
+
+#include "tests/catch.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+using namespace cookbook;
+
+namespace
+{
+
+using V = Vector3<double>;
+
+const V up(0, 1, 0);
+
+/// The contact of a body with one below it, at one place; B is pushed along +y.
+WorldContact contact_at(
+    const RigidBody& a, const RigidBody& b, const std::pair<int, int>& numbers, const V& place)
+{
+  WorldContact contact;
+  contact.a = numbers.first;
+  contact.b = numbers.second;
+  contact.memory.manifold = Manifold<double>{up, 0, ContactPoints<double, 8>({place, 0, 0})};
+  contact.points()[0].on_a = a.axes.transpose() * (place - a.position);
+  contact.points()[0].on_b = b.axes.transpose() * (place - b.position);
+  return contact;
+}
+
+/// A body that touches the ground at a place, pressed on it by an impulse [N s], with μ = 1/2.
+struct OnGround
+{
+  RigidBody floor = rigid_body(ground());
+  RigidBody body;
+  WorldContact contact;
+
+  OnGround(const SceneBody& on_top, const V& place, double impulse)
+      : body(rigid_body(on_top)), contact(contact_at(floor, body, {0, 1}, place))
+  {
+    contact.friction = 0.5;
+    contact.points()[0].impulse = impulse;
+  }
+
+  /// The friction after so many visits.
+  V rubbed(int visits)
+  {
+    IslandPoint point = island_point(floor, body, contact, contact.points()[0]);
+    for (int i = 0; i < visits; ++i)
+    {
+      add_friction(point);
+    }
+    return point.sum->friction;
+  }
+};
+
+/// A turn about the normal.
+Quaternion<double> about_up(int degrees)
+{
+  return Quaternion<double>(Eigen::AngleAxis<double>(degrees * std::numbers::pi / 180, up));
+}
+
+/// A ball of 1 kg that moves over the ground at (3, 0, 4) m/s, all turned about the normal.
+OnGround sliding_ball(int degrees, double impulse)
+{
+  SceneBody ball = ball_body("ball", 0.5, {0, 0.5, 0});
+  ball.velocity = about_up(degrees) * V(3, 0, 4);
+  return {ball, {0, 0, 0}, impulse};
+}
+
+/// A cube of 1 kg and 1 m on its corner at (1, 0, 1)/2, seen from above: 2.5 m/s along the diagonal
+/// and 5.5 m/s across it, all turned about the normal.
+OnGround sliding_cube(int degrees, double impulse)
+{
+  SceneBody cube = cube_body("cube", {0, 0.5, 0});
+  const V along = V(1, 0, 1).normalized(), across = V(1, 0, -1).normalized();
+  cube.orientation = about_up(degrees);
+  cube.velocity = about_up(degrees) * V(2.5 * along + 5.5 * across);
+  return {cube, about_up(degrees) * V(0.5, 0, 0.5), impulse};
+}
+
+constexpr int all_around[] = {0, 17, 45, 90, 133, 180, 251, 330};
+
+} // namespace
+
+// [add_friction]
+TEST_CASE(
+    "add_friction: 2/7 of a ball's 5 N s hold it, half of 2 N s rub straight back, turned anyhow",
+    "[R6][R7]")
+{
+  for (const int degrees : all_around)
+  {
+    CAPTURE(degrees);
+    const V held = sliding_ball(degrees, 4).rubbed(1), rubbed = sliding_ball(degrees, 2).rubbed(1);
+    // K of a ball is 1 + r²/I = 7/2.
+    CHECK((held - about_up(degrees) * V(-6, 0, -8) / 7).norm() <= 1e-14);
+    CHECK((rubbed - about_up(degrees) * V(-0.6, 0, -0.8)).norm() <= 1e-14);
+    CHECK((sliding_ball(degrees, 2).rubbed(50) - rubbed).norm() <= 1e-13);
+    CHECK(sliding_ball(degrees, 0).rubbed(5) == V(0, 0, 0));
+  }
+}
+
+TEST_CASE(
+    "add_friction: a cube's corner is held by K of 2.5 along its diagonal and 5.5 across it, "
+    "turned anyhow",
+    "[R6][R7]")
+{
+  for (const int degrees : all_around)
+  {
+    CAPTURE(degrees);
+    OnGround cube = sliding_cube(degrees, 4);
+    double energy = kinetic_energy(cube.body);
+    for (int i = 0; i < 200; ++i)
+    {
+      cube.rubbed(1);
+      CHECK(kinetic_energy(cube.body) <= energy * (1 + 1e-14));
+      energy = kinetic_energy(cube.body);
+    }
+    const V held = cube.rubbed(1);
+    const V along = V(1, 0, 1).normalized(), across = V(1, 0, -1).normalized();
+    CHECK((held + about_up(degrees) * (along + across)).norm() <= 1e-13);
+    const V slip = velocity_between(
+        cube.floor, cube.body, about_up(degrees) * V(0.5, 0, 0.5),
+        about_up(degrees) * V(0.5, -0.5, 0.5));
+    CHECK((slip - slip.dot(up) * up).norm() <= 1e-13);
+    // Half of 2 N s is less than √2: it rubs against what still slides.
+    const V rubbed = sliding_cube(degrees, 2).rubbed(2000);
+    CHECK(rubbed.norm() == Catch::Approx(1).epsilon(1e-14));
+    CHECK((about_up(-degrees) * rubbed - sliding_cube(0, 2).rubbed(2000)).norm() <= 1e-12);
+  }
+}
+
+TEST_CASE("add_friction takes back what a smaller push does not allow any more", "[R6][R7]")
+{
+  OnGround ball = sliding_ball(0, 4);
+  ball.rubbed(1);
+  ball.contact.points()[0].impulse = 1;
+  CHECK((ball.rubbed(1) - V(-0.3, 0, -0.4)).norm() <= 1e-14);
+}
+// [add_friction]
+
+// [open_gap]
+TEST_CASE("soft steps: a gap of 2 cm may close within a small step of 10 ms, at 2 m/s", "[R16]")
+{
+  OnGround ball(ball_body("ball", 0.5, {0, 0.52, 0}), {0, 0, 0}, 0);
+  ball.body.velocity = {0, -5, 0};
+  ball.contact.points()[0].on_b = {0, -0.5, 0};
+  IslandPoint point = island_point(ball.floor, ball.body, ball.contact, ball.contact.points()[0]);
+  correct(point, softness(12.5, 5.0, 0.01), 0.01, 1);
+  CHECK(ball.body.velocity.y() == Catch::Approx(-2).epsilon(1e-12));
+  // Slower, it does not close at all, and nothing pushes.
+  ball.body.velocity = {0, -1.9, 0};
+  point.sum->impulse = 0;
+  correct(point, softness(12.5, 5.0, 0.01), 0.01, 1);
+  CHECK(ball.body.velocity.y() == -1.9);
+}
+// [open_gap]
+
+// [beside_a_bounce]
+TEST_CASE(
+    "a ball that bounces on a cube that rests leaves the cube on its ground: 3 m/s up", "[R19]")
+{
+  SceneBody falling = ball_body("ball", 0.5, {0, 1.5, 0});
+  falling.velocity = {0, -3, 0};
+  std::array<RigidBody, 3> bodies{
+      rigid_body(ground()), rigid_body(cube_body("cube", {0, 0.5, 0})), rigid_body(falling)};
+  std::array<WorldContact, 2> contacts{
+      contact_at(bodies[0], bodies[1], {0, 1}, {0, 0, 0}),
+      contact_at(bodies[1], bodies[2], {1, 2}, {0, 1, 0})};
+  contacts[1].restitution = 1;
+  simultaneous_impacts({bodies, contacts, {0, -9.81, 0}}, {{1, 2}, {0, 1}}, 1.0 / 60);
+  CHECK(bodies[1].velocity.norm() <= 1e-12);
+  CHECK((bodies[2].velocity - V(0, 3, 0)).norm() <= 1e-12);
+}
+// [beside_a_bounce]
