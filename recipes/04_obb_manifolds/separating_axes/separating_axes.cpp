@@ -70,6 +70,7 @@ int main(int argc, char** argv)
               given, [](const auto& a, const auto& b) { return without_points(a, b); });
         }
         print_cases();
+        save_figure(given, "separating_axes_shadows.svg", shadows_grid().svg());
         save_figure(given, "separating_axes.svg", axes_chart().svg());
         save_figure(given, "separating_axes_boxes.svg", ridges_figure().svg());
         save_figure(given, "separating_axes_tilt.svg", tilt_chart().svg());

@@ -1,19 +1,70 @@
 #pragma once
 
 /// \file
-/// \brief What gjk_epa draws: the polytope in its solid, and the error while it grows.
+/// \brief What gjk_epa draws: the solid of differences, the polytope in its solid, and the error
+/// while it grows.
 
+#include "04_obb_manifolds/gjk_epa/gjk_epa.hpp"
 #include "04_obb_manifolds/gjk_epa/trial/gjk_epa_cases.hpp"
 #include "common/plot/charts/chart.hpp"
+#include "common/plot/figures/figure2d.hpp"
 #include "common/plot/figures/figure3d.hpp"
 #include "common/plot/panel.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace cookbook
 {
+
+/// Draws two boxes seen along z, and beside them their solid A ⊖ B about the origin.
+inline void add_difference(
+    plot::Grid& grid, const Obb<double>& a, const Obb<double>& b, double turn_b,
+    const std::string& title, const std::string& solid_title)
+{
+  const auto plane = [](const Vector3<double>& v) -> Eigen::Vector2d { return v.head<2>(); };
+  plot::Figure2d boxes("boxes", title, {{-1, -1.45}, {3.1, 1.45}, 189});
+  boxes.box(plane(a.center), 0, plane(a.half_extents), plot::Ink::a)
+      .box(plane(b.center), turn_b, plane(b.half_extents), plot::Ink::b)
+      .dot(plane(a.center), plot::Ink::a, "A")
+      .dot(plane(b.center), plot::Ink::b, "B");
+  // Midway between two neighbouring edge normals the farthest point is a corner.
+  const BoxDifference<double> support{relative_boxes(a, b)};
+  std::vector<Eigen::Vector2d> corners;
+  for (int eighth = 0; eighth < 8; ++eighth)
+  {
+    const double way = eighth * std::numbers::pi / 4 + turn_b / 2;
+    corners.push_back(plane(support({std::cos(way), std::sin(way), 0}).point));
+  }
+  plot::Figure2d solid("solid", solid_title, {{-3.2, -1.6}, {0.9, 1.3}, 189});
+  solid.polygon(corners, plot::Ink::ink)
+      .label(plane(-b.center) - Eigen::Vector2d(0.2, 0.6), "A ⊖ B", plot::Side::centre)
+      .dot({0, 0}, plot::Ink::ink, "0", plot::Side::below);
+  if (const std::optional<Manifold<double>> manifold = gjk_epa(a, b))
+  {
+    solid.dimension({0, 0}, plane(manifold->depth * manifold->normal), "depth");
+  }
+  grid.add(boxes).add(solid);
+}
+
+/// Two boxes apart and overlapping: their solid holds the origin only where they overlap; O18.
+inline plot::Grid difference_grid()
+{
+  const Obb<double> a = upright({0, 0, 0}, {0.7, 0.5, 2});
+  const double turn = 0.6;
+  const auto b = [turn](double x, double y) {
+    return Obb<double>{{x, y, 0}, turned(turn, {0, 0, 1}), {0.6, 0.4, 2}};
+  };
+  plot::Grid grid("gjk_epa_difference", "", 2);
+  grid.describe("Two boxes and the solid of their differences, apart and overlapping.");
+  add_difference(grid, a, b(1.7, 0.3), turn, "Apart", "0 is outside");
+  add_difference(grid, a, b(0.7, 0.3), turn, "Overlapping", "0 is inside");
+  return grid;
+}
 
 /// Draws the faces of A ⊖ B that the camera sees: one for each pair of six edge directions; O1.
 inline void draw_solid(plot::Figure3d& figure, const RelativeBoxes<double>& boxes)
