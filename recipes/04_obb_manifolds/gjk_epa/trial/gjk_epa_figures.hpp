@@ -95,27 +95,29 @@ inline void draw_solid(plot::Figure3d& figure, const RelativeBoxes<double>& boxe
   }
 }
 
-/// Draws a polytope in its solid, the closest face in red, and the way there from the origin.
+/// Draws a polytope in its solid, hidden faces dashed, the closest face red, and the way there from
+/// the origin.
 inline plot::Figure3d polytope_figure(
     const RelativeBoxes<double>& boxes, const Expansion<double>& expansion,
     const std::string& title)
 {
-  plot::Figure3d figure("gjk_epa", title, {0.62, 0.35, 300, 280});
+  plot::Figure3d figure("gjk_epa", title, {1.3, 0.3, 189, 190, 8});
   draw_solid(figure, boxes);
   const Polytope<double>& polytope = expansion.polytope;
-  const std::size_t closest = closest_face(polytope);
+  const PolytopeFace<double>& closest = polytope.faces[closest_face(polytope)];
   for (std::size_t f = 0; f < polytope.face_count; ++f)
   {
     const PolytopeFace<double>& face = polytope.faces[f];
     const auto corner = [&](std::size_t i) { return polytope.corner(face, i).point; };
+    const bool is_closest = &face == &closest;
+    const bool is_hidden = (figure.to_camera(face.normal) - figure.to_camera({0, 0, 0})).z() < 0;
     figure.polygon(
-        {corner(0), corner(1), corner(2)}, f == closest ? plot::Ink::overlap : plot::Ink::a);
+        {corner(0), corner(1), corner(2)}, is_closest ? plot::Ink::overlap : plot::Ink::a,
+        is_closest || !is_hidden ? plot::Fill::wash : plot::Fill::none,
+        is_hidden ? plot::Stroke::dashed : plot::Stroke::solid);
   }
-  figure.point({0, 0, 0}, plot::Ink::ink, "0")
-      .arrow(
-          {0, 0, 0}, polytope.faces[closest].distance * polytope.faces[closest].normal,
-          plot::Ink::overlap);
-  return figure;
+  return figure.arrow({0, 0, 0}, closest.distance * closest.normal, plot::Ink::overlap)
+      .arrow({0, 0, 0}, {0, 0, 0}, plot::Ink::ink, "0", plot::Side::right);
 }
 
 /// Draws how a polytope grows from GJK's tetrahedron to the face that counts.
@@ -128,16 +130,10 @@ inline plot::Grid polytope_steps(const Obb<double>& a, const Obb<double>& b)
       start_expansion(support, gjk(support, boxes.offset, slack).simplex, slack);
   plot::Grid grid("gjk_epa", "", 2);
   grid.describe("A tetrahedron in the solid of differences grows towards the closest face.");
-  std::vector<Expansion<double>> steps{expansion};
-  while (expand(expansion, support))
+  for (bool more = true; more; more = expand(expansion, support))
   {
-    steps.push_back(expansion);
-  }
-  const std::size_t last = steps.size() - 1;
-  for (const std::size_t step : {std::size_t(0), last / 3, 2 * last / 3, last})
-  {
-    const std::string corners = std::to_string(steps[step].polytope.corner_count);
-    grid.add(polytope_figure(boxes, steps[step], corners + " corners"));
+    const std::string corners = std::to_string(expansion.polytope.corner_count);
+    grid.add(polytope_figure(boxes, expansion, corners + " corners"));
   }
   return grid;
 }
@@ -166,7 +162,8 @@ inline plot::Chart excess_chart(int pairs)
   plot::Chart chart(
       "gjk_epa_error", "", {"directions tried", plot::Scale::linear, 0.0, 64.0},
       {"depth so far less the depth [m]", plot::Scale::log});
-  chart.describe("Boxes end exactly after a few steps; two spheres creep and never end.");
+  chart.describe("Boxes end exactly after a few steps; two spheres creep and never end.")
+      .size(400, 340);
   std::vector<std::vector<double>> by_step(static_cast<std::size_t>(epa_limit));
   RandomCubes draw(2);
   for (int i = 0; i < pairs; ++i)
