@@ -119,10 +119,10 @@ void draw_contact(Sketch& sketch, const Vector2d& at, Ink ink, const std::string
                  {"stroke-width", "1.5"},
                  {"cx", svg::number(at.x())},
                  {"cy", svg::number(at.y())},
-                 {"r", "5.5"}});
-  sketch.body += svg::circle(at, 2.2, {ink, Stroke::solid, 1}, Fill::solid);
-  avoid_square(sketch, at, 6.5);
-  add_label(sketch, at, 9, label, side, ink);
+                 {"r", "4.5"}});
+  sketch.body += svg::circle(at, 1.8, {ink, Stroke::solid, 1}, Fill::solid);
+  avoid_square(sketch, at, 5.5);
+  add_label(sketch, at, 8, label, side, ink);
 }
 
 void draw_dot(Sketch& sketch, const Vector2d& at, Ink ink, const std::string& label, Side side)

@@ -19,8 +19,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double margin = 34; // [pixels] kept for labels around what is shown
-
 void require(const std::string& element, const Vector3d& value)
 {
   for (const double component : {value.x(), value.y(), value.z()})
@@ -71,10 +69,11 @@ Projection fitted(
     return {1, {camera.width / 2, top + camera.height / 2}, camera.height};
   }
   const Vector3d size = (high - low).cwiseMax(1e-12);
+  const double around = 2 * camera.margin;
   const double scale =
-      std::min((camera.width - 2 * margin) / size.x(), (camera.height - 2 * margin) / size.y());
+      std::min((camera.width - around) / size.x(), (camera.height - around) / size.y());
   const Vector3d middle = (low + high) / 2;
-  const double height = std::min(camera.height, scale * size.y() + 2 * margin);
+  const double height = std::min(camera.height, scale * size.y() + around);
   return {
       scale,
       {camera.width / 2 - scale * middle.x(), top + height / 2 + scale * middle.y()},
@@ -197,7 +196,7 @@ Figure3d::Figure3d(std::string name, std::string title, Camera camera)
   {
     svg::require_finite(name_ + " camera", value);
   }
-  if (!(camera.width > 2 * margin && camera.height > 2 * margin))
+  if (!(camera.width > 2 * camera.margin && camera.height > 2 * camera.margin))
   {
     throw std::invalid_argument("plot: " + name_ + " camera: the picture is too small");
   }

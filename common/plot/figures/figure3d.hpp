@@ -23,6 +23,7 @@ struct Camera
   double pitch = 0.35; ///< [rad]
   double width = 480;  ///< [pixels]
   double height = 360; ///< [pixels] at most, without the title
+  double margin = 34;  ///< [pixels] kept for labels around what is shown
 };
 
 /// The part of the world a 3-D figure shows, where it should not fit the scene by itself.

@@ -68,26 +68,40 @@ void print_meetings()
   std::cout << table.text();
 }
 
+/// Draws a ball with its velocity and the sense in which it turns.
+void draw_ball(
+    plot::Figure2d& figure, const Motion<double>& motion, double angle, plot::Ink ink,
+    const std::string& name)
+{
+  const Eigen::Vector2d center = motion.center.head<2>();
+  const double turned = motion.angular_velocity.z() < 0 ? -0.7 : 0.7;
+  const auto at = [&](double t) -> Eigen::Vector2d
+  { return center + 0.75 * Eigen::Vector2d(std::cos(t), std::sin(t)); };
+  figure.circle(center, 1, ink)
+      .angle(center, 0.75, angle, angle + turned, "ω_{" + name + "}", ink)
+      .arrow(at(angle + 0.9 * turned), at(angle + 1.1 * turned), ink)
+      .arrow(center, center + motion.velocity.head<2>(), ink, "v_{" + name + "}")
+      .dot(center, ink, name, plot::Side::left);
+}
+
 void draw(const Arguments& arguments)
 {
-  const Motion<double> a{{0, 0, 0}, {0.6, 0.2, 0}, {0, 0, 0.5}};
-  const Motion<double> b{{1.7, 0, 0}, {-0.5, 0.1, 0}, {0, 0, 0.4}};
+  const Motion<double> a{{0, 0, 0}, {0.6, 0.1, 0}, {0, 0, 0.6}};
+  const Motion<double> b{{1.7, 0, 0}, {-0.5, -0.35, 0}, {0, 0, -0.7}};
   const Manifold<double> manifold = sphere_sphere(ball_a, {b.center, 1}).value();
-  const Vector3<double> point = manifold.points[0].position;
-  const auto flat = [](const Vector3<double>& v) { return Eigen::Vector2d(v.x(), v.y()); };
-  const auto arrow_at_point = [&](const Vector3<double>& v) { return flat(point + v); };
-  plot::Figure2d figure("collision", "", {{-1.2, -1.2}, {2.9, 1.2}, 640});
-  figure.describe("Velocities of two turning balls at their contact point, and the difference.")
-      .circle(flat(ball_a.center), 1, plot::Ink::a)
-      .circle(flat(b.center), 1, plot::Ink::b)
-      .arrow(flat(a.center), flat(a.center + a.velocity), plot::Ink::a, "v_{A}")
-      .arrow(flat(b.center), flat(b.center + b.velocity), plot::Ink::b, "v_{B}")
-      .arrow(flat(point), arrow_at_point(velocity_at(a, point)), plot::Ink::a, "A at the point")
-      .arrow(flat(point), arrow_at_point(velocity_at(b, point)), plot::Ink::b, "B at the point")
+  const Vector3<double> contact = manifold.points[0].position;
+  const Eigen::Vector2d point = contact.head<2>();
+  plot::Figure2d figure("collision", "", {{-1.1, -1.1}, {2.8, 1.1}, 400});
+  figure.describe("Velocities of two turning balls at their contact point, and the difference.");
+  draw_ball(figure, a, 2, plot::Ink::a, "A");
+  draw_ball(figure, b, 1.2, plot::Ink::b, "B");
+  figure.arrow(point, point + 0.5 * manifold.normal.head<2>(), plot::Ink::ink, "n")
+      .arrow(point, point + velocity_at(a, contact).head<2>(), plot::Ink::a, "A's at the point")
+      .arrow(point, point + velocity_at(b, contact).head<2>(), plot::Ink::b, "B's at the point")
       .arrow(
-          flat(point), arrow_at_point(relative_velocity(a, b, point)), plot::Ink::overlap,
+          point, point + relative_velocity(a, b, contact).head<2>(), plot::Ink::overlap,
           "relative velocity", plot::Side::below)
-      .point(flat(point), plot::Ink::ink);
+      .point(point);
   save_figure(arguments, "collision.svg", figure.svg());
 }
 

@@ -38,7 +38,8 @@ void print_way()
 }
 // [print_way]
 
-void draw_ball(plot::Figure2d& figure, const Sphere<double>& ball)
+/// Draws a ball, and where and by which move it leaves the box.
+void draw_ball(plot::Figure2d& figure, const Sphere<double>& ball, const std::string& move)
 {
   const Manifold<double> manifold = sphere_box(ball, box).value();
   const Eigen::Vector2d center = ball.center.head<2>();
@@ -48,19 +49,23 @@ void draw_ball(plot::Figure2d& figure, const Sphere<double>& ball)
           center + manifold.depth * out, ball.radius, plot::Ink::faint, plot::Fill::none,
           plot::Stroke::dotted)
       .circle(center, ball.radius, plot::Ink::a)
-      .arrow(center, center + manifold.depth * out, plot::Ink::overlap)
+      .arrow(center, center + manifold.depth * out, plot::Ink::overlap, move)
       .dot(center, plot::Ink::a)
-      .point(manifold.points[0].position.head<2>(), plot::Ink::ink);
+      .point(manifold.points[0].position.head<2>());
 }
 
 void draw(const Arguments& arguments)
 {
-  plot::Figure2d figure("sphere_box", "", {{-3.3, -1.25}, {3.5, 2.35}, 680});
+  plot::Figure2d figure("sphere_box", "", {{-2.9, -1.1}, {3.1, 2.1}, 400});
   figure.describe("A ball slides into a box; arrows show how each position leaves it.")
-      .box(box.center.head<2>(), 0, box.half_extents.head<2>(), plot::Ink::b);
+      .box(box.center.head<2>(), 0, box.half_extents.head<2>(), plot::Ink::b)
+      .label({-1.7, -0.75}, "B", plot::Side::centre, plot::Ink::b)
+      .label(
+          way[0].center.head<2>() + Eigen::Vector2d(-0.2, 0.1), "A", plot::Side::left,
+          plot::Ink::a);
   for (const Sphere<double>& ball : way)
   {
-    draw_ball(figure, ball);
+    draw_ball(figure, ball, &ball == &way[3] ? "−p n" : "");
   }
   save_figure(arguments, "sphere_box.svg", figure.svg());
 }

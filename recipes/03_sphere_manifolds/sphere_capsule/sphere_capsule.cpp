@@ -46,19 +46,22 @@ void draw_ball(plot::Figure2d& figure, double x)
   const Eigen::Vector2d closest = closest_point(capsule.segment, ball.center).head<2>();
   const Eigen::Vector2d contact = manifold.points[0].position.head<2>();
   const Eigen::Vector2d center = ball.center.head<2>();
+  const Eigen::Vector2d normal = manifold.normal.head<2>();
+  const double half = penetration_distance(manifold);
   figure.circle(closest, capsule.radius, plot::Ink::b, plot::Fill::none, plot::Stroke::dashed)
       .circle(center, ball.radius, plot::Ink::a)
       .lens(center, ball.radius, closest, capsule.radius)
-      .dot(center, plot::Ink::a)
-      .dot(closest, plot::Ink::b)
       .segment(center, closest, plot::Ink::muted, plot::Stroke::dotted)
-      .arrow(contact, contact + 0.45 * manifold.normal.head<2>(), plot::Ink::ink)
-      .point(contact, plot::Ink::overlap);
+      .arrow(closest, closest + 0.4 * normal, plot::Ink::ink, "n", plot::Side::right)
+      .dimension(contact - half * normal, contact + half * normal, "p", -55)
+      .dot(center, plot::Ink::a, "c", plot::Side::right)
+      .dot(closest, plot::Ink::b, "q", plot::Side::left)
+      .point(contact);
 }
 
 void draw(const Arguments& arguments)
 {
-  plot::Figure2d figure("sphere_capsule", "", {{-1.9, -0.75}, {2.1, 1.45}, 640});
+  plot::Figure2d figure("sphere_capsule", "", {{-1.6, -0.6}, {1.9, 1.35}, 400});
   figure.describe("Two balls on a capsule; each meets the ball of the capsule closest to it.")
       .capsule(
           capsule.segment.start.head<2>(), capsule.segment.end.head<2>(), capsule.radius,
@@ -68,6 +71,9 @@ void draw(const Arguments& arguments)
           plot::Stroke::dashed);
   draw_ball(figure, -0.5);
   draw_ball(figure, 1.25);
+  figure.label({-0.5, 1.05}, "A", plot::Side::centre, plot::Ink::a)
+      .label({1.25, 1.05}, "A", plot::Side::centre, plot::Ink::a)
+      .label({0.25, -0.3}, "B", plot::Side::centre, plot::Ink::b);
   save_figure(arguments, "sphere_capsule.svg", figure.svg());
 }
 

@@ -100,9 +100,10 @@ std::vector<Eigen::Vector2d> depth_on_sweep(const SphereMethod& method)
 void draw(const Arguments& arguments)
 {
   plot::Chart chart(
-      "sphere_methods", "A sphere of radius 0.5 passes through one of radius 1",
-      {"position of B along x [m]"}, {"depth [m]"});
-  chart.describe("The depth each method finds while one sphere passes through another.");
+      "sphere_methods", "B passes 0.0625 m beside A's centre", {"position of B along x [m]"},
+      {"depth [m]"});
+  chart.describe("The depth each method finds while one sphere passes through another.")
+      .size(400, 340);
   std::size_t look = 0;
   for (const SphereMethod& method : sphere_methods())
   {

@@ -68,25 +68,25 @@ void print_scene()
 
 void draw(const Arguments& arguments)
 {
-  plot::Figure2d figure("sphere_pairs", "", {{-2, -2.6}, {34, 3.4}, 960});
-  figure.describe("Eight pairs of spheres side by side, each in a lane, each with its normal.");
+  plot::Figure2d figure("sphere_pairs", "", {{-1.7, -8.4}, {15.2, 2.2}, 400});
+  figure.describe("Eight pairs of spheres, each in a lane, each with its normal.");
   const std::vector<Pair> pairs = scene();
   const auto manifolds = manifolds_of(pairs);
   for (std::size_t i = 0; i < pairs.size(); ++i)
   {
-    const Eigen::Vector2d lane(4.5 * static_cast<double>(i), 0);
+    const Eigen::Vector2d lane(4.5 * static_cast<double>(i % 4), i < 4 ? 0.0 : -5.5);
     const auto at = [&](const Vector3<float>& v) -> Eigen::Vector2d
     { return lane + Eigen::Vector2d(v.x() / 1.5, v.y() / 1.5); };
     const auto& [a, b] = pairs[i];
     figure.circle(at(a.center), a.radius / 1.5, plot::Ink::a)
         .circle(at(b.center), b.radius / 1.5, plot::Ink::b)
-        .label(lane + Eigen::Vector2d(0, -1.9), "lane " + std::to_string(i), plot::Side::centre);
+        .label(lane + Eigen::Vector2d(0, -2.3), "lane " + std::to_string(i), plot::Side::centre);
     if (manifolds[i])
     {
       const Vector3<float> contact = manifolds[i]->points[0].position;
       figure.lens(at(a.center), a.radius / 1.5, at(b.center), b.radius / 1.5)
           .arrow(at(contact), at(contact + 1.2f * manifolds[i]->normal))
-          .point(at(contact), plot::Ink::overlap);
+          .point(at(contact));
     }
   }
   save_figure(arguments, "sphere_pairs.svg", figure.svg());

@@ -48,20 +48,22 @@ void draw_ball(plot::Figure2d& figure, double height, double x)
   const Eigen::Vector2d lowest(x + 0.62, height - ball.radius);
   figure.circle(center, ball.radius, plot::Ink::a)
       .dot(center, plot::Ink::a)
-      .dimension(lowest, {lowest.x(), 0}, "depth " + number(manifold.depth), 0, plot::Ink::overlap)
+      .dimension(lowest, {lowest.x(), 0}, "p = " + number(manifold.depth))
       .segment({x, height - ball.radius}, lowest, plot::Ink::faint)
-      .arrow(contact, contact + Eigen::Vector2d(0, 0.45 * manifold.normal.y()), plot::Ink::ink)
-      .point(contact, plot::Ink::overlap);
+      .arrow(
+          contact, contact + 0.55 * manifold.normal.head<2>(), plot::Ink::ink, "n",
+          plot::Side::left)
+      .point(contact);
 }
 
 void draw(const Arguments& arguments)
 {
-  plot::Figure2d figure("sphere_plane", "", {{-0.8, -1.25}, {4.9, 1.1}, 640});
+  plot::Figure2d figure("sphere_plane", "", {{-0.6, -1.5}, {5.2, 0.95}, 400});
   figure.describe("A ball above, in and below the surface of the ground, with depth and normal.")
       .half_plane({0, 1}, ground.distance);
   draw_ball(figure, 0.375, 0);
-  draw_ball(figure, 0, 1.7);
-  draw_ball(figure, -0.5, 3.4);
+  draw_ball(figure, 0, 1.95);
+  draw_ball(figure, -0.5, 3.9);
   save_figure(arguments, "sphere_plane.svg", figure.svg());
 }
 

@@ -41,34 +41,32 @@ void print_approach()
 }
 // [print_approach]
 
-Eigen::Vector2d flat(const Vector3<double>& v)
-{
-  return {v.x(), v.y()};
-}
-
 void draw(const Arguments& arguments)
 {
   const Sphere<double> b = sphere_b_at(1.5);
   const Manifold<double> manifold = sphere_sphere(sphere_a, b).value();
-  const Vector3<double> contact = manifold.points[0].position;
-  const Vector3<double> half = manifold.normal * penetration_distance(manifold);
-  const Vector3<double> below(0, -1.2, 0);
-
-  plot::Figure2d figure("sphere_sphere", "", {{-1.3, -1.65}, {2.8, 1.25}, 640});
+  const Eigen::Vector2d center_a = sphere_a.center.head<2>(), center_b = b.center.head<2>();
+  const Eigen::Vector2d n = manifold.normal.head<2>();
+  const Eigen::Vector2d deepest_a = center_a + sphere_a.radius * n;
+  const Eigen::Vector2d deepest_b = center_b - b.radius * n;
+  plot::Figure2d figure("sphere_sphere", "", {{-1.1, -1.45}, {2.6, 1.15}, 400});
   figure.describe("Two unit spheres, 1.5 apart, with normal, depth and contact point.")
-      .circle(flat(sphere_a.center), sphere_a.radius, plot::Ink::a)
-      .circle(flat(b.center), b.radius, plot::Ink::b)
-      .lens(flat(sphere_a.center), sphere_a.radius, flat(b.center), b.radius)
-      .segment(flat(sphere_a.center), flat(b.center), plot::Ink::muted, plot::Stroke::dashed)
-      .dot(flat(sphere_a.center), plot::Ink::a, "A", plot::Side::left)
-      .dot(flat(b.center), plot::Ink::b, "B", plot::Side::right)
-      .segment(flat(contact - half), flat(contact - half + below), plot::Ink::faint)
-      .segment(flat(contact + half), flat(contact + half + below), plot::Ink::faint)
+      .circle(center_a, sphere_a.radius, plot::Ink::a)
+      .circle(center_b, b.radius, plot::Ink::b)
+      .lens(center_a, sphere_a.radius, center_b, b.radius)
+      .dimension(center_a, center_a + Eigen::Vector2d(-0.6, 0.8), "r_{A}", 0, plot::Ink::a)
+      .dimension(center_b, center_b + Eigen::Vector2d(0.6, 0.8), "r_{B}", 0, plot::Ink::b)
+      .dimension(center_a, center_b, "|d|", 62, plot::Ink::ink)
       .dimension(
-          flat(contact - half + below), flat(contact + half + below),
-          "depth " + number(manifold.depth), 0, plot::Ink::overlap)
-      .arrow(flat(contact), flat(contact + 0.6 * manifold.normal), plot::Ink::ink, "normal")
-      .point(flat(contact), plot::Ink::overlap, "contact point", plot::Side::above);
+          deepest_b, deepest_a, "depth p = " + number(manifold.depth), -130, plot::Ink::overlap)
+      .dot(center_a, plot::Ink::a, "A", plot::Side::left)
+      .dot(center_b, plot::Ink::b, "B", plot::Side::right)
+      .arrow(deepest_a, deepest_a + 0.4 * n, plot::Ink::ink, "n", plot::Side::above)
+      .dot(deepest_a, plot::Ink::a, "a", plot::Side::above)
+      .dot(deepest_b, plot::Ink::b, "b", plot::Side::above)
+      .point(
+          manifold.points[0].position.head<2>(), plot::Ink::ink, "contact point",
+          plot::Side::below);
   save_figure(arguments, "sphere_sphere.svg", figure.svg());
 }
 

@@ -73,7 +73,7 @@ void print(const std::vector<Counted>& all)
 void draw(const Arguments& arguments, const std::vector<Counted>& all)
 {
   plot::BarChart chart("box_as_published", "", {"of the pairs that it can befall [%]"});
-  chart.describe("How often each fault of the published code gives a wrong answer.");
+  chart.describe("How often each fault of the published code gives a wrong answer.").width(400);
   for (const auto& [variant, counts] : all)
   {
     for (const auto& [what, share] : shares(counts))

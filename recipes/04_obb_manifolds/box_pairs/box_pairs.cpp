@@ -69,7 +69,7 @@ plot::Figure3d
 lane_figure(const std::string& name, const BoxPair<double>& pair, const Manifold<float>* manifold)
 {
   const auto& [a, b] = pair;
-  plot::Figure3d figure("box_pairs", name, {0.55, 0.4, 215, 195});
+  plot::Figure3d figure("box_pairs", name, {0.55, 0.4, 118, 118});
   figure.frame({(a.center + b.center) / 2, 3.1})
       .box(a.center, a.axes, a.half_extents, plot::Ink::a)
       .box(b.center, b.axes, b.half_extents, plot::Ink::b);
@@ -78,7 +78,7 @@ lane_figure(const std::string& name, const BoxPair<double>& pair, const Manifold
     Vector3<double> middle(0, 0, 0);
     for (const ContactPoint<float>& point : manifold->points)
     {
-      figure.point(point.position.cast<double>(), plot::Ink::overlap);
+      figure.point(point.position.cast<double>());
       middle += point.position.cast<double>() / static_cast<double>(manifold->points.size());
     }
     figure.arrow(middle, middle + 0.7 * manifold->normal.cast<double>());
@@ -88,7 +88,7 @@ lane_figure(const std::string& name, const BoxPair<double>& pair, const Manifold
 
 void draw(const Arguments& arguments, const std::vector<Lane>& lanes)
 {
-  plot::Grid grid("box_pairs", "", 4);
+  plot::Grid grid("box_pairs", "", 3);
   grid.describe("Sixteen pairs of boxes, each with its normal and its contact points.");
   const auto manifolds = box_pairs_in_order(pairs_of(lanes));
   for (std::size_t i = 0; i < lanes.size(); ++i)

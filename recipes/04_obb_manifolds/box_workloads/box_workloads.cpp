@@ -49,7 +49,7 @@ Matrix3<double> turned_up(const Vector3<double>& way)
                      : quaternion_rotation(0, Vector3<double>(1, 0, 0));
 }
 
-/// The first pair of a workload that overlaps, as large as the others', B above A.
+/// The first pair of a workload that overlaps, A in the origin, B above it.
 BoxPair<double> shown(const BoxWorkload& workload)
 {
   for (const BoxPair<float>& pair : workload.pairs)
@@ -60,10 +60,8 @@ BoxPair<double> shown(const BoxWorkload& workload)
     {
       const double side = least.axis.dot(b.center - a.center) < 0 ? -1 : 1;
       const Matrix3<double> turn = turned_up(normalize<double>(side * least.axis).unit);
-      const double scale = 1 / pair_size(a, b);
       const auto turned = [&](const Obb<double>& box) -> Obb<double> {
-        return {
-            scale * (turn * (box.center - a.center)), turn * box.axes, scale * box.half_extents};
+        return {turn * (box.center - a.center), turn * box.axes, box.half_extents};
       };
       return {turned(a), turned(b)};
     }
@@ -72,17 +70,28 @@ BoxPair<double> shown(const BoxWorkload& workload)
 }
 
 // [draw]
+/// A pair of boxes, with the length that is one metre, millimetre or kilometre in its workload.
+plot::Figure3d pair_figure(const BoxRecipe& recipe)
+{
+  const auto [a, b] = shown(box_workload(recipe, 20));
+  const plot::Camera camera{0.5, 0.3, 118, 150, 8};
+  const Vector3<double> right(std::cos(camera.yaw), 0, -std::sin(camera.yaw));
+  const double lowest = a.center.y() - 1.2 * a.half_extents.norm();
+  const Vector3<double> end = Vector3<double>(0, lowest, 0) + recipe.scale / 2 * right;
+  const std::string length = recipe.scale < 1 ? "1 mm" : recipe.scale > 1 ? "1 km" : "1 m";
+  plot::Figure3d figure("box_workloads_pair", recipe.name, camera);
+  return figure.box(a.center, a.axes, a.half_extents, plot::Ink::a)
+      .box(b.center, b.axes, b.half_extents, plot::Ink::b)
+      .dimension(end - recipe.scale * right, end, length, 0, plot::Ink::muted);
+}
+
 void draw(const Arguments& arguments)
 {
-  plot::Grid grid("box_workloads", "", 5);
+  plot::Grid grid("box_workloads", "", 3);
   grid.describe("One pair of boxes of each of the ten workloads, turned so that B parts upwards.");
   for (const BoxRecipe& recipe : box_workload_recipes())
   {
-    const auto [a, b] = shown(box_workload(recipe, 20));
-    plot::Figure3d figure("box_workloads_pair", recipe.name, {0.5, 0.3, 180, 170});
-    figure.box(a.center, a.axes, a.half_extents, plot::Ink::a)
-        .box(b.center, b.axes, b.half_extents, plot::Ink::b);
-    grid.add(figure);
+    grid.add(pair_figure(recipe));
   }
   save_figure(arguments, "box_workloads.svg", grid.svg());
 }

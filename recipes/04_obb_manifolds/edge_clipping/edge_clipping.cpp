@@ -3,9 +3,9 @@
 
 #include "04_obb_manifolds/edge_clipping/edge_clipping.hpp"
 #include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
+#include "04_obb_manifolds/box_cases/trial/contacts_figure.hpp"
 #include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
-#include "common/plot/figures/figure3d.hpp"
 #include "common/program/program.hpp"
 #include "common/program/table.hpp"
 
@@ -72,22 +72,9 @@ void print_counts()
 void draw(const Arguments& arguments)
 {
   const Manifold<double, most_crossings> manifold = edge_clipping(slab, cube).value();
-  const Vector3<double> half = manifold.normal * penetration_distance(manifold);
-  const Vector3<double> corner(-1.2, 0.3, 1);
-  plot::Figure3d figure("edge_clipping", "", {-0.5, 0.42, 600, 440});
-  figure.describe("A cube turned on a slab: one contact point for each edge that passes a face.")
-      .box(slab.center, slab.axes, slab.half_extents, plot::Ink::a)
-      .box(cube.center, cube.axes, cube.half_extents, plot::Ink::b)
-      .label({-0.9, 0, 1}, "A", plot::Side::centre, plot::Ink::a)
-      .label(cube.center + Vector3<double>(0, 0.4, 0), "B", plot::Side::centre, plot::Ink::b);
-  for (const ContactPoint<double>& point : manifold.points)
-  {
-    figure.segment(point.position - half, point.position + half, plot::Ink::overlap)
-        .point(point.position, plot::Ink::overlap);
-  }
-  const Vector3<double> start = manifold.points[0].position;
-  figure.arrow(start, start + 0.7 * manifold.normal, plot::Ink::ink, "normal")
-      .dimension(corner - 2 * half, corner, "depth " + cell(manifold.depth), 8);
+  const BoxScene scene{"", slab, cube, {-0.9, 0, 1}, {0.8, 1.1, 0.3}, 0.42};
+  plot::Figure3d figure = contacts_figure(scene, manifold, {-0.5, scene.pitch, 400, 320});
+  figure.describe("A cube turned on a slab: one contact point for each edge that passes a face.");
   save_figure(arguments, "edge_clipping.svg", figure.svg());
 }
 

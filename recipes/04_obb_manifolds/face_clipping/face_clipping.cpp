@@ -116,13 +116,7 @@ int main(int argc, char** argv)
         print_cases();
         print_tilts();
         save_figure(given, "face_clipping.svg", clip_figure(box_scenes()[0]));
-        plot::Grid contacts("face_clipping_contacts", "", 3);
-        contacts.describe("Two boxes that meet face on face, corner on face and edge on edge.");
-        for (const BoxScene& scene : box_scenes())
-        {
-          contacts.add(contacts_figure(scene));
-        }
-        save_figure(given, "face_clipping_contacts.svg", contacts.svg());
+        save_figure(given, "face_clipping_contacts.svg", contacts_grid().svg());
         save_figure(given, "face_clipping_methods.svg", same_pair_figure(box_scenes()[0]).svg());
       });
 }

@@ -68,7 +68,7 @@ plot::Chart chart_of(const std::string& title, const std::vector<int>& axes)
     steps.push_back({double(frame + 1), axis});
   }
   const plot::Look look{plot::Ink::overlap, plot::Marker::none, plot::Stroke::solid};
-  return chart.line(title, steps, look).legend(plot::Legend::none).size(640, 200);
+  return chart.line(title, steps, look).legend(plot::Legend::none).size(400, 170);
 }
 
 void draw(const Arguments& arguments)

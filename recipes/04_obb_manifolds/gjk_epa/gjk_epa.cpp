@@ -87,6 +87,7 @@ int main(int argc, char** argv)
       {
         print_steps();
         print_cases();
+        save_figure(given, "gjk_epa_difference.svg", difference_grid().svg());
         save_figure(given, "gjk_epa.svg", polytope_steps(below, above).svg());
         save_figure(given, "gjk_epa_error.svg", excess_chart(2000).svg());
         save_figure(

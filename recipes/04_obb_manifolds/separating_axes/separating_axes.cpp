@@ -7,6 +7,7 @@
 #include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
 #include "04_obb_manifolds/separating_axes/trial/separating_axes_figures.hpp"
+#include "04_obb_manifolds/separating_axes/trial/shadows_figure.hpp"
 #include "common/program/program.hpp"
 #include "common/program/table.hpp"
 
@@ -64,8 +65,9 @@ int main(int argc, char** argv)
       [](const Arguments& given)
       {
         print_cases();
+        save_figure(given, "separating_axes_shadows.svg", shadows_grid().svg());
         save_figure(given, "separating_axes.svg", axes_chart().svg());
         save_figure(given, "separating_axes_boxes.svg", ridges_figure().svg());
-        save_figure(given, "separating_axes_tilt.svg", tilt_chart().svg());
+        save_figure(given, "separating_axes_tilt.svg", tilt_grid().svg());
       });
 }

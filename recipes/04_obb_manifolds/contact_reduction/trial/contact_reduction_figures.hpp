@@ -71,7 +71,7 @@ inline plot::Figure2d octagon_figure(const Way& way)
   const Few few = way.keep(octagon);
   const std::string title =
       way.name + ": " + cell(area(support(few))) + " of " + cell(area(support(octagon))) + " m²";
-  plot::Figure2d figure("contact_reduction", title, {{-1.6, -1.5}, {1.6, 1.5}, 330});
+  plot::Figure2d figure("contact_reduction", title, {{-1.5, -1.5}, {1.5, 1.5}, 189});
   figure.box({0, 0}, 0, {1, 1}, plot::Ink::a, plot::Fill::none)
       .box({0, 0}, 45 * degree, {1, 1}, plot::Ink::b, plot::Fill::none);
   std::vector<Corner> corners;
@@ -93,7 +93,8 @@ inline plot::Chart yaw_chart()
 {
   plot::Chart chart(
       "contact_reduction_yaw", "", {"turned by [°]", {}, 0, 90}, {"area spanned [m²]", {}, 0, 4.2});
-  chart.describe("Area that all points, four spread points and the four deepest span, over yaw.");
+  chart.describe("Area that all points, four spread points and the four deepest span, over yaw.")
+      .size(400, 340);
   const auto line = [&](const std::string& name, std::size_t look, const auto& keep)
   {
     std::vector<Eigen::Vector2d> points;

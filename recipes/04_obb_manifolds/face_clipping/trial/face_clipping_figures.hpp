@@ -6,7 +6,7 @@
 #include "04_obb_manifolds/face_clipping/face_clipping.hpp"
 #include "04_obb_manifolds/face_clipping/trial/face_clipping_scenes.hpp"
 #include "common/plot/figures/figure2d.hpp"
-#include "common/plot/figures/figure3d.hpp"
+#include "common/plot/panel.hpp"
 #include "common/program/table.hpp"
 
 #include <span>
@@ -41,7 +41,7 @@ line_of_side(const BoxFace<double>& reference, int side)
 /// A picture of the reference face's plane with nothing but the reference face.
 inline plot::Figure2d reference_figure(const BoxFace<double>& reference, const std::string& title)
 {
-  plot::Figure2d figure("face_clipping", title, {{-1.75, -1.75}, {1.75, 1.75}, 230});
+  plot::Figure2d figure("face_clipping", title, {{-1.75, -1.75}, {1.75, 1.75}, 189});
   figure.box({0, 0}, 0, reference.half_sides, plot::Ink::a, plot::Fill::none);
   return figure;
 }
@@ -85,8 +85,9 @@ inline plot::Figure2d depths_figure(
   {
     const Eigen::Vector2d at = corner.point.head<2>();
     const std::string text = number(std::round(corner.point.z() * -1e3) * 1e-3);
-    corner.point.z() <= widest_gap ? figure.point(at, plot::Ink::overlap, text)
-                                   : figure.dot(at, plot::Ink::muted, text);
+    corner.point.z() <= widest_gap
+        ? figure.point(at).label(at, text, plot::Side::automatic, plot::Ink::overlap)
+        : figure.dot(at, plot::Ink::muted, text);
   }
   return figure;
 }
@@ -99,7 +100,7 @@ inline std::string clip_figure(const BoxScene& scene)
   const BoxFace<double> reference = face_along<double>(boxes.a, boxes.least.normal);
   const BoxFace<double> incident = face_along<double>(boxes.b, -boxes.least.normal);
   FacePolygon<double> polygon = seen_from(reference, incident);
-  plot::Grid grid("face_clipping", "", 3);
+  plot::Grid grid("face_clipping", "", 2);
   grid.describe("The rectangle of a face of B, cut at the four sides of a face of A.");
   plot::Figure2d start = reference_figure(reference, "two faces: " + corners(polygon));
   grid.add(start.polygon(flat(polygon), plot::Ink::b));
@@ -112,26 +113,16 @@ inline std::string clip_figure(const BoxScene& scene)
   return grid.add(depths_figure(polygon, reference, boxes.widest_gap)).svg();
 }
 
-/// The boxes of a scene, with normal, depth and points; the depth stands at the deepest point.
-inline plot::Figure3d contacts_figure(const BoxScene& scene)
+/// The three scenes one below the other, with normal, depth and points.
+inline plot::Grid contacts_grid()
 {
-  const Manifold<double> manifold = face_clipping(scene.a, scene.b).value();
-  plot::Figure3d figure("face_clipping_contacts", scene.name, {2.5, 0.3, 300, 340});
-  figure.box(scene.a.center, scene.a.axes, scene.a.half_extents, plot::Ink::a)
-      .box(scene.b.center, scene.b.axes, scene.b.half_extents, plot::Ink::b);
-  const ContactPoint<double>* deepest = &manifold.points[0];
-  for (const ContactPoint<double>& point : manifold.points)
+  plot::Grid grid("face_clipping_contacts", "", 1);
+  grid.describe("Two boxes that meet face on face, corner on face and edge on edge.");
+  for (const BoxScene& scene : box_scenes())
   {
-    const Vector3<double> half = manifold.normal * point.depth / 2;
-    figure.segment(point.position - half, point.position + half, plot::Ink::overlap)
-        .point(point.position, plot::Ink::overlap);
-    deepest = point.depth > deepest->depth ? &point : deepest;
+    grid.add(contacts_figure(scene, *face_clipping(scene.a, scene.b), {2.5, 0.3, 400, 260}));
   }
-  const Vector3<double> p = deepest->position, half = manifold.normal * manifold.depth / 2;
-  return figure.label(scene.label_a, "A", plot::Side::centre, plot::Ink::a)
-      .label(scene.label_b, "B", plot::Side::centre, plot::Ink::b)
-      .dimension(p + half, p - half, "depth " + number(std::round(manifold.depth * 1e3) * 1e-3), 16)
-      .arrow(p, p + 0.8 * manifold.normal, plot::Ink::ink, "normal", plot::Side::right);
+  return grid;
 }
 
 } // namespace cookbook

@@ -4,22 +4,12 @@
 /// \brief The three scenes of face clipping.
 
 #include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
+#include "04_obb_manifolds/box_cases/trial/contacts_figure.hpp"
 
-#include <string>
 #include <vector>
 
 namespace cookbook
 {
-
-/// Two boxes and what they do.
-struct BoxScene
-{
-  std::string name;        ///< of the contact
-  Obb<double> a;           ///< below
-  Obb<double> b;           ///< above
-  Vector3<double> label_a; ///< [m], world, where the figure names A
-  Vector3<double> label_b; ///< [m], world
-};
 
 /// A face on a face, a corner on a face, an edge on an edge.
 inline std::vector<BoxScene> box_scenes()

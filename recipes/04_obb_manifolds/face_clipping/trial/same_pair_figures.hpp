@@ -54,7 +54,8 @@ plot::Figure2d points_figure(
     const Vector3<double> from_a = scene.a.axes.transpose() * (point.position - scene.a.center);
     const Eigen::Vector2d at =
         (reference.axes.transpose() * (from_a - reference.center)).template head<2>();
-    figure.point(at, plot::Ink::overlap, labels.of(at, point.depth));
+    figure.point(at).label(
+        at, labels.of(at, point.depth), plot::Side::automatic, plot::Ink::overlap);
   }
   return figure;
 }
@@ -63,7 +64,7 @@ plot::Figure2d points_figure(
 inline plot::Grid same_pair_figure(const BoxScene& scene)
 {
   const Manifold<double> all = face_clipping(scene.a, scene.b).value();
-  plot::Grid grid("face_clipping_methods", "", 3);
+  plot::Grid grid("face_clipping_methods", "", 2);
   grid.describe("The contact points of six methods for the same two boxes, with their depths.");
   return grid.add(points_figure("box_as_published", *box_as_published(scene.a, scene.b), scene))
       .add(points_figure("edge_clipping", *edge_clipping(scene.a, scene.b), scene))

@@ -1,19 +1,70 @@
 #pragma once
 
 /// \file
-/// \brief What gjk_epa draws: the polytope in its solid, and the error while it grows.
+/// \brief What gjk_epa draws: the solid of differences, the polytope in its solid, and the error
+/// while it grows.
 
+#include "04_obb_manifolds/gjk_epa/gjk_epa.hpp"
 #include "04_obb_manifolds/gjk_epa/trial/gjk_epa_cases.hpp"
 #include "common/plot/charts/chart.hpp"
+#include "common/plot/figures/figure2d.hpp"
 #include "common/plot/figures/figure3d.hpp"
 #include "common/plot/panel.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace cookbook
 {
+
+/// Draws two boxes seen along z, and beside them their solid A ⊖ B about the origin.
+inline void add_difference(
+    plot::Grid& grid, const Obb<double>& a, const Obb<double>& b, double turn_b,
+    const std::string& title, const std::string& solid_title)
+{
+  const auto plane = [](const Vector3<double>& v) -> Eigen::Vector2d { return v.head<2>(); };
+  plot::Figure2d boxes("boxes", title, {{-1, -1.45}, {3.1, 1.45}, 189});
+  boxes.box(plane(a.center), 0, plane(a.half_extents), plot::Ink::a)
+      .box(plane(b.center), turn_b, plane(b.half_extents), plot::Ink::b)
+      .dot(plane(a.center), plot::Ink::a, "A")
+      .dot(plane(b.center), plot::Ink::b, "B");
+  // Midway between two neighbouring edge normals the farthest point is a corner.
+  const BoxDifference<double> support{relative_boxes(a, b)};
+  std::vector<Eigen::Vector2d> corners;
+  for (int eighth = 0; eighth < 8; ++eighth)
+  {
+    const double way = eighth * std::numbers::pi / 4 + turn_b / 2;
+    corners.push_back(plane(support({std::cos(way), std::sin(way), 0}).point));
+  }
+  plot::Figure2d solid("solid", solid_title, {{-3.2, -1.6}, {0.9, 1.3}, 189});
+  solid.polygon(corners, plot::Ink::ink)
+      .label(plane(-b.center) - Eigen::Vector2d(0.2, 0.6), "A ⊖ B", plot::Side::centre)
+      .dot({0, 0}, plot::Ink::ink, "0", plot::Side::below);
+  if (const std::optional<Manifold<double>> manifold = gjk_epa(a, b))
+  {
+    solid.dimension({0, 0}, plane(manifold->depth * manifold->normal), "depth");
+  }
+  grid.add(boxes).add(solid);
+}
+
+/// Two boxes apart and overlapping: their solid holds the origin only where they overlap; O18.
+inline plot::Grid difference_grid()
+{
+  const Obb<double> a = upright({0, 0, 0}, {0.7, 0.5, 2});
+  const double turn = 0.6;
+  const auto b = [turn](double x, double y) {
+    return Obb<double>{{x, y, 0}, turned(turn, {0, 0, 1}), {0.6, 0.4, 2}};
+  };
+  plot::Grid grid("gjk_epa_difference", "", 2);
+  grid.describe("Two boxes and the solid of their differences, apart and overlapping.");
+  add_difference(grid, a, b(1.7, 0.3), turn, "Apart", "0 is outside");
+  add_difference(grid, a, b(0.7, 0.3), turn, "Overlapping", "0 is inside");
+  return grid;
+}
 
 /// Draws the faces of A ⊖ B that the camera sees: one for each pair of six edge directions; O1.
 inline void draw_solid(plot::Figure3d& figure, const RelativeBoxes<double>& boxes)
@@ -44,27 +95,29 @@ inline void draw_solid(plot::Figure3d& figure, const RelativeBoxes<double>& boxe
   }
 }
 
-/// Draws a polytope in its solid, the closest face in red, and the way there from the origin.
+/// Draws a polytope in its solid, hidden faces dashed, the closest face red, and the way there from
+/// the origin.
 inline plot::Figure3d polytope_figure(
     const RelativeBoxes<double>& boxes, const Expansion<double>& expansion,
     const std::string& title)
 {
-  plot::Figure3d figure("gjk_epa", title, {0.62, 0.35, 300, 280});
+  plot::Figure3d figure("gjk_epa", title, {1.3, 0.3, 189, 190, 8});
   draw_solid(figure, boxes);
   const Polytope<double>& polytope = expansion.polytope;
-  const std::size_t closest = closest_face(polytope);
+  const PolytopeFace<double>& closest = polytope.faces[closest_face(polytope)];
   for (std::size_t f = 0; f < polytope.face_count; ++f)
   {
     const PolytopeFace<double>& face = polytope.faces[f];
     const auto corner = [&](std::size_t i) { return polytope.corner(face, i).point; };
+    const bool is_closest = &face == &closest;
+    const bool is_hidden = (figure.to_camera(face.normal) - figure.to_camera({0, 0, 0})).z() < 0;
     figure.polygon(
-        {corner(0), corner(1), corner(2)}, f == closest ? plot::Ink::overlap : plot::Ink::a);
+        {corner(0), corner(1), corner(2)}, is_closest ? plot::Ink::overlap : plot::Ink::a,
+        is_closest || !is_hidden ? plot::Fill::wash : plot::Fill::none,
+        is_hidden ? plot::Stroke::dashed : plot::Stroke::solid);
   }
-  figure.point({0, 0, 0}, plot::Ink::ink, "0")
-      .arrow(
-          {0, 0, 0}, polytope.faces[closest].distance * polytope.faces[closest].normal,
-          plot::Ink::overlap);
-  return figure;
+  return figure.arrow({0, 0, 0}, closest.distance * closest.normal, plot::Ink::overlap)
+      .arrow({0, 0, 0}, {0, 0, 0}, plot::Ink::ink, "0", plot::Side::right);
 }
 
 /// Draws how a polytope grows from GJK's tetrahedron to the face that counts.
@@ -77,16 +130,10 @@ inline plot::Grid polytope_steps(const Obb<double>& a, const Obb<double>& b)
       start_expansion(support, gjk(support, boxes.offset, slack).simplex, slack);
   plot::Grid grid("gjk_epa", "", 2);
   grid.describe("A tetrahedron in the solid of differences grows towards the closest face.");
-  std::vector<Expansion<double>> steps{expansion};
-  while (expand(expansion, support))
+  for (bool more = true; more; more = expand(expansion, support))
   {
-    steps.push_back(expansion);
-  }
-  const std::size_t last = steps.size() - 1;
-  for (const std::size_t step : {std::size_t(0), last / 3, 2 * last / 3, last})
-  {
-    const std::string corners = std::to_string(steps[step].polytope.corner_count);
-    grid.add(polytope_figure(boxes, steps[step], corners + " corners"));
+    const std::string corners = std::to_string(expansion.polytope.corner_count);
+    grid.add(polytope_figure(boxes, expansion, corners + " corners"));
   }
   return grid;
 }
@@ -115,7 +162,8 @@ inline plot::Chart excess_chart(int pairs)
   plot::Chart chart(
       "gjk_epa_error", "", {"directions tried", plot::Scale::linear, 0.0, 64.0},
       {"depth so far less the depth [m]", plot::Scale::log});
-  chart.describe("Boxes end exactly after a few steps; two spheres creep and never end.");
+  chart.describe("Boxes end exactly after a few steps; two spheres creep and never end.")
+      .size(400, 340);
   std::vector<std::vector<double>> by_step(static_cast<std::size_t>(epa_limit));
   RandomCubes draw(2);
   for (int i = 0; i < pairs; ++i)

@@ -15,6 +15,7 @@
 #include <array>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cookbook
@@ -49,7 +50,8 @@ inline plot::BarChart axes_chart()
   const RelativeBoxes<double> boxes = relative_boxes(ridge_a, ridge_b);
   const int least = separating_axes(ridge_a, ridge_b)->axis;
   plot::BarChart chart("separating_axes", "", {"overlap along the axis [m]"});
-  chart.describe("The overlap of two boxes along all fifteen axes; a pair of edges has the least.");
+  chart.describe("The overlap of two boxes along all fifteen axes; a pair of edges has the least.")
+      .width(400);
   for (int axis = 0; axis < box_axes; ++axis)
   {
     const AxisOverlap<double> along = axis_overlap(boxes, axis);
@@ -67,22 +69,26 @@ inline plot::BarChart axes_chart()
   return chart;
 }
 
-/// The two bars, with the way they part soonest.
+/// The two bars: the edges that meet thick, the overlap between them, and the normal.
 inline plot::Figure3d ridges_figure()
 {
   const LeastOverlap<double> least = separating_axes(ridge_a, ridge_b).value();
-  const Vector3<double> top = Vector3<double>(0, 0.6 * std::sqrt(2.0), 0);
-  const Vector3<double> beside(1.2, 0, 0);
-  plot::Figure3d figure("separating_axes_boxes", "", {0.5, 0.3, 560, 420});
+  const double ridge = 0.6 * std::sqrt(2.0);
+  const Vector3<double> top(0, ridge, 0), along_a(1.2, 0, 0);
+  const Vector3<double> bottom = ridge_b.center - top, along_b = 1.2 * ridge_b.axes.col(2);
+  // Seen from above, B's edge crosses A's where z = 0.
+  const Vector3<double> crossing = bottom - bottom.z() / along_b.z() * along_b;
+  plot::Figure3d figure("separating_axes_boxes", "", {0.5, 0.3, 400, 320});
   figure.describe("Two crossed bars, ridge into ridge, with the normal and the depth.")
       .box(ridge_a.center, ridge_a.axes, ridge_a.half_extents, plot::Ink::a)
       .box(ridge_b.center, ridge_b.axes, ridge_b.half_extents, plot::Ink::b)
       .label(
-          ridge_a.center + Vector3<double>(-0.2, -0.6, 0.3), "A", plot::Side::centre, plot::Ink::a)
+          ridge_a.center - Vector3<double>(0.2, 0.6, -0.3), "A", plot::Side::centre, plot::Ink::a)
       .label(ridge_b.center + Vector3<double>(0.55, 0.6, 0), "B", plot::Side::centre, plot::Ink::b)
-      .dimension(
-          top + beside - least.depth * least.normal, top + beside, "depth " + number(least.depth))
-      .arrow(top, top + 0.8 * least.normal, plot::Ink::ink, "normal");
+      .segment(top - along_a, top + along_a, plot::Ink::a, plot::Stroke::solid, 4)
+      .segment(bottom - along_b, bottom + along_b, plot::Ink::b, plot::Stroke::solid, 4)
+      .dimension(crossing + least.depth * least.normal, crossing, "depth " + number(least.depth))
+      .arrow(top - along_a, top - along_a + 0.8 * least.normal, plot::Ink::ink, "n");
   return figure;
 }
 
@@ -111,14 +117,14 @@ inline Obb<double> tipped_cube(double angle)
   return {{1.6, 1.2, 0.4}, turned(angle, {1, 0, -1}) * yawed, {1, 1, 1}};
 }
 
-/// The least overlap along each kind of axis while a cube beside another tips over, and where the
-/// kind that wins changes.
+/// The least overlap along each kind of axis while the cube tips over, and where the kind that wins
+/// changes.
 inline plot::Chart tilt_chart()
 {
   const Obb<double> standing = upright({0, 0, 0}, {1, 1, 1});
   plot::Chart chart(
       "separating_axes_tilt", "", {"tilted by [°]", {}, 0, 60}, {"least overlap [m]", {}, 0.6, 1});
-  chart.describe("A face of A, a face of B and a pair of edges have the least overlap in turn.");
+  chart.size(400, 320);
   std::array<std::vector<Eigen::Vector2d>, 3> lines;
   AxisKind before = AxisKind::face_of_a;
   for (int tilt = 0; tilt <= 60; ++tilt)
@@ -139,6 +145,27 @@ inline plot::Chart tilt_chart()
   return chart.line("A's faces", lines[0], {plot::Ink::a, plot::Marker::none, plot::Stroke::solid})
       .line("B's faces", lines[1], {plot::Ink::b, plot::Marker::none, plot::Stroke::dashed})
       .line("edges", lines[2], {plot::Ink::ink, plot::Marker::none, plot::Stroke::dotted});
+}
+
+/// The cubes at three tilts, one for each kind of axis that wins, and the chart below them.
+inline plot::Grid tilt_grid()
+{
+  plot::Grid scenes("scenes", "", 3);
+  const std::pair<int, std::string> winners[] = {{5, "A's face"}, {17, "B's face"}, {45, "edges"}};
+  for (const auto& [tilt, kind] : winners)
+  {
+    const Obb<double> standing = upright({0, 0, 0}, {1, 1, 1});
+    const Obb<double> tipped = tipped_cube(eighth_turn * tilt / 45);
+    const Vector3<double> normal = separating_axes(standing, tipped)->normal;
+    plot::Figure3d figure("cubes", std::to_string(tilt) + "°: " + kind, {-0.5, 0.35, 118, 130, 6});
+    figure.box(standing.center, standing.axes, standing.half_extents, plot::Ink::a)
+        .box(tipped.center, tipped.axes, tipped.half_extents, plot::Ink::b)
+        .arrow(tipped.center, tipped.center + normal, plot::Ink::ink, "n");
+    scenes.add(figure);
+  }
+  plot::Grid grid("separating_axes_tilt", "", 1);
+  grid.describe("A face of A, a face of B and a pair of edges have the least overlap in turn.");
+  return grid.add(scenes).add(tilt_chart());
 }
 
 } // namespace cookbook
