@@ -1,0 +1,134 @@
+/// \file
+/// What a page gets that nobody types: the links to its neighbours, and the heads of its listings.
+#pragma once
+
+#include "docs/index/pages.hpp"
+
+namespace cookbook::book
+{
+
+/// Puts the page `id` and then all that it opens by `\subpage` behind `order`.
+inline void add_in_order(
+    const std::vector<TextFile>& pages, const std::string& id, std::vector<TextFile>& order)
+{
+  for (const TextFile& page : pages)
+  {
+    if (title_of(page).id == id)
+    {
+      order.push_back(page);
+      for (const std::string& next : matches(page.text, R"([\\@]subpage +(\w+))"))
+      {
+        add_in_order(pages, next, order);
+      }
+    }
+  }
+}
+
+/// The pages in the order in which the book is read; `id` is its first page.
+inline std::vector<TextFile>
+reading_order(const std::vector<TextFile>& pages, const std::string& id)
+{
+  std::vector<TextFile> order;
+  add_in_order(pages, id, order);
+  return order;
+}
+
+/// The book's pages that are written by hand, from its front page to its last.
+inline std::vector<TextFile> book_pages(const std::filesystem::path& root)
+{
+  std::vector<TextFile> pages = read_tree(root, "chapters", {".md"});
+  for (const TextFile& page : read_tree(root, "docs", {".md"}))
+  {
+    pages.push_back(page);
+  }
+  return reading_order(pages, "mainpage");
+}
+
+/// A link to the page before and one to the page behind the one at `path`; none for a page that
+/// belongs to no chapter.
+inline std::string neighbour_links(const std::vector<TextFile>& order, const std::string& path)
+{
+  const auto link = [](const TextFile& page, const std::string& side)
+  {
+    const Section title = title_of(page);
+    const std::string file = title.id == "mainpage" ? "index" : title.id;
+    return "<a class=\"" + side + "\" href=\"" + file + ".html\">" + escaped(title.title) + "</a>";
+  };
+  for (std::size_t i = 1; i < order.size() && !chapter_of(path).empty(); ++i)
+  {
+    if (order[i].path == path)
+    {
+      const std::string next = i + 1 < order.size() ? link(order[i + 1], "next") : "";
+      return "<div class=\"neighbours\">" + link(order[i - 1], "previous") + next + "</div>";
+    }
+  }
+  return "";
+}
+
+/// The id of the place in a recipe's listing where the file called `name` is shown.
+inline std::string listing_place(const std::string& name)
+{
+  static const std::map<std::string, std::string> kinds{
+      {".hpp", "header"}, {".cpp", "program"}, {".expected", "output"}};
+  std::string recipe = stem(name);
+  const std::size_t test = recipe.rfind("_test");
+  const bool tests = test != std::string::npos && test + 5 == recipe.size();
+  return listing_id(tests ? recipe.substr(0, test) : recipe) + "_" +
+         (tests ? "tests" : kinds.at(std::filesystem::path(name).extension().string()));
+}
+
+/// The head of a listing of the file at `path`: its name, linked to where it is shown in full.
+inline std::string listing_head(const std::string& path)
+{
+  const std::string name = std::filesystem::path(path).filename().string();
+  const std::string ending = std::filesystem::path(path).extension().string();
+  const bool test = std::regex_search(name, std::regex(R"(_test\.cpp$)"));
+  const bool in_recipe = path.rfind("recipes/", 0) == 0 || (path.rfind("tests/", 0) == 0 && test);
+  const bool in_common = path.rfind("common/", 0) == 0 && ending == ".hpp";
+  const std::string target = in_recipe && !chapter_of(path).empty() ? listing_place(name)
+                             : in_common                            ? name
+                                                                    : "";
+  return "<div class=\"listing\">" +
+         (target.empty() ? escaped(name) : "\\ref " + target + " \"" + name + "\"") +
+         (ending == ".expected" ? " &middot; what it prints" : "") + "</div>";
+}
+
+/// Heads each `\snippet` and `\include` of a page; `paths` are the files of the tree. The lines
+/// keep their numbers.
+inline std::string with_heads(const std::string& page, const std::vector<std::string>& paths)
+{
+  static const std::regex command(R"([\\@](?:snippet(?:lineno)?|include)[ \t]+(\S+).*)");
+  std::string result;
+  for (const std::string& line : lines(page))
+  {
+    std::smatch match;
+    const auto shown = [&](const std::string& path)
+    { return std::filesystem::path(path).filename() == match.str(1); };
+    if (std::regex_match(line, match, command))
+    {
+      const auto path = std::find_if(paths.begin(), paths.end(), shown);
+      result += path == paths.end() ? "" : listing_head(*path) + " ";
+    }
+    result += line + "\n";
+  }
+  return result;
+}
+
+/// The paths, from `root`, of all files that a page may show.
+inline std::vector<std::string> shown_paths(const std::filesystem::path& root)
+{
+  std::vector<std::string> paths;
+  for (const char* part : {"common", "recipes", "tests"})
+  {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / part))
+    {
+      if (entry.is_regular_file())
+      {
+        paths.push_back(entry.path().lexically_relative(root).generic_string());
+      }
+    }
+  }
+  return paths;
+}
+
+} // namespace cookbook::book
