@@ -227,7 +227,8 @@ std::string filtered(const fs::path& root, const fs::path& page)
   {
     return prepared(text, "");
   }
-  return with_heads(prepared(text, neighbour_links(book_pages(root), path)), shown_paths(root));
+  return with_heads(
+      with_folds(prepared(text, neighbour_links(book_pages(root), path))), shown_paths(root));
 }
 
 /// Writes the index of recipes and, for each, a page with its files in full.

@@ -68,29 +68,38 @@ inline std::string neighbour_links(const std::vector<TextFile>& order, const std
 /// The id of the place in a recipe's listing where the file called `name` is shown.
 inline std::string listing_place(const std::string& name)
 {
-  static const std::map<std::string, std::string> kinds{
-      {".hpp", "header"}, {".cpp", "program"}, {".expected", "output"}};
-  std::string recipe = stem(name);
-  const std::size_t test = recipe.rfind("_test");
-  const bool tests = test != std::string::npos && test + 5 == recipe.size();
-  return listing_id(tests ? recipe.substr(0, test) : recipe) + "_" +
-         (tests ? "tests" : kinds.at(std::filesystem::path(name).extension().string()));
+  const auto ends_in = [&](const std::string& ending)
+  { return name.size() > ending.size() && name.ends_with(ending); };
+  const std::string of_tests = "_test.cpp";
+  if (ends_in(of_tests))
+  {
+    return listing_id(name.substr(0, name.size() - of_tests.size())) + "_tests";
+  }
+  return listing_id(stem(name)) + (ends_in(".hpp")   ? "_header"
+                                   : ends_in(".cpp") ? "_program"
+                                                     : "_output");
+}
+
+/// What to link to for the file at `path`: its place in a recipe's listing, or the header's own
+/// page; empty where no page shows it.
+inline std::string shown_at(const std::string& path)
+{
+  const std::string name = std::filesystem::path(path).filename().string();
+  const bool in_recipe =
+      std::regex_search(path, std::regex(R"(^recipes/\d.*\.(hpp|cpp|expected)$)"));
+  const bool tests = std::regex_search(path, std::regex(R"(^tests/\d.*_test\.cpp$)"));
+  const bool shared = std::regex_search(path, std::regex(R"(^common/.*\.hpp$)"));
+  return in_recipe || tests ? listing_place(name) : shared ? name : "";
 }
 
 /// The head of a listing of the file at `path`: its name, linked to where it is shown in full.
 inline std::string listing_head(const std::string& path)
 {
   const std::string name = std::filesystem::path(path).filename().string();
-  const std::string ending = std::filesystem::path(path).extension().string();
-  const bool test = std::regex_search(name, std::regex(R"(_test\.cpp$)"));
-  const bool in_recipe = path.rfind("recipes/", 0) == 0 || (path.rfind("tests/", 0) == 0 && test);
-  const bool in_common = path.rfind("common/", 0) == 0 && ending == ".hpp";
-  const std::string target = in_recipe && !chapter_of(path).empty() ? listing_place(name)
-                             : in_common                            ? name
-                                                                    : "";
+  const std::string target = shown_at(path);
   return "<div class=\"listing\">" +
          (target.empty() ? escaped(name) : "\\ref " + target + " \"" + name + "\"") +
-         (ending == ".expected" ? " &middot; what it prints" : "") + "</div>";
+         (name.ends_with(".expected") ? " &middot; what it prints" : "") + "</div>";
 }
 
 /// Heads each `\snippet` and `\include` of a page; `paths` are the files of the tree. The lines
@@ -112,6 +121,15 @@ inline std::string with_heads(const std::string& page, const std::vector<std::st
     result += line + "\n";
   }
   return result;
+}
+
+/// Hands the tags of a fold, each on a line of its own, to the browser as they are: Doxygen would
+/// begin a new fold with every paragraph.
+inline std::string with_folds(const std::string& page)
+{
+  static const std::regex tag(
+      R"((^|\n)(<details class="more">|<summary>.*?</summary>|</details>)(?=\n|$))");
+  return std::regex_replace(page, tag, "$1\\htmlonly[block]$2\\endhtmlonly");
 }
 
 /// The paths, from `root`, of all files that a page may show.

@@ -247,6 +247,7 @@ TEST_CASE("a listing is headed by its file, linked where a page shows it in full
   CHECK(listing_head("common/math/b.hpp").find("\\ref b.hpp") != std::string::npos);
   CHECK_FALSE(links("common/plot/b.cpp"));
   CHECK_FALSE(links("tests/03_x/accuracy.hpp"));
+  CHECK_FALSE(links("recipes/03_x/a/a.json"));
   const std::string page = "Text\n\\snippet b.hpp piece\n";
   CHECK(cookbook::book::with_heads(page, {"common/math/b.hpp"}).find("\n<div") == 4);
 }
