@@ -222,7 +222,7 @@ std::string filtered(const fs::path& root, const fs::path& page)
 {
   const std::string path =
       fs::absolute(page).lexically_relative(fs::absolute(root)).generic_string();
-  const std::string text = read_text(page);
+  const std::string text = with_whole_links(read_text(page));
   if (path.rfind("chapters/", 0) != 0 && path.rfind("docs/", 0) != 0)
   {
     return prepared(text, "");

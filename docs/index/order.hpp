@@ -132,6 +132,15 @@ inline std::string with_folds(const std::string& page)
   return std::regex_replace(page, tag, "$1\\htmlonly[block]$2\\endhtmlonly");
 }
 
+/// Puts a link that a line's end cuts in two on the first of its lines: Doxygen reads links by
+/// lines.
+inline std::string with_whole_links(const std::string& page)
+{
+  static const std::regex in_text(R"rx((\\ref +\w+ +"[^"\n]*)\n *([^"\n]*"))rx");
+  static const std::regex in_name(R"rx(\\ref *\n *(\w+(?: +"[^"\n]*")?))rx");
+  return std::regex_replace(std::regex_replace(page, in_name, "\\ref $1\n"), in_text, "$1 $2\n");
+}
+
 /// The paths, from `root`, of all files that a page may show.
 inline std::vector<std::string> shown_paths(const std::filesystem::path& root)
 {

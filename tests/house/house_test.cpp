@@ -252,6 +252,26 @@ TEST_CASE("a listing is headed by its file, linked where a page shows it in full
   CHECK(cookbook::book::with_heads(page, {"common/math/b.hpp"}).find("\n<div") == 4);
 }
 
+TEST_CASE(
+    "a link that a line's end cuts in two is made whole, and the lines keep their number",
+    "[house]")
+{
+  using cookbook::book::with_whole_links;
+  CHECK(
+      with_whole_links("a \\ref b \"two\n  words\", c\nd\n") ==
+      "a \\ref b \"two words\"\n, c\nd\n");
+  CHECK(with_whole_links("a \\ref\n  b \"two words\", c\n") == "a \\ref b \"two words\"\n, c\n");
+  CHECK(with_whole_links("\\ref a \"b\" and\n\"c\"\n") == "\\ref a \"b\" and\n\"c\"\n");
+}
+
+TEST_CASE("a fold's tags are handed to the browser as they are", "[house]")
+{
+  CHECK(
+      cookbook::book::with_folds("A\n<details class=\"more\">\nB\n</details>\n") ==
+      "A\n\\htmlonly[block]<details class=\"more\">\\endhtmlonly\nB\n"
+      "\\htmlonly[block]</details>\\endhtmlonly\n");
+}
+
 TEST_CASE("no page has more words or lines of listings than a reader has patience for", "[house]")
 {
   const std::vector<std::string> shown{".hpp", ".cpp", ".expected"};
