@@ -1,8 +1,8 @@
 /// \file
 /// Writes what Doxygen reads beside the tree, indexes and sources: `book_index ROOT FOLDER`; or
-/// prints one page prepared for it, with an anchor before each formula: `book_index PAGE`.
+/// prints one page prepared for it, with anchors, links and heads: `book_index ROOT PAGE.md`.
 
-#include "docs/index/pages.hpp"
+#include "docs/index/order.hpp"
 
 #include <iostream>
 
@@ -183,8 +183,8 @@ std::string listing(const House& house, const std::string& folder, const std::st
     {
       if (chapter_folder(one.path) == folder && fs::path(one.path).filename() == file)
       {
-        text += "## " + heading + "\n\n<span class=\"path\">" + escaped(one.path) +
-                "</span>\n\n\\include " + whole(file) + "\n\n";
+        text += "## " + heading + " {#" + listing_place(file) + "}\n\n<span class=\"path\">" +
+                escaped(one.path) + "</span>\n\n\\include " + whole(file) + "\n\n";
       }
     }
   };
@@ -215,6 +215,20 @@ std::map<std::string, Summaries> summaries(const House& house)
     }
   }
   return found;
+}
+
+/// A page as Doxygen reads it. What is not in the tree's own folders is written by this program.
+std::string filtered(const fs::path& root, const fs::path& page)
+{
+  const std::string path =
+      fs::absolute(page).lexically_relative(fs::absolute(root)).generic_string();
+  const std::string text = with_whole_links(read_text(page));
+  if (path.rfind("chapters/", 0) != 0 && path.rfind("docs/", 0) != 0)
+  {
+    return prepared(text, "");
+  }
+  return with_heads(
+      with_folds(prepared(text, neighbour_links(book_pages(root), path))), shown_paths(root));
 }
 
 /// Writes the index of recipes and, for each, a page with its files in full.
@@ -248,14 +262,14 @@ void write_recipes(const House& house, const fs::path& folder)
 int main(int argc, char** argv)
 try
 {
-  if (argc == 2)
-  {
-    std::cout << prepared(read_text(argv[1]));
-    return 0;
-  }
   if (argc != 3)
   {
-    throw std::runtime_error("usage: book_index ROOT FOLDER | book_index PAGE");
+    throw std::runtime_error("usage: book_index ROOT FOLDER | book_index ROOT PAGE.md");
+  }
+  if (fs::path(argv[2]).extension() == ".md")
+  {
+    std::cout << filtered(argv[1], argv[2]);
+    return 0;
   }
   const House house = read_house(argv[1]);
   const fs::path folder = fs::path(argv[2]) / "pages";

@@ -139,15 +139,18 @@ inline std::string without_marks(const std::string& source)
 }
 
 /// A page as Doxygen reads it: a table of contents under the title where there are sections to
-/// list, anchors at formulas, and snippets that ask for the renamed marks.
-inline std::string prepared(const std::string& page)
+/// list, the links to its neighbours at both ends, anchors at formulas, and snippets that ask for
+/// the renamed marks.
+inline std::string prepared(const std::string& page, const std::string& neighbours)
 {
   static const std::regex snippet(R"(([\\@]snippet(?:lineno)?[ \t]+\S+[ \t]+)(\S))");
   std::string result = std::regex_replace(with_anchors(page), snippet, "$1mark $2");
   const std::size_t blank = result.find("\n\n");
-  if (blank != std::string::npos && sections(page).size() > 5)
+  if (blank != std::string::npos)
   {
-    result.insert(blank + 1, "\\tableofcontents");
+    const std::string contents = sections(page).size() > 5 ? "\\tableofcontents" : "";
+    result.insert(blank + 1, contents + neighbours);
+    result += neighbours.empty() ? "" : "\n" + neighbours + "\n";
   }
   return result;
 }

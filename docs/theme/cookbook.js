@@ -1,12 +1,27 @@
 // Small helps that a style sheet cannot give.
 
-// Boxes that scroll can be reached and scrolled by keyboard.
-window.addEventListener("load", () => {
+// Boxes that scroll can be reached and scrolled by keyboard, and fade out where there is more.
+const markBox = (box) => {
+  const hidden = box.scrollWidth - box.clientWidth;
+  if (hidden > 1) {
+    box.tabIndex = 0;
+  }
+  box.classList.toggle("more-right", hidden - box.scrollLeft > 2);
+};
+const boxes = new ResizeObserver((entries) => entries.forEach((entry) => markBox(entry.target)));
+const markBoxes = () => {
   for (const box of document.querySelectorAll(
-    "div.fragment, div.figure, p.formulaDsp, table.verdicts, table.index")) {
-    if (box.scrollWidth > box.clientWidth) {
-      box.tabIndex = 0;
-    }
+    "div.fragment, pre.fragment, div.figure, p.formulaDsp, .contents table, .contents tbody")) {
+    boxes.observe(box);
+    box.addEventListener("scroll", () => markBox(box), { passive: true });
+    markBox(box);
+  }
+};
+window.addEventListener("load", () => {
+  markBoxes();
+  // Formulas are as wide as they are only once they are set.
+  if (window.MathJax && window.MathJax.Hub) {
+    window.MathJax.Hub.Queue(() => document.querySelectorAll("p.formulaDsp").forEach(markBox));
   }
 });
 

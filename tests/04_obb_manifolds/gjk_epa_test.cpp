@@ -362,7 +362,8 @@ TEST_CASE(
 
 // [bounds]
 TEST_CASE(
-    "at every step the closest face is below the depth, the best direction above", "[epa][O18]")
+    "at every step the closest face is below the depth, the best direction above",
+    "[epa][O18][O21]")
 {
   RandomCubes draw(4);
   int hits = 0;

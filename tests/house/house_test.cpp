@@ -4,9 +4,11 @@
 
 #include "file_rules.hpp"
 #include "page_rules.hpp"
+#include "reading_rules.hpp"
 #include "recipe_rules.hpp"
 #include "room_rules.hpp"
 
+#include "docs/index/order.hpp"
 #include "tests/catch.hpp"
 
 using namespace cookbook::house;
@@ -17,9 +19,10 @@ namespace
 
 const std::filesystem::path root{COOKBOOK_SOURCE_DIR};
 
+/// The chapters' pages, in the order in which the book is read.
 std::vector<TextFile> pages()
 {
-  auto files = read_tree(root, "chapters", {".md"});
+  auto files = cookbook::book::book_pages(root);
   std::erase_if(
       files, [](const TextFile& page) { return cookbook::book::chapter_of(page.path).empty(); });
   return files;
@@ -191,7 +194,7 @@ TEST_CASE("every chapter has its sections in the same order, on one page or seve
 TEST_CASE("a page with swapped sections, or a recipe without proof, is found", "[house]")
 {
   const std::string start = "# Chapter 3: X {#ch3}\n## What you need\n## What this scene needs\n";
-  const std::string recipe = "## A {#a}\n### Formula\n### Code\n### Run it\n";
+  const std::string recipe = "## A {#a}\n### The idea\n### Code\n### Run it\n";
   const std::string end =
       "## Where it breaks\n## Speed against accuracy\n## Exercises\n## Sources\n";
   CHECK(page_is_in_order({"p", start + recipe + "### Proof\n" + end}).empty());
@@ -199,6 +202,133 @@ TEST_CASE("a page with swapped sections, or a recipe without proof, is found", "
   CHECK(page_is_in_order({"p", end + start}).size() == 1);
   CHECK(page_is_in_order({"p", start + "## Sources\n" + end}).empty());
   CHECK(page_is_in_order({"p", start}).size() == 1);
+  const auto with = [&](const std::string& path, const std::string& section) {
+    return page_is_in_order({path, start + section + end}).size();
+  };
+  CHECK(with("chapters/03_x.md", recipe + "### Why\n### Proof\n") == 0);
+  CHECK(with("chapters/03_x.md", recipe + "### Proof\n### Why\n") == 1);
+  const std::string old = "## A {#a}\n### Formula\n### Code\n### Run it\n### Proof\n";
+  CHECK(with("chapters/05_x.md", old) == 0);
+  CHECK(with("chapters/03_x.md", old) == 1);
+  CHECK(with("chapters/03_x.md", "## Rounding {#r}\nText.\n") == 0);
+  CHECK(with("chapters/03_x.md", "## A {#a}\n\\include a.expected\n") == 1);
+}
+
+TEST_CASE("every page has a chapter's or the front page's link to it", "[house]")
+{
+  CHECK(pages().size() == read_tree(root, "chapters", {".md"}).size());
+}
+
+TEST_CASE("pages are read in the order of the links that open them", "[house]")
+{
+  using namespace cookbook::book;
+  const std::vector<TextFile> tree{
+      {"chapters/03_a.md", "# A {#a}\n\\subpage d and \\subpage c\n"},
+      {"chapters/03_c.md", "# C {#c}\n"},
+      {"chapters/03_d.md", "# D {#d}\n"},
+      {"docs/index.md", "# F {#mainpage}\n\\subpage a\n"}};
+  const auto order = reading_order(tree, "mainpage");
+  REQUIRE(order.size() == 4);
+  CHECK(order[2].path == "chapters/03_d.md");
+  const std::string links = neighbour_links(order, "chapters/03_d.md");
+  CHECK(links.find("\"previous\" href=\"a.html\"") != std::string::npos);
+  CHECK(links.find("\"next\" href=\"c.html\"") != std::string::npos);
+  CHECK(neighbour_links(order, "docs/index.md").empty());
+}
+
+TEST_CASE("a listing is headed by its file, linked where a page shows it in full", "[house]")
+{
+  using cookbook::book::listing_head;
+  const auto links = [](const std::string& path)
+  { return listing_head(path).find("\\ref ") != std::string::npos; };
+  CHECK(listing_head("recipes/03_x/a/a.hpp").find("files_a_header \"a.hpp\"") != std::string::npos);
+  CHECK(listing_head("recipes/03_x/a/a.expected").find("files_a_output") != std::string::npos);
+  CHECK(listing_head("tests/03_x/a_test.cpp").find("files_a_tests") != std::string::npos);
+  CHECK(listing_head("common/math/b.hpp").find("\\ref b.hpp") != std::string::npos);
+  CHECK_FALSE(links("common/plot/b.cpp"));
+  CHECK_FALSE(links("tests/03_x/accuracy.hpp"));
+  CHECK_FALSE(links("recipes/03_x/a/a.json"));
+  const std::string page = "Text\n\\snippet b.hpp piece\n";
+  CHECK(cookbook::book::with_heads(page, {"common/math/b.hpp"}).find("\n<div") == 4);
+}
+
+TEST_CASE(
+    "a link that a line's end cuts in two is made whole, and the lines keep their number",
+    "[house]")
+{
+  using cookbook::book::with_whole_links;
+  CHECK(
+      with_whole_links("a \\ref b \"two\n  words\", c\nd\n") ==
+      "a \\ref b \"two words\"\n, c\nd\n");
+  CHECK(with_whole_links("a \\ref\n  b \"two words\", c\n") == "a \\ref b \"two words\"\n, c\n");
+  CHECK(with_whole_links("\\ref a \"b\" and\n\"c\"\n") == "\\ref a \"b\" and\n\"c\"\n");
+}
+
+TEST_CASE("a fold's tags are handed to the browser as they are", "[house]")
+{
+  CHECK(
+      cookbook::book::with_folds("A\n<details class=\"more\">\nB\n</details>\n") ==
+      "A\n\\htmlonly[block]<details class=\"more\">\\endhtmlonly\nB\n"
+      "\\htmlonly[block]</details>\\endhtmlonly\n");
+}
+
+TEST_CASE("no page has more words or lines of listings than a reader has patience for", "[house]")
+{
+  const std::vector<std::string> shown{".hpp", ".cpp", ".expected"};
+  const auto tree = together(
+      together(read_tree(root, "common", shown), read_tree(root, "recipes", shown)),
+      read_tree(root, "tests", shown));
+  expect_none(pages_are_short(pages(), tree));
+}
+
+TEST_CASE("a page's words and lines are counted as they are read", "[house]")
+{
+  const std::vector<TextFile> tree{
+      {"recipes/03_x/a.hpp", "// [a]\nint x;\n// [b]\nint y;\n// [b]\n// [a]\nint z;\n"},
+      {"recipes/03_x/a.expected", "1\n2\n3\n"}};
+  const auto lines = [&](const std::string& page) { return size_of(page, tree).lines; };
+  CHECK(lines("\\snippet a.hpp a\n") == 2);
+  CHECK(lines("\\snippet a.hpp b\n\\include a.expected\n") == 4);
+  CHECK(lines("<details class=\"more\">\n\\snippet a.hpp a\n</details>\n\\snippet a.hpp b\n") == 1);
+  CHECK(
+      count_words("# Two words {#id}\nand **three** more, \\f$ n = 1 \\f$ \\ref S1 \"(S1)\".\n") ==
+      6);
+  CHECK(
+      count_words(
+          "\\snippet a.hpp a\n<div class=\"x\">one</div>\n| two | 3 |\n```sh\nrun\n```\n") == 2);
+  std::string text;
+  for (std::size_t word = 0; word < most.words; ++word)
+  {
+    text += "word ";
+  }
+  CHECK(pages_are_short({{"chapters/03_x.md", text}}, tree).empty());
+  CHECK(pages_are_short({{"chapters/03_x.md", text + "word"}}, tree).size() == 1);
+  const std::vector<TextFile> tall{{"recipes/03_x/a.expected", std::string(most.lines + 1, '\n')}};
+  CHECK(pages_are_short({{"chapters/03_x.md", "\\include a.expected\n"}}, tall).size() == 1);
+}
+
+TEST_CASE("chapters 3 and 4: a sentence before each listing, exercises on each page", "[house]")
+{
+  for (const TextFile& page : pages())
+  {
+    const std::string chapter = cookbook::book::chapter_of(page.path);
+    if (chapter == "03" || chapter == "04")
+    {
+      expect_none(listings_are_introduced(page));
+      expect_none(page_has_exercises(page));
+    }
+  }
+}
+
+TEST_CASE("two listings in a row, and a page without exercises, are found", "[house]")
+{
+  const std::string one = "\\snippet a.hpp a\n", other = "\\include a.expected\n";
+  CHECK(listings_are_introduced({"p", one + "\nIt prints:\n\n" + other}).empty());
+  CHECK(listings_are_introduced({"p", one + "\n### Run it\n\n" + other}).size() == 1);
+  CHECK(listings_are_introduced({"p", one + "<details class=\"more\">\n" + other}).size() == 1);
+  CHECK(page_has_exercises({"p", "## Exercises\n1. Run `a`,\n   then `b`.\n2. `c`.\n"}).empty());
+  CHECK(page_has_exercises({"p", "## Exercises\n1. Think,\n   then `b`.\n2. Rest.\n"}).size() == 1);
+  CHECK(page_has_exercises({"p", "## Exercises\nNone.\n"}).size() == 1);
 }
 
 TEST_CASE("a chapter's sub-pages are read behind it, and another chapter is not", "[house]")

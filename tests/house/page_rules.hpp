@@ -11,8 +11,12 @@ namespace cookbook::house
 inline const std::vector<std::string> opening{"What you need", "What this scene needs"};
 inline const std::vector<std::string> closing{
     "Where it breaks", "Speed against accuracy", "Exercises", "Sources"};
-/// What every recipe's section holds, in this order.
-inline const std::vector<std::string> recipe_parts{"Formula", "Code", "Run it", "Proof"};
+/// What every recipe's section holds, in this order: the way in first.
+inline const std::vector<std::string> recipe_parts{"The idea", "Code", "Run it", "Proof"};
+/// The same where it is derived after it has been run.
+inline const std::vector<std::string> parts_with_why{"The idea", "Code", "Run it", "Why", "Proof"};
+/// The same in chapters 1, 2 and 5, until they are cut anew.
+inline const std::vector<std::string> parts_of_old{"Formula", "Code", "Run it", "Proof"};
 
 /// True if `words` all occur in `all`, in that order.
 inline bool in_order(const std::vector<std::string>& words, const std::vector<std::string>& all)
@@ -32,14 +36,14 @@ inline bool in_order(const std::vector<std::string>& words, const std::vector<st
 
 /// The pages of whole chapters: each with the text of its sub-pages behind it, as they are read.
 ///
-/// `pages` come in order of path: 05_resolution.md, then its sub-page 05_resolution_bodies.md.
+/// `pages` come in the book's order: a chapter's first page, then those it opens by `\subpage`.
 inline std::vector<TextFile> with_sub_pages(const std::vector<TextFile>& pages)
 {
   std::vector<TextFile> chapters;
   for (const TextFile& page : pages)
   {
-    const std::string name = book::stem(page.path);
-    if (!chapters.empty() && name.rfind(book::stem(chapters.back().path) + "_", 0) == 0)
+    const std::string chapter = book::chapter_of(page.path);
+    if (!chapters.empty() && book::chapter_of(chapters.back().path) == chapter)
     {
       chapters.back().text += "\n" + page.text;
     }
@@ -51,12 +55,31 @@ inline std::vector<TextFile> with_sub_pages(const std::vector<TextFile>& pages)
   return chapters;
 }
 
-/// A chapter's page has its sections in order, and all four parts in each recipe's section.
+/// True if `parts`, the headings of a section, are those of a recipe's in the right order.
+inline bool has_recipe_parts(const std::vector<std::string>& parts, const std::string& chapter)
+{
+  const bool why = std::find(parts.begin(), parts.end(), "Why") != parts.end();
+  const bool old = chapter != "03" && chapter != "04" && in_order(parts_of_old, parts);
+  return old || in_order(why ? parts_with_why : recipe_parts, parts);
+}
+
+/// True if a section with these headings and this text is a recipe's: it has one of the parts, or
+/// shows what a program prints.
+inline bool is_recipe(const std::vector<std::string>& parts, const std::string& text)
+{
+  static const std::set<std::string> all{"The idea", "Formula", "Code", "Run it", "Why", "Proof"};
+  const auto is_part = [](const std::string& title) { return all.count(title) == 1; };
+  return std::any_of(parts.begin(), parts.end(), is_part) ||
+         std::regex_search(text, std::regex(R"([\\@]include +\S+\.expected)"));
+}
+
+/// A chapter's page has its sections in order, and all parts in each recipe's section.
 inline Complaints page_is_in_order(const TextFile& page)
 {
   Complaints complaints;
   std::vector<std::string> headings;
   std::map<std::string, std::vector<std::string>> parts;
+  std::map<std::string, std::string> texts;
   for (const book::Section& section : book::sections(page.text))
   {
     if (section.level == 2)
@@ -66,6 +89,10 @@ inline Complaints page_is_in_order(const TextFile& page)
     else if (section.level == 3 && !headings.empty())
     {
       parts[headings.back()].push_back(section.title);
+    }
+    if (!headings.empty())
+    {
+      texts[headings.back()] += section.text;
     }
   }
   std::vector<std::string> fixed = opening;
@@ -79,11 +106,13 @@ inline Complaints page_is_in_order(const TextFile& page)
   }
   for (const std::string& heading : headings)
   {
-    const bool recipe = std::find(fixed.begin(), fixed.end(), heading) == fixed.end();
-    if (recipe && !in_order(recipe_parts, parts[heading]))
+    const bool own = std::find(fixed.begin(), fixed.end(), heading) == fixed.end();
+    const bool recipe = own && is_recipe(parts[heading], texts[heading]);
+    if (recipe && !has_recipe_parts(parts[heading], book::chapter_of(page.path)))
     {
       complaints.push_back(
-          page.path + ": \"" + heading + "\" lacks Formula, Code, Run it or Proof, in this order");
+          page.path + ": \"" + heading +
+          "\" lacks The idea, Code, Run it or Proof, in this order, with Why before Proof");
     }
   }
   return complaints;

@@ -58,7 +58,7 @@ Real overlap_rounding(const RoundedTerms<Real>& terms, const AxisOverlap<Real>& 
 }
 // [overlap_rounding]
 
-// [separating_axes]
+// [least_overlap]
 /// The direction along which two boxes overlap least.
 template <class Real>
 struct LeastOverlap
@@ -67,7 +67,9 @@ struct LeastOverlap
   Real depth;           ///< [m], zero or more
   int axis;             ///< 0 … 14
 };
+// [least_overlap]
 
+// [is_beyond_rounding]
 /// Whether the overlap along one axis is less than along another by more than rounding, where the
 /// gain [m] does not tell by itself; O9. Rarely called, and kept out of the loop that calls it.
 template <class Real>
@@ -80,7 +82,9 @@ template <class Real>
   { return overlap_rounding(terms, axis_overlap(boxes, each), each); };
   return gain > rounding(axis) + rounding(other);
 }
+// [is_beyond_rounding]
 
+// [separating_axes]
 /// The least overlap along the first `axes` of the fifteen; nothing where one of them separates.
 template <class Real>
 std::optional<LeastOverlap<Real>> least_overlap(const Obb<Real>& a, const Obb<Real>& b, int axes)

@@ -51,7 +51,7 @@ Real pair_size(const Obb<Real>& a, const Obb<Real>& b)
 }
 // [true_box]
 
-// [true_overlap]
+// [overlap_along]
 /// How far B must move along a unit vector [m] until no point of it is behind A's front; O6.
 ///
 /// From A to B it is the overlap along the normal; the wrong way round it is the way through.
@@ -62,7 +62,9 @@ Real overlap_along(const Obb<Real>& a, const Obb<Real>& b, const Vector3<Real>& 
   const Real reach_b = (b.axes.transpose() * normal).cwiseAbs().dot(b.half_extents);
   return reach_a + reach_b - normal.dot(b.center - a.center);
 }
+// [overlap_along]
 
+// [true_overlap]
 /// The direction of least overlap, or of the largest gap, without a square root.
 template <class Real>
 struct TrueLeast
