@@ -6,10 +6,11 @@
 #include "common/simd/lanes.hpp"
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
-#if defined(__AVX2__)
+#if defined(__AVX2__) && !defined(COOKBOOK_PLAIN)
 #include <immintrin.h>
 #endif
 
@@ -30,12 +31,31 @@ class Compress
 {
 public:
   /// Bit i stands for lane i.
-#if defined(__AVX512F__)
+#if defined(COOKBOOK_PLAIN)
+  explicit Compress(std::uint32_t bits) : bits_(bits) {}
+
+  Lanes operator()(const Lanes& lanes) const ///< the lanes moved
+  {
+    Lanes moved = lanes;
+    for (std::size_t from = 0, to = 0; from < width; ++from)
+    {
+      if ((bits_ >> from & 1) != 0)
+      {
+        moved.lanes[to++] = lanes[from];
+      }
+    }
+    return moved;
+  }
+
+private:
+  std::uint32_t bits_;
+#elif defined(__AVX512F__)
   explicit Compress(std::uint32_t bits) : bits_(static_cast<__mmask16>(bits)) {}
 
   Lanes operator()(const Lanes& lanes) const ///< the lanes moved
   {
-    return Lanes::of((Lanes::Lanes)_mm512_maskz_compress_ps(bits_, (__m512)lanes.lanes));
+    return Lanes::of(std::bit_cast<Lanes::Lanes>(
+        _mm512_maskz_compress_ps(bits_, std::bit_cast<__m512>(lanes.lanes))));
   }
 
 private:
@@ -48,7 +68,8 @@ private:
 #if defined(__AVX2__)
     const __m128i bytes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(order_.data()));
     const __m256i order = _mm256_cvtepu8_epi32(bytes);
-    return Lanes::of((Lanes::Lanes)_mm256_permutevar8x32_ps((__m256)lanes.lanes, order));
+    return Lanes::of(std::bit_cast<Lanes::Lanes>(
+        _mm256_permutevar8x32_ps(std::bit_cast<__m256>(lanes.lanes), order)));
 #else
     Lanes moved = lanes;
     for (std::size_t i = 0; i < width; ++i)

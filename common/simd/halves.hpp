@@ -11,7 +11,7 @@
 
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi" // as in pack.hpp
+#pragma GCC diagnostic ignored "-Wpsabi" // as in vector_of.hpp
 #endif
 
 namespace cookbook
@@ -106,7 +106,7 @@ struct Halves
 template <int I, int J, class Real>
 Pack<Real, 2> pair_of(const Pack<Real, 2>& a, const Pack<Real, 2>& b)
 {
-  return Pack<Real, 2>::of(__builtin_shufflevector(a.lanes, b.lanes, I, J + 2));
+  return Pack<Real, 2>::of(shuffled<I, J + 2>(a.lanes, b.lanes));
 }
 
 /// The first three lanes moved one on: y, z, x.

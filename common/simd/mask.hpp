@@ -5,11 +5,13 @@
 
 #include "common/simd/number.hpp"
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 
-#if defined(__AVX512F__)
+#if defined(COOKBOOK_PLAIN)
+#elif defined(__AVX512F__)
 #include <immintrin.h>
 #elif defined(__SSE2__)
 #include <emmintrin.h> // a tenth of the other, in every file
@@ -36,13 +38,13 @@ std::uint32_t bits_of(const Mask& mask)
 {
   constexpr std::size_t lane = sizeof(mask.lanes[0]), width = sizeof(mask.lanes) / lane;
   std::uint32_t bits = 0;
-#if defined(__AVX512F__)
+#if defined(__AVX512F__) && !defined(COOKBOOK_PLAIN)
   if constexpr (width == 16 && lane == 4)
   {
-    return _mm512_cmplt_epi32_mask((__m512i)mask.lanes, _mm512_setzero_si512());
+    return _mm512_cmplt_epi32_mask(std::bit_cast<__m512i>(mask.lanes), _mm512_setzero_si512());
   }
 #endif
-#if defined(__SSE2__)
+#if defined(__SSE2__) && !defined(COOKBOOK_PLAIN)
   if constexpr (sizeof(mask.lanes) >= sizeof(__m128))
   {
     for (std::size_t i = 0; i < width; i += sizeof(__m128) / lane)

@@ -5,7 +5,9 @@
 
 #include "common/math/vector.hpp"
 #include "common/simd/mask.hpp"
+#include "common/simd/vector_of.hpp"
 
+#include <bit>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -15,20 +17,13 @@
 
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi" // a pack wider than a register is never passed by value
+#pragma GCC diagnostic ignored "-Wpsabi" // as in vector_of.hpp
 #endif
 
 namespace cookbook
 {
 inline namespace COOKBOOK_INSTRUCTION_SET
 {
-
-/// The compilers' own vector type.
-template <class Real, std::size_t Width>
-struct VectorOf
-{
-  typedef Real type __attribute__((vector_size(sizeof(Real) * Width))); ///< `Width` numbers
-};
 
 // [pack]
 /// `Width` numbers that are computed with as if they were one; `Width` is a power of two.
@@ -40,7 +35,7 @@ struct Pack
   Lanes lanes; ///< the numbers
 
   Pack() = default;
-  Pack(Real same) : lanes(same - Lanes{}) {} ///< the same number in every lane
+  Pack(Real same) : lanes(spread<Lanes>(same)) {} ///< the same number in every lane
 
   // Copied as one register: left to itself g++ copies wide packs in pieces.
   Pack(const Pack& other) : lanes(other.lanes) {}
@@ -78,23 +73,24 @@ struct Pack
   friend Pack operator-(const Pack& a) { return of(-a.lanes); }
   friend Pack max(const Pack& a, const Pack& b)
   {
-    return of(a.lanes > b.lanes ? a.lanes : b.lanes);
+    return of(picked(a.lanes > b.lanes, a.lanes, b.lanes));
   }
   friend Pack min(const Pack& a, const Pack& b)
   {
-    return of(a.lanes < b.lanes ? a.lanes : b.lanes);
+    return of(picked(a.lanes < b.lanes, a.lanes, b.lanes));
   }
   friend Pack abs(const Pack& a)
   {
     using Bits = decltype(Mask::lanes);
-    const auto sign = (Bits)(-Lanes{}); // the bits of minus zero
-    return of((Lanes)((Bits)(a.lanes) & ~sign));
+    const Bits sign = std::bit_cast<Bits>(-Lanes{}); // the bits of minus zero
+    return of(std::bit_cast<Lanes>(std::bit_cast<Bits>(a.lanes) & ~sign));
   }
   friend Pack copysign(const Pack& size, const Pack& sign)
   {
     using Bits = decltype(Mask::lanes);
-    const auto bit = (Bits)(-Lanes{});
-    return of((Lanes)(((Bits)(size.lanes) & ~bit) | ((Bits)(sign.lanes) & bit)));
+    const Bits bit = std::bit_cast<Bits>(-Lanes{});
+    return of(std::bit_cast<Lanes>(
+        (std::bit_cast<Bits>(size.lanes) & ~bit) | (std::bit_cast<Bits>(sign.lanes) & bit)));
   }
   friend Mask operator<(const Pack& a, const Pack& b) { return {a.lanes < b.lanes}; }
   friend Mask operator<=(const Pack& a, const Pack& b) { return {a.lanes <= b.lanes}; }
@@ -134,7 +130,7 @@ Pack<Real, Width> select(
     const typename Pack<Real, Width>::Mask& mask, const Pack<Real, Width>& yes,
     const Pack<Real, Width>& no)
 {
-  return Pack<Real, Width>::of(mask.lanes ? yes.lanes : no.lanes);
+  return Pack<Real, Width>::of(picked(mask.lanes, yes.lanes, no.lanes));
 }
 
 /// The square root of every lane: a loop that becomes one instruction.

@@ -13,7 +13,7 @@
 
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi" // as in pack.hpp
+#pragma GCC diagnostic ignored "-Wpsabi" // as in vector_of.hpp
 #endif
 
 namespace cookbook
@@ -32,14 +32,14 @@ using Registers = std::conditional_t<sizeof(Real) == 4, Pack<Real, 4>, Halves<Re
 template <class Real>
 Pack<Real, 4> turned_once(const Pack<Real, 4>& v)
 {
-  return Pack<Real, 4>::of(__builtin_shufflevector(v.lanes, v.lanes, 1, 2, 0, 0));
+  return Pack<Real, 4>::of(shuffled<1, 2, 0, 0>(v.lanes, v.lanes));
 }
 
 /// The first three lanes moved two on: z, x, y.
 template <class Real>
 Pack<Real, 4> turned_twice(const Pack<Real, 4>& v)
 {
-  return Pack<Real, 4>::of(__builtin_shufflevector(v.lanes, v.lanes, 2, 0, 1, 1));
+  return Pack<Real, 4>::of(shuffled<2, 0, 1, 1>(v.lanes, v.lanes));
 }
 
 /// Four rows of four made columns.
@@ -47,14 +47,14 @@ template <class Real>
 void transpose(Pack<Real, 4> (&rows)[4])
 {
   Pack<Real, 4>&a = rows[0], &b = rows[1], &c = rows[2], &d = rows[3];
-  const auto low_ab = __builtin_shufflevector(a.lanes, b.lanes, 0, 4, 1, 5);
-  const auto low_cd = __builtin_shufflevector(c.lanes, d.lanes, 0, 4, 1, 5);
-  const auto high_ab = __builtin_shufflevector(a.lanes, b.lanes, 2, 6, 3, 7);
-  const auto high_cd = __builtin_shufflevector(c.lanes, d.lanes, 2, 6, 3, 7);
-  a.lanes = __builtin_shufflevector(low_ab, low_cd, 0, 1, 4, 5);
-  b.lanes = __builtin_shufflevector(low_ab, low_cd, 2, 3, 6, 7);
-  c.lanes = __builtin_shufflevector(high_ab, high_cd, 0, 1, 4, 5);
-  d.lanes = __builtin_shufflevector(high_ab, high_cd, 2, 3, 6, 7);
+  const auto low_ab = shuffled<0, 4, 1, 5>(a.lanes, b.lanes);
+  const auto low_cd = shuffled<0, 4, 1, 5>(c.lanes, d.lanes);
+  const auto high_ab = shuffled<2, 6, 3, 7>(a.lanes, b.lanes);
+  const auto high_cd = shuffled<2, 6, 3, 7>(c.lanes, d.lanes);
+  a.lanes = shuffled<0, 1, 4, 5>(low_ab, low_cd);
+  b.lanes = shuffled<2, 3, 6, 7>(low_ab, low_cd);
+  c.lanes = shuffled<0, 1, 4, 5>(high_ab, high_cd);
+  d.lanes = shuffled<2, 3, 6, 7>(high_ab, high_cd);
 }
 
 /// Three rows of three made columns; Row is of registers.

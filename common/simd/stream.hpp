@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <cstring>
 
-#if defined(__SSE2__)
+#if defined(__SSE2__) && !defined(COOKBOOK_PLAIN)
 #include <emmintrin.h>
 #endif
 
@@ -24,7 +24,7 @@ inline void stream(const void* from, void* to, std::size_t count)
 {
   const char* source = static_cast<const char*>(from);
   char* target = static_cast<char*>(to);
-#if defined(__SSE2__)
+#if defined(__SSE2__) && !defined(COOKBOOK_PLAIN)
   const std::size_t past_border = reinterpret_cast<std::uintptr_t>(target) % 16;
   const std::size_t head = std::min(count, (16 - past_border) % 16);
   std::memcpy(target, source, head);
@@ -42,7 +42,7 @@ inline void stream(const void* from, void* to, std::size_t count)
 /// What was streamed is there before anything that follows.
 inline void end_of_stream()
 {
-#if defined(__SSE2__)
+#if defined(__SSE2__) && !defined(COOKBOOK_PLAIN)
   _mm_sfence();
 #endif
 }

@@ -1,8 +1,7 @@
 /// \file
 /// \brief What holds for packs of every width.
 
-#include "common/simd/group.hpp"
-#include "common/simd/pack.hpp"
+#include "common/simd/registers.hpp"
 
 #include "tests/catch.hpp"
 
@@ -186,7 +185,7 @@ TEST_CASE("a square of packs is mirrored", "[pack]")
   {
     rows[i] = Lane<P>::counting_from(static_cast<float>(10 * i));
   }
-  transpose(rows[0], rows[1], rows[2], rows[3]);
+  transpose(rows);
   for (int i = 0; i < 4; ++i)
   {
     for (int j = 0; j < 4; ++j)

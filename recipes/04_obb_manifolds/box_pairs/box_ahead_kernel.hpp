@@ -36,7 +36,9 @@ public:
       --times_left_;
       for (std::size_t i = 0; i < at_once; ++i, line_ += line)
       {
+#if !defined(COOKBOOK_PLAIN)
         __builtin_prefetch(reinterpret_cast<const void*>(line_), !std::is_const_v<Block>);
+#endif
       }
     }
   }

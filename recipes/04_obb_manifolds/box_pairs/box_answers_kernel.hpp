@@ -30,7 +30,7 @@ inline void answer_edges(
   }
   store_pack(sqrt(edge.squared_depth), out.depth + at);
   store(pair, out.pair + at);
-  store(__builtin_convertvector((edge.index.lanes + 6.0f) * 64.0f, Words), out.feature + at);
+  store(converted<Words>(((edge.index + Lanes(6.0f)) * Lanes(64.0f)).lanes), out.feature + at);
 }
 // [answer_edges]
 
@@ -53,7 +53,7 @@ Lanes::Mask answer_faces(
   {
     const std::size_t part = slot / 4;
     const int i = static_cast<int>(slot % 4);
-    kept |= contact.kept[part].at[i].lanes & static_cast<std::int32_t>(1u << slot);
+    kept = kept | (contact.kept[part].at[i].lanes & spread<Words>(1 << slot));
     for (int x = 0; x < 3; ++x)
     {
       store_pack(contact.position[part][x][i], out.position[slot][x] + at);
@@ -68,8 +68,8 @@ Lanes::Mask answer_faces(
   store(pair, out.pair + at);
   store(kept, out.kept + at);
   const Lanes feature = face.index * Lanes(64.0f) + contact.incident * Lanes(8.0f);
-  store(__builtin_convertvector(feature.lanes, Words), out.feature + at);
-  return {kept == 0};
+  store(converted<Words>(feature.lanes), out.feature + at);
+  return {kept == Words{}};
 }
 // [answer_faces]
 

@@ -7,6 +7,7 @@
 #include "04_obb_manifolds/box_pairs/box_pairs.hpp"
 #include "common/simd/compress.hpp"
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -100,9 +101,9 @@ inline void wait_at_once(
   add_box(other, waiting.other);
   add(depth, waiting.depth);
   add(index, waiting.index);
-  const Lanes pair_bits = Lanes::of((Lanes::Lanes)pair);
-  store((Words)compress(pair_bits).lanes, waiting.pair + waiting.count);
-  waiting.count += static_cast<std::size_t>(__builtin_popcount(bits));
+  const Lanes pair_bits = Lanes::of(std::bit_cast<Lanes::Lanes>(pair));
+  store(std::bit_cast<Words>(compress(pair_bits).lanes), waiting.pair + waiting.count);
+  waiting.count += static_cast<std::size_t>(std::popcount(bits));
 }
 
 /// Adds a single pair, number by number; axis k of the box comes first.
@@ -140,7 +141,7 @@ wait(Waiting& waiting, std::uint32_t bits, const PairsInBlocks& pairs, const Lea
   }
   for (; bits != 0; bits &= bits - 1)
   {
-    const auto i = static_cast<std::uint32_t>(__builtin_ctz(bits));
+    const auto i = static_cast<std::uint32_t>(std::countr_zero(bits));
     wait_alone(
         waiting, pairs.a, 0, pairs.b, pairs.at + i, edge.squared_depth[i], edge.index[i],
         pairs.first + i);
@@ -163,7 +164,7 @@ wait(Waiting& waiting, std::uint32_t bits, const PairsInBlocks& pairs, const Lea
   }
   for (; bits != 0; bits &= bits - 1)
   {
-    const auto i = static_cast<std::uint32_t>(__builtin_ctz(bits));
+    const auto i = static_cast<std::uint32_t>(std::countr_zero(bits));
     const int index = static_cast<int>(face.index[i]);
     const bool of_a = index < 3;
     wait_alone(

@@ -1,0 +1,204 @@
+#pragma once
+
+/// \file
+/// \brief Numbers side by side, as packs are made of: the compilers' own vector types, or plain C++
+/// with the same results where COOKBOOK_PLAIN is defined.
+
+#include "common/simd/number.hpp"
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi" // what is wider than a register is never passed by value
+#endif
+
+namespace cookbook
+{
+inline namespace COOKBOOK_INSTRUCTION_SET
+{
+
+// [vector_of]
+#if defined(COOKBOOK_PLAIN)
+
+/// Numbers side by side, each computed with by itself.
+template <class Number, std::size_t Width>
+struct PlainVector
+{
+  /// What a comparison gives: −1, all bits set, or 0.
+  using Bits =
+      PlainVector<std::conditional_t<sizeof(Number) == 8, std::int64_t, std::int32_t>, Width>;
+
+  Number at[Width]; ///< the numbers
+
+  template <std::integral Whole>
+  Number& operator[](Whole i) ///< the i-th
+  {
+    return at[static_cast<std::size_t>(i)];
+  }
+  template <std::integral Whole>
+  const Number& operator[](Whole i) const ///< the i-th
+  {
+    return at[static_cast<std::size_t>(i)];
+  }
+
+  /// What a function gives of each of two numbers.
+  template <class Result = PlainVector, class Function>
+  static Result of(const PlainVector& a, const PlainVector& b, const Function& function)
+  {
+    Result result{};
+    for (std::size_t i = 0; i < Width; ++i)
+    {
+      result.at[i] = function(a.at[i], b.at[i]);
+    }
+    return result;
+  }
+
+  friend PlainVector operator+(const PlainVector& a, const PlainVector& b)
+  {
+    return of(a, b, [](Number x, Number y) { return x + y; });
+  }
+  friend PlainVector operator-(const PlainVector& a, const PlainVector& b)
+  {
+    return of(a, b, [](Number x, Number y) { return x - y; });
+  }
+  friend PlainVector operator*(const PlainVector& a, const PlainVector& b)
+  {
+    return of(a, b, [](Number x, Number y) { return x * y; });
+  }
+  friend PlainVector operator/(const PlainVector& a, const PlainVector& b)
+  {
+    return of(a, b, [](Number x, Number y) { return x / y; });
+  }
+  friend PlainVector operator-(const PlainVector& a)
+  {
+    return of(a, a, [](Number x, Number) { return -x; });
+  }
+  friend PlainVector operator&(const PlainVector& a, const PlainVector& b)
+  {
+    return of(a, b, [](Number x, Number y) { return x & y; });
+  }
+  friend PlainVector operator|(const PlainVector& a, const PlainVector& b)
+  {
+    return of(a, b, [](Number x, Number y) { return x | y; });
+  }
+  friend PlainVector operator~(const PlainVector& a)
+  {
+    return of(a, a, [](Number x, Number) { return ~x; });
+  }
+  friend Bits operator<(const PlainVector& a, const PlainVector& b)
+  {
+    return of<Bits>(a, b, [](Number x, Number y) { return x < y ? -1 : 0; });
+  }
+  friend Bits operator<=(const PlainVector& a, const PlainVector& b)
+  {
+    return of<Bits>(a, b, [](Number x, Number y) { return x <= y ? -1 : 0; });
+  }
+  friend Bits operator>(const PlainVector& a, const PlainVector& b) { return b < a; }
+  friend Bits operator>=(const PlainVector& a, const PlainVector& b) { return b <= a; }
+  friend Bits operator==(const PlainVector& a, const PlainVector& b)
+  {
+    return of<Bits>(a, b, [](Number x, Number y) { return x == y ? -1 : 0; });
+  }
+};
+
+/// `Width` numbers side by side.
+template <class Number, std::size_t Width>
+struct VectorOf
+{
+  using type = PlainVector<Number, Width>; ///< the numbers
+};
+
+/// The numbers of `yes` where the mask is set, those of `no` elsewhere.
+template <class Bits, class Vector>
+Vector picked(const Bits& mask, const Vector& yes, const Vector& no)
+{
+  Vector result{};
+  for (std::size_t i = 0; i < sizeof(result.at) / sizeof(result.at[0]); ++i)
+  {
+    result.at[i] = mask.at[i] != 0 ? yes.at[i] : no.at[i];
+  }
+  return result;
+}
+
+/// Numbers by their places in a, followed by those of b.
+template <std::size_t... Places, class Number, std::size_t Width>
+PlainVector<Number, Width>
+shuffled(const PlainVector<Number, Width>& a, const PlainVector<Number, Width>& b)
+{
+  return {(Places < Width ? a.at[Places % Width] : b.at[Places % Width])...};
+}
+
+/// Each number in another type, without a fraction if that has none.
+template <class To, class From>
+To converted(const From& from)
+{
+  To result{};
+  for (std::size_t i = 0; i < sizeof(from.at) / sizeof(from.at[0]); ++i)
+  {
+    result.at[i] = static_cast<std::remove_cvref_t<decltype(result.at[i])>>(from.at[i]);
+  }
+  return result;
+}
+
+/// The same number `Width` times.
+template <class Vector, class Number>
+Vector spread(Number same)
+{
+  Vector result{};
+  for (auto& number : result.at)
+  {
+    number = same;
+  }
+  return result;
+}
+
+#else
+
+/// `Width` numbers side by side.
+template <class Number, std::size_t Width>
+struct VectorOf
+{
+  typedef Number type __attribute__((vector_size(sizeof(Number) * Width))); ///< the numbers
+};
+
+/// The numbers of `yes` where the mask is set, those of `no` elsewhere.
+template <class Bits, class Vector>
+Vector picked(const Bits& mask, const Vector& yes, const Vector& no)
+{
+  return mask ? yes : no;
+}
+
+/// Numbers by their places in a, followed by those of b.
+template <int... Places, class Vector>
+Vector shuffled(const Vector& a, const Vector& b)
+{
+  return __builtin_shufflevector(a, b, Places...);
+}
+
+/// Each number in another type, without a fraction if that has none.
+template <class To, class From>
+To converted(const From& from)
+{
+  return __builtin_convertvector(from, To);
+}
+
+/// The same number in each place.
+template <class Vector, class Number>
+Vector spread(Number same)
+{
+  return same - Vector{};
+}
+
+#endif
+// [vector_of]
+
+} // namespace COOKBOOK_INSTRUCTION_SET
+} // namespace cookbook
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
