@@ -51,7 +51,9 @@ TEST_CASE("at (1,0,0) a body that turns by 2 rad/s about z moves by (0,2,0) ther
   CHECK(velocity_at(b, point) == Vector3<double>(0, -3, 5));
   CHECK(relative_velocity(a, b, point) == Vector3<double>(-1, -5, 5));
 }
+// [S11]
 
+// [S11_more]
 TEST_CASE(
     "along the normal, -0.2 m/s approaches, 0.05 rests and 0.2 separates, within 0.1", "[S11]")
 {
@@ -81,7 +83,7 @@ TEST_CASE("no manifold is separated, touching collides, half a radius deep penet
   CHECK(nature_at(1.875) == Nature::colliding); // no more than the tolerance
   CHECK(nature_at(1.5) == Nature::penetrating);
 }
-// [S11]
+// [S11_more]
 
 TEST_CASE("swapping a manifold turns its normal, moving it moves its points", "[S2]")
 {

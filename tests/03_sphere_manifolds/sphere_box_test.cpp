@@ -43,7 +43,9 @@ TEST_CASE(
   // Midway between the corner and the ball's point 0.5 beyond it.
   CHECK((manifold.points[0].position - (corner - away / 12)).norm() <= rounding);
 }
+// [S7]
 
+// [S7_more]
 TEST_CASE("a ball 1.5 beyond the face of a turned box, with radius 2, is 0.5 deep", "[S7]")
 {
   const Obb<double> box = turned_box();
@@ -60,7 +62,7 @@ TEST_CASE("a ball out of reach of the box has no manifold", "[S7]")
   CHECK_FALSE(sphere_box<double>({{0, 2.6, 0}, 1.5}, cube));
   CHECK(sphere_box<double>({{0, 2.5, 0}, 1.5}, cube)->depth == 0);
 }
-// [S7]
+// [S7_more]
 
 // [S8]
 TEST_CASE(
@@ -73,7 +75,9 @@ TEST_CASE(
   // Midway between the ball's lowest point, 0.35, and the top, 0.5.
   CHECK((manifold.points[0].position - Vector3<double>(9, 0.425, 0)).norm() <= rounding);
 }
+// [S8]
 
+// [S8_more]
 TEST_CASE("inside a turned box the nearest face is one of the box's own", "[S8]")
 {
   const Obb<double> box = turned_box();
@@ -97,7 +101,7 @@ TEST_CASE(
     CHECK(manifold.depth == Catch::Approx(0.1 - 1e-5 * i).epsilon(rounding));
   }
 }
-// [S8]
+// [S8_more]
 
 // [degenerate]
 TEST_CASE(

@@ -68,7 +68,7 @@ LeastFace<NumberOf<Row>> least_face(const Row& face_a, const Row& face_b)
 }
 // [least_face]
 
-/// The gap [m] up to which corners of a face's manifold are kept; O14.
+/// The gap [m] up to which corners of a face's manifold are kept; O20.
 template <class Real>
 Real kept_gap(const LeastFace<Real>& face, const Tolerances<Real>& tolerances)
 {
@@ -80,7 +80,7 @@ Real kept_gap(const LeastFace<Real>& face, const Tolerances<Real>& tolerances)
 /// Faces of two boxes are parallel if the cosine of their angle is at least that of one degree.
 inline constexpr float parallel_cosine = 0.99985f;
 
-/// The overlap [m] that an edge axis must stay under to be taken instead of a face; O9.
+/// The overlap [m] that an edge axis must stay under to be taken instead of a face; O19.
 ///
 /// A hair less than the face's: rounding alone shall not decide. Where two faces are parallel, a
 /// twentieth less, or half the margin: a face keeps all its points, and the next frame's.
