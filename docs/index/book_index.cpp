@@ -217,6 +217,56 @@ std::map<std::string, Summaries> summaries(const House& house)
   return found;
 }
 
+/// What a command prints; nothing if it fails.
+std::string printed(const std::string& command)
+{
+  std::string text;
+  if (FILE* const pipe = popen(command.c_str(), "r"))
+  {
+    for (int c = fgetc(pipe); c != EOF; c = fgetc(pipe))
+    {
+      text += static_cast<char>(c);
+    }
+    text = pclose(pipe) == 0 ? text : "";
+  }
+  return text;
+}
+
+/// After each command that runs a recipe with a header, how much of the house it takes home.
+std::string with_sizes(const fs::path& root, const std::string& page)
+{
+  const std::regex run(R"(\./cookbook run (\w+)\n[^`]*```\n)");
+  std::string result;
+  std::size_t done = 0;
+  for (std::sregex_iterator each(page.begin(), page.end(), run), end; each != end; ++each)
+  {
+    const std::string name = each->str(1);
+    for (const fs::path& chapter : fs::directory_iterator(root / "recipes"))
+    {
+      const fs::path header = chapter / name / (name + ".hpp");
+      if (!fs::exists(header))
+      {
+        continue;
+      }
+      const std::string taken = printed(
+          "sh '" + (root / "common/cmake/take_recipe.sh").string() + "' '" + root.string() + "' '" +
+          fs::relative(header, root).string() + "'");
+      std::smatch files;
+      if (std::regex_search(taken, files, std::regex(R"(: (\d+) of its files in one)")))
+      {
+        const std::size_t past = static_cast<std::size_t>(each->position() + each->length());
+        result += page.substr(done, past - done) +
+                  "\n<p class=\"taken\">To take it home: <code>./cookbook take " + name +
+                  "</code> writes one header of " +
+                  std::to_string(std::count(taken.begin(), taken.end(), '\n')) + " lines, from " +
+                  files.str(1) + " files.</p>\n";
+        done = past;
+      }
+    }
+  }
+  return result + page.substr(done);
+}
+
 /// A page as Doxygen reads it. What is not in the tree's own folders is written by this program.
 std::string filtered(const fs::path& root, const fs::path& page)
 {
@@ -228,7 +278,8 @@ std::string filtered(const fs::path& root, const fs::path& page)
     return prepared(text, "");
   }
   return with_heads(
-      with_folds(prepared(text, neighbour_links(book_pages(root), path))), shown_paths(root));
+      with_folds(prepared(with_sizes(root, text), neighbour_links(book_pages(root), path))),
+      shown_paths(root));
 }
 
 /// Writes the index of recipes and, for each, a page with its files in full.

@@ -47,15 +47,17 @@ TEST_CASE(
 {
   check_verdicts(
       sphere_verdicts(), sphere_method_names(),
-      {{"C1", {"float, world", "float, relative", "batch", "double"}},
-       {"X01", {"float, world", "float, relative", "batch", "double"}},
-       {"C2", {"float, world", "float, relative", "1/√x, 2 steps", "batch", "double"}},
-       {"C3", {"float, relative", "1/√x, 2 steps", "batch", "double"}},
-       {"X02", {"float, relative", "1/√x, 2 steps", "batch", "double"}},
-       {"C4", {"float, relative", "1/√x, 2 steps", "batch", "double"}},
-       {"C6", {"double"}},
-       {"C7", {"float, relative", "double"}},
-       {"C8", {"float, world", "float, relative", "batch", "double"}}});
+      {{"C1", {"world float", "relative, float", "sphere_pairs", "sphere_sphere, double"}},
+       {"X01", {"world float", "relative, float", "sphere_pairs", "sphere_sphere, double"}},
+       {"C2",
+        {"world float", "relative, float", "reciprocal, 2 steps", "sphere_pairs",
+         "sphere_sphere, double"}},
+       {"C3", {"relative, float", "reciprocal, 2 steps", "sphere_pairs", "sphere_sphere, double"}},
+       {"X02", {"relative, float", "reciprocal, 2 steps", "sphere_pairs", "sphere_sphere, double"}},
+       {"C4", {"relative, float", "reciprocal, 2 steps", "sphere_pairs", "sphere_sphere, double"}},
+       {"C6", {"sphere_sphere, double"}},
+       {"C7", {"relative, float", "sphere_sphere, double"}},
+       {"C8", {"world float", "relative, float", "sphere_pairs", "sphere_sphere, double"}}});
 }
 // [sphere_verdicts]
 

@@ -57,7 +57,8 @@ inline std::vector<SphereCase> sphere_cases()
 /// The names of the ways that compete.
 inline std::vector<std::string> sphere_method_names()
 {
-  return {"as published", "float, world", "float, relative", "1/√x, 2 steps", "batch", "double"};
+  return {"as published",        "world float",  "relative, float",
+          "reciprocal, 2 steps", "sphere_pairs", "sphere_sphere, double"};
 }
 
 /// The batch's answer for one pair.
