@@ -16,7 +16,8 @@ using Segment = std::pair<Vector2d, Vector2d>;
 
 constexpr std::array<double, 6> rings{0, 9, 20, 34, 52, 74}; // [pixels] beyond the clearance
 constexpr int directions = 16;
-constexpr double padding = 1.5; // [pixels] kept free around a text
+constexpr double padding = 1.5;  // [pixels] kept free around a text
+constexpr double word_space = 5; // [pixels] and beside it, where the next text begins
 
 /// A possible place, and what it costs by itself.
 struct Candidate
@@ -227,7 +228,12 @@ candidates_of(const Label& label, const Obstacles& obstacles, const Rect& bounds
 /// What two places cost each other.
 double conflict(const Candidate& p, const Candidate& q)
 {
-  const double area = shared_area(padded(p.place.box, padding), padded(q.place.box, padding));
+  const auto room = [](Rect box)
+  {
+    return Rect{
+        box.left - word_space, box.top - padding, box.right + word_space, box.bottom + padding};
+  };
+  const double area = shared_area(room(p.place.box), room(q.place.box));
   double cost = area > 0 ? 3000 + 10 * area : 0;
   if (p.place.leader)
   {

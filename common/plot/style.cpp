@@ -75,12 +75,12 @@ Ink series_ink(std::size_t index)
 
 Marker series_marker(std::size_t index)
 {
-  return static_cast<Marker>(static_cast<std::size_t>(Marker::circle) + index % 8);
+  return static_cast<Marker>(static_cast<std::size_t>(Marker::circle) + (index + index / 8) % 8);
 }
 
 Stroke series_stroke(std::size_t index)
 {
-  return static_cast<Stroke>(index % 4);
+  return static_cast<Stroke>((index + index / 8) % 4);
 }
 
 std::string_view dash_array(Stroke stroke)

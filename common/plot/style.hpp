@@ -79,10 +79,12 @@ std::string_view css_name(Ink ink);
 /// Returns the ink of the index-th series, counted from 0, starting again after eight.
 Ink series_ink(std::size_t index);
 
-/// Returns the marker of the index-th series, counted from 0, starting again after eight.
+/// Returns the marker of the index-th series, counted from 0. After eight it starts again one
+/// farther, so that no two of the first 64 share both colour and marker.
 Marker series_marker(std::size_t index);
 
-/// Returns the dash pattern of the index-th series, counted from 0, starting again after four.
+/// Returns the dash pattern of the index-th series, counted from 0, starting again after four, and
+/// one farther after eight.
 Stroke series_stroke(std::size_t index);
 
 /// Returns the value of `stroke-dasharray`, or nothing for a solid line.

@@ -12,6 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace cookbook::plot;
@@ -275,6 +276,33 @@ TEST_CASE("names that want one height come to stand a line apart", "[plot]")
   const std::vector<double> heights = spread({100, 100, 300}, 18, 0, 400);
   CHECK(std::abs(heights[1] - heights[0]) >= 18 - 1e-6); // the sweeps converge geometrically
   CHECK(heights[2] == 300);
+}
+
+TEST_CASE("no two of the first 64 series share colour and marker", "[plot]")
+{
+  std::set<std::pair<Ink, Marker>> looks;
+  for (std::size_t i = 0; i < 64; ++i)
+  {
+    looks.insert({series_look(i).ink, series_look(i).marker});
+  }
+  CHECK(looks.size() == 64);
+}
+
+TEST_CASE("of four points, one beaten and one equalled at less cost, two are ringed", "[plot]")
+{
+  Chart chart("c", "", {"x"}, {"y"});
+  chart.front({{1, 2}, {2, 2}, {3, 1}, {4, 3}});
+  CHECK(count(chart.svg(), "<circle") == 2);
+}
+
+TEST_CASE("two texts that would stand 6 pixels apart in one row do not read as one", "[plot]")
+{
+  const double width = text_width("text", text_size);
+  const Label first{{20, 100}, 4, "text", Side::right};
+  const Label second{{20 + 4 + width + 6 + width + 4, 100}, 4, "text", Side::left};
+  const auto places = place_labels({first, second}, {}, {0, 0, 200, 200});
+  const Rect p = places[0].box, q = places[1].box;
+  CHECK((q.left - p.right >= 10 || p.bottom <= q.top || q.bottom <= p.top));
 }
 
 TEST_CASE("a circle stays a circle: one world unit is 100 pixels along both axes", "[plot]")

@@ -44,6 +44,7 @@ constexpr double marker_size = 8;
 constexpr double axis_name_size = 13;
 constexpr double note_size = 11.5;
 constexpr double note_line = 16;
+constexpr double note_gap = 8;      // [pixels] above the note
 constexpr double sample_width = 33; // of a legend's entry, before its text
 
 void avoid_marker(Sketch& sketch, const Vector2d& at)
@@ -53,7 +54,7 @@ void avoid_marker(Sketch& sketch, const Vector2d& at)
 }
 
 /// The points of which no other is at most as far to the right and at most as high.
-std::vector<Vector2d> staircase_corners(std::vector<Vector2d> points)
+std::vector<Vector2d> not_beaten(std::vector<Vector2d> points)
 {
   std::sort(
       points.begin(), points.end(),
@@ -204,7 +205,7 @@ Chart& Chart::front(std::vector<Vector2d> points, const std::string& label)
   {
     check("front", point.x(), point.y());
   }
-  front_ = staircase_corners(std::move(points));
+  front_ = not_beaten(std::move(points));
   front_label_ = label;
   return *this;
 }
@@ -318,6 +319,7 @@ Chart::Layout Chart::layout() const
   const double name_lines = static_cast<double>(wrapped(y_.label, axis_name_size, width_).size());
   layout.plot.top = title_height(title_, width_) + 10 + 16 * name_lines + layout.rail_height;
   layout.note_height = note_line * static_cast<double>(wrapped(note_, note_size, width_).size());
+  layout.note_height += note_.empty() ? 0 : note_gap;
   layout.entries = legend_corners(layout.legend);
   const double legend_height = layout.entries.empty() ? 0 : layout.entries.back().y() + 24;
   layout.plot.bottom = height_ - 24 - (x_.label.empty() ? 0 : 21) - layout.note_height -
@@ -372,7 +374,7 @@ void Chart::draw_frame(Sketch& sketch, const Layout& layout) const
   sketch.body += svg::text(
       {(plot.left + plot.right) / 2, bottom + 40}, x_.label,
       {Ink::muted, axis_name_size, false, "middle", 0});
-  baseline = height_ - layout.note_height + note_line - 4;
+  baseline = height_ - layout.note_height + note_gap + note_line - 4;
   for (const std::string& words : wrapped(note_, note_size, width_))
   {
     sketch.body += svg::text({0, baseline}, words, {Ink::muted, note_size});
@@ -451,27 +453,26 @@ void Chart::draw_front(Sketch& sketch, const Layout& layout) const
   {
     return;
   }
-  std::vector<Vector2d> path{{layout.at(front_.front()).x(), layout.plot.top}};
-  for (const Vector2d& corner : front_)
+  std::vector<Vector2d> path;
+  for (const Vector2d& point : front_)
   {
-    const Vector2d at = layout.at(corner);
-    path.emplace_back(at.x(), path.back().y());
-    path.push_back(at);
+    path.push_back(layout.at(point));
   }
-  path.emplace_back(layout.plot.right, path.back().y());
-  path.erase(path.begin());
-  path.front().y() = layout.plot.top;
   sketch.body += svg::element(
       "path", {{"class", "cb-line cb-muted"},
                {"stroke-width", "2.6"},
                {"stroke-opacity", "0.38"},
                {"d", svg::path_data(path, false)}});
-  Vector2d anchor = path.back();
+  for (const Vector2d& at : path)
+  {
+    sketch.body += svg::circle(at, marker_size, {Ink::muted, Stroke::solid, 1.2}, Fill::none);
+  }
+  Vector2d anchor = path.front();
   double longest = -1;
   for (std::size_t k = 0; k + 1 < path.size(); ++k)
   {
     sketch.obstacles.segments.emplace_back(path[k], path[k + 1]);
-    const double run = path[k + 1].x() - path[k].x();
+    const double run = (path[k + 1] - path[k]).norm();
     anchor = run > longest ? Vector2d((path[k] + path[k + 1]) / 2) : anchor;
     longest = std::max(longest, run);
   }

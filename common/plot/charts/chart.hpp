@@ -68,7 +68,8 @@ public:
   /// Adds a translucent band; each row is x, low, high.
   Chart& band(const std::string& name, std::vector<Eigen::Vector3d> rows, Ink ink);
 
-  /// Draws the Pareto front through `points`: a faint staircase, lower left is better.
+  /// Draws the Pareto front of `points`: a ring around each that no other beats or equals at less
+  /// cost, and a faint line that joins them. Lower left is better.
   Chart& front(std::vector<Eigen::Vector2d> points, const std::string& label = "Pareto front");
 
   /// Stands a method that fails on a rail at the upper edge, at its cost `x`.

@@ -44,7 +44,8 @@ plot::Chart chart(
     const measure::Effort& effort)
 {
   plot::Chart chart(
-      name, title, {"time of a call [ns]", plot::Scale::log}, {"error [ulp]", plot::Scale::log});
+      name, title, {"time of a call [ns]", plot::Scale::log},
+      {"error [ulp]", plot::Scale::log, 0.3, 3});
   const std::vector<measure::Timing> timings =
       measure::time_interleaved(all_timed(vectors), effort);
   const auto methods = normalize_methods<float>();
@@ -60,7 +61,7 @@ plot::Chart chart(
     chart.whisker(methods[i].name, timings[i].ns, errors.p99, errors.maximum, plot::series_look(i));
     front.push_back({timings[i].ns, errors.maximum});
   }
-  chart.size(480, 400).front(front).rail("no length");
+  chart.size(400, 290).front(front).rail("no length");
   return chart;
 }
 
@@ -78,11 +79,12 @@ int main(int argc, char** argv)
       {
         const bool quick = given.value("effort") == "quick";
         const measure::Effort effort = quick ? measure::Effort{5, 0.002} : measure::Effort{};
-        plot::Grid grid("normalize_speed", "", 2);
+        plot::Grid grid("normalize_speed", "", 1);
         grid.describe("Cost against error of four ways to normalise; " + measure::machine_line())
-            .add(chart("room", "A room: a millimetre to a kilometre", room_vectors(), effort)
-                     .note(measure::machine_line()))
-            .add(chart("all", "Every size that a float can have", all_vectors(), effort));
+            .add(chart("room", "A room: a millimetre to a kilometre", room_vectors(), effort))
+            .add(chart("all", "Every size that a float can have", all_vectors(), effort)
+                     .note(measure::machine_line())
+                     .size(400, 360));
         save_figure(given, "normalize_speed.svg", grid.svg());
       });
 }

@@ -74,7 +74,7 @@ std::vector<Vector2d> contour(double distance)
 
 std::string figure()
 {
-  plot::Figure2d figure("closest_point_box", "", {{-4, -3.7}, {4, 4.1}, 640});
+  plot::Figure2d figure("closest_point_box", "", {{-4, -3.7}, {4, 4.1}, 400});
   figure.describe("A turned box, six points, and the way from each to the surface of the box.");
   for (const double distance : {0.5, 1.0, 1.5})
   {
@@ -110,7 +110,8 @@ std::string error_chart()
   plot::Chart chart(
       "closest_point_box_error", "", {"distance of the point [m]", plot::Scale::log},
       {"error of the closest point [m]", plot::Scale::log});
-  chart.describe("The error of the closest point grows with the distance of the point.");
+  chart.describe("The error of the closest point grows with the distance of the point.")
+      .size(400, 340);
   add_errors<float>(chart, "float");
   add_errors<double>(chart, "double");
   chart.reference_y(1e-5, "a hundredth of a millimetre");

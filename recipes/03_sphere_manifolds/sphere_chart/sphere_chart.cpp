@@ -253,6 +253,23 @@ std::vector<MeasuredStream> measured_streams(const Extent& extent)
   return streams;
 }
 
+/// The look of a method: circles one by one in float, squares in double, triangles many at once,
+/// diamonds other libraries.
+plot::Look look_of(const MeasuredMethod& method)
+{
+  const auto is = [&method](const char* word)
+  { return method.name.find(word) != std::string::npos; };
+  const plot::Marker marker = method.peer          ? plot::Marker::diamond
+                              : is("sphere_pairs") ? plot::Marker::triangle
+                              : is("double")       ? plot::Marker::square
+                                                   : plot::Marker::circle;
+  const plot::Ink ink = method.peer        ? plot::Ink::muted
+                        : is("reciprocal") ? plot::Ink::series4
+                        : is("world")      ? plot::Ink::series2
+                                           : plot::Ink::series1;
+  return {ink, marker, {}};
+}
+
 std::string chart_svg(const std::vector<MeasuredMethod>& methods)
 {
   plot::Chart chart(
@@ -273,8 +290,7 @@ std::string chart_svg(const std::vector<MeasuredMethod>& methods)
     else
     {
       chart.whisker(
-          method.name, method.ns[0], method.errors.p99, method.errors.maximum,
-          {method.peer ? plot::Ink::muted : plot::series_ink(m), plot::series_marker(m), {}});
+          method.name, method.ns[0], method.errors.p99, method.errors.maximum, look_of(method));
     }
   }
   std::vector<Eigen::Vector2d> front;

@@ -113,14 +113,14 @@ inline std::string clip_figure(const BoxScene& scene)
   return grid.add(depths_figure(polygon, reference, boxes.widest_gap)).svg();
 }
 
-/// The three scenes one below the other, with normal, depth and points.
+/// The three scenes, with normal, depth and points.
 inline plot::Grid contacts_grid()
 {
-  plot::Grid grid("face_clipping_contacts", "", 1);
+  plot::Grid grid("face_clipping_contacts", "", 2);
   grid.describe("Two boxes that meet face on face, corner on face and edge on edge.");
   for (const BoxScene& scene : box_scenes())
   {
-    grid.add(contacts_figure(scene, *face_clipping(scene.a, scene.b), {2.5, 0.3, 400, 260}));
+    grid.add(contacts_figure(scene, *face_clipping(scene.a, scene.b), {2.5, 0.3, 189, 210, 22}));
   }
   return grid;
 }

@@ -53,11 +53,11 @@ inline plot::Grid balls_figure(const TwoBalls& balls, const BodyPair<double>& af
   const Vector3<double> push = balls.properties_b.mass * after.b.motion.velocity;
   plot::Figure2d before_panel = balls_panel("before", "before", balls, balls.bodies);
   before_panel.arrow(flat(contact), flat(contact + 0.2 * normal), plot::Ink::ink, "n")
-      .point(flat(contact), plot::Ink::ink);
+      .point(flat(contact));
   plot::Figure2d after_panel = balls_panel("after", "after", balls, after);
   after_panel.arrow(flat(contact), flat(contact + 0.18 * push), plot::Ink::overlap, "j n")
       .arrow(flat(contact), flat(contact - 0.18 * push), plot::Ink::overlap, "−j n")
-      .point(flat(contact), plot::Ink::overlap);
+      .point(flat(contact));
   plot::Grid grid("impulse", "", 2);
   grid.describe("Two balls before and after their bounce, with velocities and impulses.")
       .add(before_panel)
@@ -105,7 +105,7 @@ inline plot::Figure3d corner_figure(const Landing& landing, double restitution)
   {
     figure.polyline(turn, plot::Ink::ink).arrow(turn[31], turn[32], plot::Ink::ink, "ω");
   }
-  figure.point(contact, plot::Ink::overlap);
+  figure.point(contact);
   return figure;
 }
 // [corner_figure]
