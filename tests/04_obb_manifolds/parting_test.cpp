@@ -326,7 +326,12 @@ struct Setting
 std::vector<Setting> settings()
 {
   std::vector<Setting> all;
-  for (const double unit : {1.0, 1e-3, 1e-30, 1e30})
+#ifdef COOKBOOK_FEWER_PAIRS
+  const std::vector<double> units{1e-30, 1e30};
+#else
+  const std::vector<double> units{1.0, 1e-3, 1e-30, 1e30};
+#endif
+  for (const double unit : units)
   {
     all.push_back({unit, {0, 0, 0}});
     all.push_back({unit, unit * Vector3<double>(1000, -700, 300)});
