@@ -1,6 +1,6 @@
 #!/bin/sh
-# Takes every recipe that has a header home, as ./cookbook take does, and compiles each alone, with
-# nothing but Eigen: check_take.sh ROOT COMPILER EIGEN WORK
+# Takes every recipe that has a header home, as ./cookbook take does. Each compiles alone, with nothing
+# but Eigen, and gives the same bits as the house: check_take.sh ROOT COMPILER EIGEN WORK
 set -eu
 root=$1 compiler=$2 eigen=$3 work=$4
 rm -rf "$work"
@@ -8,6 +8,8 @@ mkdir -p "$work"
 
 # Worlds answer wrong scenes by exceptions.
 needs_exceptions="direct_solver position_based sequential_impulses soft_steps world"
+# What these declare is in libraries, so there is nothing to call: they only have to compile.
+only_declare="box_pairs sphere_pairs"
 
 # What a recipe may bring at most, in lines.
 budget() {
@@ -20,34 +22,91 @@ budget() {
   esac
 }
 
-compile() {
-  name=$1
-  plain="-fno-exceptions -fno-rtti"
-  case " $needs_exceptions " in *" $name "*) plain= ;; esac
+among() { # among WORD LIST
+  case " $2 " in *" $1 "*) return 0 ;; *) return 1 ;; esac
+}
+
+two_at_a_time() { # each line is a function and its arguments
+  while read -r call what more; do
+    "$call" "$what" "$more" &
+    other=$!
+    if read -r call what more; then "$call" "$what" "$more"; fi
+    wait "$other"
+  done
+}
+
+compile() { # compile NAME WHAT OPTIONS...: one sentence, and the compiler's, where it fails
+  log="$work/$1.log" what="$1: $2"
+  shift 2
+  "$compiler" -std=c++20 -isystem "$eigen" -x c++ "$@" >"$log" 2>&1 && return
+  echo "$what does not compile"
+  sed -n 1,15p "$log"
+  return 1
+}
+
+# Which bits come out must not depend on where a compiler puts fused multiply-adds.
+run() { # run NAME WHAT OPTIONS...: compiles calls, and leaves what they print in NAME.bits
+  compile "$@" -O1 -ffp-contract=off -o "$work/$1.calls" || return 0
+  "$work/$1.calls" >"$work/$1.bits" || echo "$1: the calls of $2 end with an error"
+}
+
+house() { # house CALLS: calls the house's own headers
+  options="-I $root -I $root/recipes"
+  names=$(sed -n 's/^#ifdef TAKE_//p' "$1")
+  for name in $names; do
+    options="$options -D TAKE_$name -include $(echo "$root"/recipes/*/"$name/$name.hpp")"
+  done
   # shellcheck disable=SC2086 # the options are words
-  "$compiler" -std=c++20 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror $plain \
-    -isystem "$eigen" -fsyntax-only -x c++ "$work/$name.hpp.cpp" >"$work/$name.log" 2>&1 || {
-    echo "$name: the taken header does not compile"
-    sed -n 1,15p "$work/$name.log"
-  }
+  run "house_$(basename "$1" .cpp)" "the house" $options "$1"
+}
+
+same_bits() { # same_bits NAME WHAT OPTIONS...
+  : >"$work/$1.bits"
+  run "$@"
+  grep -qxF "$(cat "$work/$1.bits")" "$work"/house_*.bits || echo "$1: $2 gives other bits than the house"
+}
+
+taken() { # taken NAME [OPTION]: compiles a header for warnings, and compares its bits with the house's
+  name=$1 option=$2 id=$1$2 plain="-fno-exceptions -fno-rtti"
+  ! among "$name" "$needs_exceptions" || plain=
+  set -- ${option:+"$option"} -include "$work/$name.hpp"
+  warn="-fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror $plain"
+  # shellcheck disable=SC2086 # the options are words
+  compile "$id" "the taken header" $warn "$@" /dev/null || return 0
+  if [ -n "$wasm" ] && [ -n "$plain" ]; then
+    # shellcheck disable=SC2086 # the options are words
+    compile "$id" "the taken header, for $wasm," --target="$wasm" $warn "$@" /dev/null || return 0
+  fi
+  if calls=$(grep -lx "#ifdef TAKE_$name" "$root"/tests/take/calls_*.cpp); then
+    same_bits "$id" "the taken header" "$@" -D "TAKE_$name" "$calls"
+  elif ! among "$name" "$only_declare"; then
+    echo "$name: tests/take calls nothing of it"
+  fi
+}
+
+wasm=wasm32-wasi
+echo '#include <vector>' | "$compiler" --target="$wasm" -fsyntax-only -x c++ - 2>/dev/null || {
+  echo "left out: $compiler has no C++ library for $wasm"
+  wasm=
 }
 
 for home in "$root"/recipes/*/*/; do
   name=$(basename "$home")
   if [ -f "$home$name.hpp" ] && [ -f "$home$name.expected" ]; then
     "$root/cookbook" take "$name" --out "$work/$name.hpp" 2>/dev/null
-    printf '#include "%s.hpp"\nint main() {}\n' "$name" >"$work/$name.hpp.cpp"
     echo "$name $(wc -l <"$work/$name.hpp") $(budget "$name")"
   fi
 done >"$work/sizes"
 
+# A header that does not speak of COOKBOOK_PLAIN is the same text with it. The largest come first.
+sort -k 2,2nr "$work/sizes" | while read -r name _; do
+  echo "taken $name"
+  ! grep -q COOKBOOK_PLAIN "$work/$name.hpp" || echo "taken $name -DCOOKBOOK_PLAIN"
+done >"$work/taken"
+
 complaints=$(
   awk '$2 > $3 { print $1 " brings " $2 " lines, its budget is " $3 }' "$work/sizes"
-  while read -r name _; do
-    compile "$name" &
-    other=$!
-    read -r name _ && compile "$name"
-    wait "$other"
-  done <"$work/sizes"
+  printf 'house %s\n' "$root"/tests/take/calls_*.cpp | two_at_a_time
+  two_at_a_time <"$work/taken"
 )
 [ -z "$complaints" ] || { echo "$complaints"; exit 1; }

@@ -1,0 +1,360 @@
+// Calls what the recipes of chapter 5 offer, those whose TAKE_… is defined. check_take.sh includes
+// their headers: the house's, or one that was taken.
+
+#include "calls.hpp"
+
+#include <array>
+#include <vector>
+
+using namespace cookbook;
+
+namespace
+{
+
+#if defined TAKE_impulse || defined TAKE_friction || defined TAKE_restitution
+/// Two bodies and where they meet.
+struct Meeting
+{
+  BodyPair<double> bodies;
+  Vector3<double> normal, point;
+};
+
+Body<double> drawn_body(Draw& draw)
+{
+  const Motion<double> motion{draw.vector(1), draw.vector(2), draw.vector(2)};
+  const double mass = draw.number(0.1, 9);
+  const MassProperties<double> solid = solid_box<double>(mass, draw.half_extents());
+  const Matrix3<double> axes = draw.axes();
+  return draw.one_in(8) ? immovable<double>(motion.center) : movable(motion, solid, axes);
+}
+
+Meeting drawn_meeting(Draw& draw)
+{
+  const Body<double> a = drawn_body(draw), b = drawn_body(draw);
+  return {{a, b}, draw.unit(), draw.vector(1)};
+}
+
+void add(Bits& bits, const BodyPair<double>& bodies)
+{
+  bits(bodies.a.motion.velocity, bodies.a.motion.angular_velocity);
+  bits(bodies.b.motion.velocity, bodies.b.motion.angular_velocity);
+}
+#endif
+
+#if defined TAKE_sequential_impulses || defined TAKE_soft_steps || defined TAKE_position_based ||  \
+    defined TAKE_direct_solver
+/// Prints what a solver makes of small piles of boxes, one frame each.
+template <class Solver>
+void print_piles(const char* name, Solver solver)
+{
+  const auto pile = [&](Draw& draw, Bits& bits)
+  {
+    std::vector<RigidBody> bodies;
+    std::vector<WorldContact> contacts;
+    const int count = 2 + draw.one_in(2) + draw.one_in(2);
+    for (int i = 0; i < count; ++i)
+    {
+      SceneBody body{{}, BoxShape{draw.half_extents()}};
+      body.mass = i == 0 || draw.one_in(16) ? 0 : draw.number(0.5, 4);
+      body.position = Vector3<double>(0, i, 0) + 0.1 * draw.vector(1);
+      body.orientation = draw.orientation();
+      body.velocity = draw.vector(1);
+      body.angular_velocity = draw.vector(1);
+      bodies.push_back(rigid_body(body));
+    }
+    for (int i = 1; i < count; ++i)
+    {
+      if (draw.one_in(16) || (is_fixed(bodies[place_of(i - 1)]) && is_fixed(bodies[place_of(i)])))
+      {
+        continue;
+      }
+      WorldContact contact{i - 1, i, draw.number(0, 1), draw.number(0, 1), {}};
+      const Vector3<double> normal = (draw.vector(0.2) + Vector3<double>(0, 1, 0)).normalized();
+      contact.memory.manifold = Manifold<double>{normal, 0.1, {}};
+      for (unsigned corner = 0; corner < 4; ++corner)
+      {
+        const Vector3<double> at(corner % 2 - 0.5, i - 0.5, corner / 2 - 0.5);
+        const Vector3<double> apart = draw.number(-0.05, 0.05) / 2 * normal;
+        const RigidBody &a = bodies[place_of(i - 1)], &b = bodies[place_of(i)];
+        WorldPoint& point = contact.memory.warm[corner];
+        point.on_a = a.axes.transpose() * (at - apart - a.position);
+        point.on_b = b.axes.transpose() * (at + apart - b.position);
+        point.impulse = draw.one_in(2) ? draw.number(0, 0.1) : 0;
+        point.solved = point.impulse > 0;
+        contact.memory.manifold->points.push_back({at, 0.1, corner});
+      }
+      contacts.push_back(contact);
+    }
+    const IslandView view{bodies, contacts, Vector3<double>(0, -9.81, 0)};
+    for (const Island& island : islands_of(island_numbers(bodies, contacts), contacts))
+    {
+      bits(solver(view, island));
+    }
+    for (const RigidBody& body : bodies)
+    {
+      bits(body.position, body.orientation, body.velocity, body.angular_velocity);
+    }
+    for (const WorldContact& contact : contacts)
+    {
+      for (const WorldPoint& point : contact.points())
+      {
+        bits(point.impulse, point.friction);
+      }
+    }
+  };
+  print(name, pile);
+}
+#endif
+
+#ifdef TAKE_world
+/// A solver that pushes eight times at each contact point.
+void push(IslandView view, const Island& island, double step)
+{
+  for (const int body : island.bodies)
+  {
+    view.bodies[place_of(body)].velocity += step * view.gravity;
+  }
+  std::vector<IslandPoint> points = points_of(view, island);
+  for (int i = 0; i < 8; ++i)
+  {
+    for (IslandPoint& point : points)
+    {
+      add_impulse(point, -point.normal_mass * (parting_speed(point) + point.apart / step));
+      add_friction(point);
+    }
+  }
+  for (const int body : island.bodies)
+  {
+    move(view.bodies[place_of(body)], step);
+  }
+}
+
+World drawn_world(Draw& draw)
+{
+  Scene scene;
+  scene.bodies.push_back({"ground", PlaneShape{{0, 1, 0}, 0}});
+  for (int i = 0; i < 4; ++i)
+  {
+    SceneBody body{"body", SphereShape{draw.number(0.3, 0.6)}};
+    if (draw.one_in(2))
+    {
+      body.shape = BoxShape{draw.half_extents() / 2};
+    }
+    body.mass = draw.number(0.5, 4);
+    body.position = Vector3<double>(0, 0.8 + i, 0) + 0.2 * draw.vector(1);
+    body.orientation = draw.orientation();
+    const double fast = draw.one_in(8) ? 20 : 1;
+    body.velocity = draw.vector(4) * fast;
+    body.angular_velocity = draw.vector(4);
+    body.restitution = draw.number(0, 1);
+    scene.bodies.push_back(body);
+  }
+  return World(scene, push, true);
+}
+#endif
+
+} // namespace
+
+int main()
+{
+#ifdef TAKE_impulse
+  print(
+      "impulse",
+      [](Draw& draw, Bits& bits)
+      {
+        const auto [bodies, normal, point] = drawn_meeting(draw);
+        add(bits, collide(bodies, normal, point, draw.number(0, 1)));
+      });
+#endif
+#ifdef TAKE_friction
+  print(
+      "friction",
+      [](Draw& draw, Bits& bits)
+      {
+        const auto [bodies, normal, point] = drawn_meeting(draw);
+        const double mass = sliding_inverse_mass(bodies, normal, point);
+        const Vector3<double> so_far = 0.1 * draw.unit().cross(normal);
+        const Vector3<double> impulse =
+            friction_impulse(bodies, normal, point, so_far, mass, draw.number(0, 2));
+        bits(mass, impulse);
+        add(bits, rubbed(bodies, point, impulse));
+      });
+#endif
+#ifdef TAKE_restitution
+  print(
+      "restitution",
+      [](Draw& draw, Bits& bits)
+      {
+        const auto [bodies, normal, point] = drawn_meeting(draw);
+        const ContactStep<double> step{draw.number(-10, 0), 1.0 / 60, draw.number(-0.1, 0.1)};
+        const double back = draw.number(0, 0.9), slowest = bounce_threshold(9.81, step.duration);
+        const double speed = parting_speed(bodies, normal, point);
+        const double target = bounced_speed(speed, step, back, slowest);
+        bits(target, settling_time(draw.number(0.1, 2), 9.81, back));
+        add(bits, pushed_to(bodies, normal, point, target));
+      });
+#endif
+#ifdef TAKE_mass_properties
+  print(
+      "mass_properties",
+      [](Draw& draw, Bits& bits)
+      {
+        const double mass = draw.number(0.1, 9), radius = draw.number(0.1, 2);
+        const MassProperties<double> box = solid_box<double>(mass, draw.half_extents());
+        const MassProperties<double> capsule = solid_capsule(mass, draw.number(0, 2), radius);
+        bits(solid_sphere(mass, radius).moments, box.moments, capsule.moments);
+        bits(world_inertia<double>(box.moments, draw.axes()));
+      });
+#endif
+#ifdef TAKE_integrators
+  print(
+      "integrators",
+      [](Draw& draw, Bits& bits)
+      {
+        using Point = PhasePoint<Eigen::Vector3d>;
+        const Point from{draw.vector(1), draw.vector(1)};
+        const double step = draw.number(0, 0.6);
+        const auto pull = [](const Eigen::Vector3d& position, const Eigen::Vector3d& velocity)
+        { return Eigen::Vector3d(-9 * position - 0.1 * velocity); };
+        for (const Point& to :
+             {symplectic_euler(from, step, pull), velocity_verlet(from, step, pull),
+              rk4(from, step, pull), explicit_euler(from, step, pull)})
+        {
+          bits(to.position, to.velocity);
+        }
+      });
+#endif
+#ifdef TAKE_damping
+  print(
+      "damping",
+      [](Draw& draw, Bits& bits)
+      {
+        const PhasePoint<Eigen::Vector3d> from{draw.vector(1), draw.vector(1)};
+        const Eigen::Vector3d gravity(0, -9.81, 0);
+        const double rate = draw.number(0, 3), time = draw.number(0, 2);
+        const PhasePoint<Eigen::Vector3d> to = damped_fall(from, gravity, rate, time);
+        bits(to.position, to.velocity, implicit_damping_factor(rate, time));
+        bits(damped_kick(from.velocity, gravity, damping_factor(rate, time), time));
+      });
+#endif
+#ifdef TAKE_position_correction
+  print(
+      "position_correction",
+      [](Draw& draw, Bits& bits)
+      {
+        const double frequency = draw.number(0, 60), ratio = draw.number(0, 5);
+        const Softness<double> soft = softness(frequency, ratio, 1.0 / 60);
+        const double depth = draw.number(-0.5, 0.5);
+        const double mass = draw.number(0, 2), speed = draw.number(-1, 1);
+        const double bias = push_speed(depth, 0.005, soft.bias_rate, 3.0);
+        bits(soft.bias_rate, soft.mass_scale, soft.impulse_scale, bias);
+        bits(relaxation(depth, 0.005, 0.2));
+        bits(soft_change(soft, mass, speed, bias, draw.number(0, 1)));
+      });
+#endif
+#ifdef TAKE_sleeping
+  print(
+      "sleeping",
+      [states = std::vector<SleepState<double>>(6)](Draw& draw, Bits& bits) mutable
+      {
+        const SleepLimits<double> limits{0.05, 0.02, 0.05, 0.2};
+        const std::array<std::pair<int, int>, 2> touching{{{1, 2}, {3, 4}}};
+        const std::vector<bool> movable{false, true, true, true, true, true};
+        const std::vector<int> numbers = islands(movable, touching);
+        for (std::size_t i = 1; i < states.size(); ++i)
+        {
+          const double size = draw.one_in(40) ? 1 : 0.005;
+          const Vector3<double> velocity = size * draw.vector(1), spin = size * draw.vector(1);
+          states[i] = watched<double>(states[i], velocity, spin, 1, 1.0 / 60, limits);
+        }
+        settle(states, numbers, limits);
+        if (draw.one_in(20))
+        {
+          wake(states, numbers, 1);
+        }
+        for (const SleepState<double>& state : states)
+        {
+          bits(state.velocity, state.angular_velocity, state.way, state.still, state.asleep);
+        }
+      });
+#endif
+#ifdef TAKE_spinning_bodies
+  print(
+      "spinning_bodies",
+      [](Draw& draw, Bits& bits)
+      {
+        const Spinning<double> from{draw.orientation(), draw.vector(20)};
+        const Vector3<double> moments = draw.half_extents();
+        for (const Spinning<double>& to :
+             {turned(from, moments, 1.0 / 60), turned_finely(from, moments, 1.0 / 60)})
+        {
+          bits(to.orientation, to.angular_velocity);
+        }
+      });
+#endif
+#ifdef TAKE_tunnelling
+  print(
+      "tunnelling",
+      [](Draw& draw, Bits& bits)
+      {
+        const std::array<Obb<double>, 2> walls{draw.box<Obb>(), draw.box<Obb>()};
+        const FlyingBall<double> from{{3 * draw.unit(), draw.number(0.1, 0.4)}, draw.vector(200)};
+        const FlyingBall<double> aimed{from.ball, -100 * from.ball.center + 0.1 * from.velocity};
+        const double step = 1.0 / 60;
+        for (const FlyingBall<double>& to :
+             {swept_step<double>(aimed, walls, 0.5, step), substeps(aimed, walls[0], 0.5, step, 4),
+              speculative_step(aimed, walls[0], 0.5, step, 5.0)})
+        {
+          bits(to.ball.center, to.velocity);
+        }
+      });
+#endif
+#ifdef TAKE_sequential_impulses
+  print_piles(
+      "sequential_impulses",
+      [](IslandView view, const Island& island)
+      {
+        sequential_impulses(view, island, 1.0 / 60, SequentialSettings{});
+        return true;
+      });
+#endif
+#ifdef TAKE_soft_steps
+  print_piles(
+      "soft_steps",
+      [](IslandView view, const Island& island)
+      {
+        soft_steps(view, island, 1.0 / 60, SoftSettings{});
+        return true;
+      });
+#endif
+#ifdef TAKE_position_based
+  print_piles(
+      "position_based",
+      [](IslandView view, const Island& island)
+      {
+        position_based(view, island, 1.0 / 60, PositionSettings{});
+        return true;
+      });
+#endif
+#ifdef TAKE_direct_solver
+  print_piles(
+      "direct_solver", [solver = DirectSolver()](IslandView view, const Island& island) mutable
+      { return solver.solve(view, island, 1.0 / 60); });
+#endif
+#ifdef TAKE_world
+  print(
+      "world",
+      [world = std::optional<World>(), frame = 0](Draw& draw, Bits& bits) mutable
+      {
+        if (frame++ % 50 == 0)
+        {
+          world.emplace(drawn_world(draw));
+        }
+        world->step();
+        for (const RigidBody& body : world->bodies())
+        {
+          bits(body.position, body.orientation, body.velocity, body.angular_velocity);
+        }
+      });
+#endif
+}

@@ -1,0 +1,92 @@
+// Calls what the recipes of chapters 1 to 3 offer, those whose TAKE_… is defined. check_take.sh
+// includes their headers: the house's, or one that was taken.
+
+#include "calls.hpp"
+
+using namespace cookbook;
+
+int main()
+{
+#ifdef TAKE_normalize
+  print(
+      "normalize",
+      [](Draw& draw, Bits& bits)
+      {
+        const double scale = draw.scale();
+        const Eigen::Vector3d v = draw.vector(2) * scale, n = draw.unit();
+        bits(normalize(v), normalize_naive(v), normalize_threshold(v), normalize_wide(v));
+        bits(project(v, n), reject(v, n), reflect(v, n));
+      });
+#endif
+#ifdef TAKE_closest_point_box
+  print(
+      "closest_point_box",
+      [](Draw& draw, Bits& bits)
+      {
+        const Obb<double> box = draw.box<Obb>();
+        const Eigen::Vector3d point = draw.vector(2);
+        bits(closest_point(box, point), contains(box, point));
+        bits(signed_distance_box(point, box.half_extents));
+      });
+#endif
+#ifdef TAKE_collision
+  print(
+      "collision",
+      [](Draw& draw, Bits& bits)
+      {
+        const Manifold<double> manifold{draw.unit(), draw.number(0, 1), {}};
+        const Motion<double> a{draw.vector(1), draw.vector(1), draw.vector(1)};
+        const Motion<double> b{draw.vector(1), draw.vector(1), draw.vector(1)};
+        const Eigen::Vector3d velocity = relative_velocity(a, b, draw.vector(1));
+        bits(velocity, approach(velocity, manifold.normal, 0.1));
+        bits(nature<double>(manifold, 0.1), nature<double>(std::nullopt, 0.1));
+        const double inverse_a = draw.number(0, 1), inverse_b = draw.number(0, 1);
+        const PartingMoves<double> moves = parting_moves(manifold, inverse_a, inverse_b);
+        bits(moves.a, moves.b);
+      });
+#endif
+#ifdef TAKE_sphere_sphere
+  print(
+      "sphere_sphere",
+      [](Draw& draw, Bits& bits)
+      {
+        const double scale = draw.scale();
+        const Sphere<double> a = draw.sphere<Sphere>(scale), b = draw.sphere<Sphere>(scale);
+        bits(sphere_sphere(a, b));
+        bits(sphere_sphere_relative<double>(b.center - a.center, a.radius, b.radius));
+      });
+#endif
+#ifdef TAKE_sphere_box
+  print(
+      "sphere_box",
+      [](Draw& draw, Bits& bits)
+      {
+        const double scale = draw.scale();
+        const Sphere<double> sphere = draw.sphere<Sphere>(scale);
+        bits(sphere_box(sphere, draw.box<Obb>(scale)));
+      });
+#endif
+#ifdef TAKE_sphere_plane
+  print(
+      "sphere_plane",
+      [](Draw& draw, Bits& bits)
+      {
+        const double scale = draw.scale();
+        const Sphere<double> sphere = draw.sphere<Sphere>(scale);
+        const Plane<double> plane{draw.unit(), draw.number(-1, 1) * scale};
+        bits(sphere_plane(sphere, plane), signed_distance(plane, sphere.center));
+      });
+#endif
+#ifdef TAKE_sphere_capsule
+  print(
+      "sphere_capsule",
+      [](Draw& draw, Bits& bits)
+      {
+        const double scale = draw.scale();
+        const Sphere<double> sphere = draw.sphere<Sphere>(scale);
+        const Segment<double> segment{draw.vector(1) * scale, draw.vector(1) * scale};
+        const Capsule<double> capsule{segment, draw.number(0, 1) * scale};
+        bits(sphere_capsule(sphere, capsule), closest_point(segment, sphere.center));
+      });
+#endif
+}
