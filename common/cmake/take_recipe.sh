@@ -43,10 +43,15 @@ function take(path,    line, name, depth, text, blank) {
   }
   close(root "/" path)
   sub(/^\n+/, "", text)
-  # One namespace goes on from file to file.
-  if (files_in_order > 0 && index(text, opening) == 1 && sub(closing "$", "", bodies[files_in_order - 1]))
-    text = substr(text, length(opening) + 1)
-  bodies[files_in_order++] = "\n// ---- " path " ----\n\n" text
+  # One namespace goes on from file to file; guards let a game include several taken headers.
+  within = index(text, opening) == 1 && sub(closing "$", "", text)
+  if (within) text = substr(text, length(opening) + 1)
+  glue = within == inside ? "" : within ? "\nnamespace cookbook\n{\n" : closing
+  inside = within
+  guard = toupper(path)
+  gsub(/^.*\/|[^A-Z0-9\/]/, "_", guard)
+  guard = "COOKBOOK" guard
+  bodies[files_in_order++] = glue "\n// ---- " path " ----\n#ifndef " guard "\n#define " guard "\n" text "#endif\n"
 }
 
 # What a header offers: the name of what each comment stands before, and the comment\047s first sentence.
@@ -63,6 +68,7 @@ function offers(path,    line, said, done) {
     if (said != "" && line !~ /[({]|^(struct|class|using|enum) / && line !~ /;$/) continue
     if (said != "" && line !~ /^ /) {
       sub(/[.:;]$/, "", said)
+      gsub(/alignas\([0-9]*\) /, "", line)
       gsub(/ = .*|\(.*|;.*/, "", line)
       while (sub(/<[^<>]*>/, "", line)) ;
       gsub(/ *$|.*[ >&*:]/, "", line)
@@ -86,6 +92,7 @@ function brief(path,    line, text) {
 
 BEGIN {
   opening = "namespace cookbook\n{\n\n"
+  inside = 0
   closing = "\n} // namespace cookbook\n"
   name = header
   gsub(/.*\/|\.hpp$/, "", name)
@@ -107,4 +114,5 @@ BEGIN {
   for (line in above) print line | sort
   close(sort)
   for (i = 0; i < files_in_order; ++i) printf "%s", bodies[i]
+  if (inside) printf "%s", closing
 }'

@@ -5,6 +5,8 @@
 
 #include "tests/catch.hpp"
 
+#include <cmath>
+
 using namespace cookbook;
 
 namespace
@@ -99,6 +101,21 @@ TEST_CASE("a ball centred on the axis but for rounding still parts square to it"
   }
 }
 // [on_the_axis]
+
+TEST_CASE("beside a slanted beam of 1 km, a float ball 5 off the axis is 2^-20 deep", "[P2]")
+{
+  const Capsule<float> beam{{{0, 0, 0}, {600, 800, 0}}, 0.5f};
+  for (int k = 1; k < 200; ++k)
+  {
+    CAPTURE(k);
+    // (3k, 4k) lies on the axis, and (-4, 3) is square to it: all numbers are whole.
+    const Vector3<float> center(static_cast<float>(3 * k - 4), static_cast<float>(4 * k + 3), 0);
+    const auto manifold = sphere_capsule<float>({center, 4.5f + 0x1p-20f}, beam);
+    REQUIRE(manifold);
+    // In double the axis is right to 1e-13 m; the depth is rounded to float.
+    CHECK(std::abs(manifold->depth - 0x1p-20f) <= 1e-12f);
+  }
+}
 
 TEST_CASE("a float ball 1e-6 from touching a 1 km capsule gets that gap right", "[P2]")
 {

@@ -108,5 +108,8 @@ complaints=$(
   awk '$2 > $3 { print $1 " brings " $2 " lines, its budget is " $3 }' "$work/sizes"
   printf 'house %s\n' "$root"/tests/take/calls_*.cpp | two_at_a_time
   two_at_a_time <"$work/taken"
+  # shellcheck disable=SC2046 # the options are words
+  compile together "a game with all of them" -fsyntax-only -Wall -Wextra -Werror \
+    $(cut -d ' ' -f 1 "$work/sizes" | sed "s|.*|-include $work/&.hpp|") /dev/null || true
 )
 [ -z "$complaints" ] || { echo "$complaints"; exit 1; }

@@ -33,12 +33,14 @@ Real compliant_change(
 struct PositionPoint
 {
   IslandPoint point;
-  Vector3<double> owed;       ///< [m], slip that friction has still to take back
-  Vector3<double> own_a = {}; ///< [m], in A's own frame: what met as the step began
-  Vector3<double> own_b = {}; ///< [m], the same in B's
-  Vector3<double> held = {};  ///< [m], from the one to the other, while they stick
-  double parted = 0;          ///< [m/s], parting speed before the small step
-  double pressed = 0;         ///< [kg m], along the normal, zero or more
+  Vector3<double> owed; ///< [m], slip that friction has still to take back
+  Vector3<double> own_a =
+      Vector3<double>::Zero(); ///< [m], in A's own frame: what met as the step began
+  Vector3<double> own_b = Vector3<double>::Zero(); ///< [m], the same in B's
+  Vector3<double> held =
+      Vector3<double>::Zero(); ///< [m], from the one to the other, while they stick
+  double parted = 0;           ///< [m/s], parting speed before the small step
+  double pressed = 0;          ///< [kg m], along the normal, zero or more
   Vector3<double> rubbed = Vector3<double>::Zero(); ///< [kg m], on B, across the normal
 };
 
