@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi" // as in vector_of.hpp
 #endif
@@ -137,6 +137,6 @@ void transpose(Halves<Real> (&rows)[4])
 } // namespace COOKBOOK_INSTRUCTION_SET
 } // namespace cookbook
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__)
 #pragma GCC diagnostic pop
 #endif

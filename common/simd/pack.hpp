@@ -15,7 +15,7 @@
 #include <cstring>
 #include <type_traits>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi" // as in vector_of.hpp
 #endif
@@ -148,7 +148,7 @@ Pack<Real, Width> sqrt(const Pack<Real, Width>& a)
 } // namespace COOKBOOK_INSTRUCTION_SET
 } // namespace cookbook
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__)
 #pragma GCC diagnostic pop
 #endif
 

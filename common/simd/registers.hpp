@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi" // as in vector_of.hpp
 #endif
@@ -147,6 +147,6 @@ struct RowTraits<Halves<Real>> : RegisterRows<Real>
 } // namespace COOKBOOK_INSTRUCTION_SET
 } // namespace cookbook
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__)
 #pragma GCC diagnostic pop
 #endif

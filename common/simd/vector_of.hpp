@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi" // what is wider than a register is never passed by value
 #endif
@@ -116,6 +116,6 @@ Vector spread(Number same)
 } // namespace COOKBOOK_INSTRUCTION_SET
 } // namespace cookbook
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__)
 #pragma GCC diagnostic pop
 #endif
