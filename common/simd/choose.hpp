@@ -5,7 +5,6 @@
 
 #include "common/simd/group.hpp"
 
-#include <cstddef>
 #include <type_traits>
 
 namespace cookbook

@@ -31,7 +31,7 @@ class Compress
 {
 public:
   /// Bit i stands for lane i.
-#if defined(COOKBOOK_PLAIN)
+#if defined(COOKBOOK_PLAIN) || !defined(__AVX2__)
   explicit Compress(std::uint32_t bits) : bits_(bits) {}
 
   Lanes operator()(const Lanes& lanes) const ///< the lanes moved
@@ -65,19 +65,10 @@ private:
 
   Lanes operator()(const Lanes& lanes) const ///< the lanes moved
   {
-#if defined(__AVX2__)
     const __m128i bytes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(order_.data()));
     const __m256i order = _mm256_cvtepu8_epi32(bytes);
     return Lanes::of(std::bit_cast<Lanes::Lanes>(
         _mm256_permutevar8x32_ps(std::bit_cast<__m256>(lanes.lanes), order)));
-#else
-    Lanes moved = lanes;
-    for (std::size_t i = 0; i < width; ++i)
-    {
-      moved.lanes[i] = lanes[order_[i]];
-    }
-    return moved;
-#endif
   }
 
 private:

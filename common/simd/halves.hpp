@@ -9,11 +9,6 @@
 #include <cstdint>
 #include <type_traits>
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi" // as in vector_of.hpp
-#endif
-
 namespace cookbook
 {
 inline namespace COOKBOOK_INSTRUCTION_SET
@@ -55,8 +50,6 @@ struct Halves
     {
       return cookbook::bits_of(mask.low) | cookbook::bits_of(mask.high) << 2;
     }
-    friend bool all(const Mask& mask) { return bits_of(mask) == 15; }
-    friend bool any(const Mask& mask) { return bits_of(mask) != 0; }
   };
 
   friend Halves operator+(const Halves& a, const Halves& b)
@@ -136,7 +129,3 @@ void transpose(Halves<Real> (&rows)[4])
 
 } // namespace COOKBOOK_INSTRUCTION_SET
 } // namespace cookbook
-
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif

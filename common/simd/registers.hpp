@@ -11,11 +11,6 @@
 #include <cstdint>
 #include <type_traits>
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi" // as in vector_of.hpp
-#endif
-
 namespace cookbook
 {
 inline namespace COOKBOOK_INSTRUCTION_SET
@@ -146,7 +141,3 @@ struct RowTraits<Halves<Real>> : RegisterRows<Real>
 
 } // namespace COOKBOOK_INSTRUCTION_SET
 } // namespace cookbook
-
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif

@@ -232,36 +232,37 @@ std::string printed(const std::string& command)
   return text;
 }
 
-/// After each command that runs a recipe with a header, how much of the house it takes home.
-std::string with_sizes(const fs::path& root, const std::string& page)
+/// After each command that runs a recipe with a header, how much of the house it takes home;
+/// `paths` are the files of the tree.
+std::string
+with_sizes(const fs::path& root, const std::string& page, const std::vector<std::string>& paths)
 {
-  const std::regex run(R"(\./cookbook run (\w+)\n[^`]*```\n)");
+  static const std::regex run(R"(\./cookbook run (\w+)\n[^`]*```\n)");
+  static const std::regex count(R"(: (\d+) of its files in one)");
+  const std::string script = "sh '" + (root / "common/cmake/take_recipe.sh").string() + "' '";
   std::string result;
   std::size_t done = 0;
   for (std::sregex_iterator each(page.begin(), page.end(), run), end; each != end; ++each)
   {
     const std::string name = each->str(1);
-    for (const fs::path& chapter : fs::directory_iterator(root / "recipes"))
+    const auto is_header = [ending = "/" + name + "/" + name + ".hpp"](const std::string& path)
+    { return path.ends_with(ending); };
+    const auto header = std::find_if(paths.begin(), paths.end(), is_header);
+    if (header == paths.end())
     {
-      const fs::path header = chapter / name / (name + ".hpp");
-      if (!fs::exists(header))
-      {
-        continue;
-      }
-      const std::string taken = printed(
-          "sh '" + (root / "common/cmake/take_recipe.sh").string() + "' '" + root.string() + "' '" +
-          fs::relative(header, root).string() + "'");
-      std::smatch files;
-      if (std::regex_search(taken, files, std::regex(R"(: (\d+) of its files in one)")))
-      {
-        const std::size_t past = static_cast<std::size_t>(each->position() + each->length());
-        result += page.substr(done, past - done) +
-                  "\n<p class=\"taken\">To take it home: <code>./cookbook take " + name +
-                  "</code> writes one header of " +
-                  std::to_string(std::count(taken.begin(), taken.end(), '\n')) + " lines, from " +
-                  files.str(1) + " files.</p>\n";
-        done = past;
-      }
+      continue;
+    }
+    const std::string taken = printed(script + root.string() + "' '" + *header + "'");
+    std::smatch files;
+    if (std::regex_search(taken, files, count))
+    {
+      const std::size_t past = static_cast<std::size_t>(each->position() + each->length());
+      result += page.substr(done, past - done) +
+                "\n<p class=\"taken\">To take it home: <code>./cookbook take " + name +
+                "</code> writes one header of " +
+                std::to_string(std::count(taken.begin(), taken.end(), '\n')) + " lines, from " +
+                files.str(1) + " files.</p>\n";
+      done = past;
     }
   }
   return result + page.substr(done);
@@ -277,9 +278,9 @@ std::string filtered(const fs::path& root, const fs::path& page)
   {
     return prepared(text, "");
   }
-  return with_heads(
-      with_folds(prepared(with_sizes(root, text), neighbour_links(book_pages(root), path))),
-      shown_paths(root));
+  const std::vector<std::string> paths = shown_paths(root);
+  const std::string neighbours = neighbour_links(book_pages(root), path);
+  return with_heads(with_folds(prepared(with_sizes(root, text, paths), neighbours)), paths);
 }
 
 /// Writes the index of recipes and, for each, a page with its files in full.

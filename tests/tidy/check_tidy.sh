@@ -7,10 +7,9 @@ if ! command -v clang-tidy >/dev/null; then
   exit 0
 fi
 mkdir -p "$work"
-for folder in "$root"/common "$root"/recipes/*/; do
+for folder in "$root"/common/math "$root"/common/simd "$root"/recipes/*/; do
   name=$(basename "$folder")
-  find "$folder" -name '*.hpp' ! -path '*/trial/*' ! -path '*/common/plot/*' ! -path '*/common/program/*' \
-    ! -path '*/common/files/*' ! -path '*/common/measure/*' ! -name '*_kernel.hpp' ! -name rational.hpp |
+  find "$folder" -name '*.hpp' ! -path '*/trial/*' ! -name '*_kernel.hpp' ! -name rational.hpp |
     sort | sed 's/.*/#include "&"/' >"$work/$name.cpp"
 done
 printf '%s\n' "$work"/*.cpp |
