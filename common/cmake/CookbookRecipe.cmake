@@ -217,7 +217,7 @@ function(cookbook_test_program target source)
   endif()
 endfunction()
 
-# The tests of a chapter, up to five in one source: first what the chapter has compiled already, as
+# The tests of a chapter, up to three in one source: first what the chapter has compiled already, as
 # COOKBOOK_INSTANCES says, then all that they include, then each test in a namespace of its own.
 # Sanitizers leave out what is tagged [long].
 function(cookbook_tests_together)
@@ -230,7 +230,7 @@ function(cookbook_tests_together)
   endif()
   while(names)
     math(EXPR number "${number} + 1")
-    list(SUBLIST names 0 5 some)
+    list(SUBLIST names 0 3 some)
     list(REMOVE_ITEM names ${some})
     set(program ${COOKBOOK_CHAPTER}_tests_${number})
     set(includes "")
