@@ -26,3 +26,11 @@ if(COOKBOOK_PEERS)
     target_compile_definitions(cookbook_peers INTERFACE COOKBOOK_HAS_FCL)
   endif()
 endif()
+
+# cookbook_glm: vectors and matrices of another library, for the charts of chapter 1.
+add_library(cookbook_glm INTERFACE)
+find_path(GLM_INCLUDE_DIR glm/glm.hpp)
+if(COOKBOOK_PEERS AND GLM_INCLUDE_DIR)
+  target_include_directories(cookbook_glm SYSTEM INTERFACE ${GLM_INCLUDE_DIR})
+  target_compile_definitions(cookbook_glm INTERFACE COOKBOOK_HAS_GLM)
+endif()

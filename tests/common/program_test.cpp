@@ -3,6 +3,7 @@
 
 #include "common/files/csv.hpp"
 #include "common/files/whole_file.hpp"
+#include "common/program/asking.hpp"
 #include "common/program/program.hpp"
 #include "common/program/table.hpp"
 
@@ -343,4 +344,78 @@ TEST_CASE("a disk that is full leaves what was there", "[program]")
   CHECK_THROWS_WITH(
       save_whole("/dev/full", "x"), "cannot write /dev/full: No space left on device");
   CHECK(std::filesystem::is_character_file("/dev/full"));
+}
+
+namespace
+{
+
+/// Runs a program that answers the sum, or the inverse, of each row's numbers.
+Run ask(const std::string& content, std::vector<std::string> words)
+{
+  const Folder folder;
+  const std::filesystem::path file = folder.path / "rows.csv";
+  std::ofstream(file) << content;
+  words.insert(words.begin(), {"demo"});
+  for (std::string& word : words)
+  {
+    word = word == "FILE" ? file.string() : word;
+  }
+  const auto questions = [](auto zero)
+  {
+    using Real = decltype(zero);
+    using Numbers = std::vector<Real>;
+    return std::vector<Question<Real>>{
+        {"sum", "x,y", "sum",
+         [](const PairsRow& row) { return Numbers{row.at<Real>(0) + row.at<Real>(1)}; }},
+        {"inverse", "x", "inverse,negated",
+         [](const PairsRow& row)
+         {
+           const Real x = row.at<Real>(0);
+           return x == 0 ? Numbers{} : Numbers{1 / x, -1 / x};
+         }}};
+  };
+  std::vector<char*> argv;
+  for (std::string& word : words)
+  {
+    argv.push_back(word.data());
+  }
+  return caught(
+      [&]
+      {
+        return run_asking_program(
+            static_cast<int>(argv.size()), argv.data(), {.name = "demo", .summary = "Asks."},
+            questions, [](const Arguments&) { std::cout << "own\n"; });
+      });
+}
+
+} // namespace
+
+TEST_CASE("what is asked of each row is answered as CSV, with an empty cell for no answer")
+{
+  CHECK(
+      ask("x,y\n1,2\n.5,-1\n", {"--ask", "sum", "--pairs", "FILE"}).out ==
+      "pair,sum\n0,3\n1,-0.5\n");
+  CHECK(
+      ask("x\n4\n0\n", {"--ask", "inverse", "--pairs", "FILE"}).out ==
+      "pair,inverse,negated\n0,0.25,-0.25\n1,,\n");
+  CHECK(
+      ask("x\n3\n", {"--ask", "inverse", "--pairs", "FILE", "--scalar", "float"}).out ==
+      "pair,inverse,negated\n0,0.33333334,-0.33333334\n");
+  CHECK(ask("x,y\n1,2\n", {}).out == "own\n");
+}
+
+TEST_CASE("a question that is unknown, missing, or without rows is refused by name")
+{
+  CHECK(
+      ask("x,y\n1,2\n", {"--pairs", "FILE"}).err.find("--pairs needs --ask") != std::string::npos);
+  CHECK(
+      ask("x,y\n1,2\n", {"--ask", "sum"}).err.find("--ask would be ignored without --pairs") !=
+      std::string::npos);
+  CHECK(ask("x,y\n1,2\n", {"--ask", "product", "--pairs", "FILE"}).status == 2);
+  const Run wrong_header = ask("x\n1\n", {"--ask", "sum", "--pairs", "FILE"});
+  CHECK(wrong_header.status == 1);
+  CHECK(wrong_header.err.find("rows.csv:1:1: expected the header x,y") != std::string::npos);
+  const Run too_large = ask("x\n1\n1e-320\n", {"--ask", "inverse", "--pairs", "FILE"});
+  CHECK(too_large.err.find("rows.csv:3:1: the answer is too large") != std::string::npos);
+  CHECK(too_large.out.empty());
 }

@@ -25,6 +25,19 @@ inline const Arguments demo{
     .pairs_header = "ax,ay,az,ar,bx,by,bz,br",
     .options = {{"scalar", "number type", "double", {"float", "double"}}}};
 
+/// Calls a program's main part, and catches what it prints.
+inline Run caught(const std::function<int()>& program)
+{
+  std::ostringstream out;
+  std::ostringstream err;
+  std::streambuf* const old_out = std::cout.rdbuf(out.rdbuf());
+  std::streambuf* const old_err = std::cerr.rdbuf(err.rdbuf());
+  const int status = program();
+  std::cout.rdbuf(old_out);
+  std::cerr.rdbuf(old_err);
+  return {status, out.str(), err.str()};
+}
+
 inline Run
 run(std::vector<std::string> words, const std::function<void(const Arguments&)>& body,
     const Arguments& arguments = demo)
@@ -34,14 +47,8 @@ run(std::vector<std::string> words, const std::function<void(const Arguments&)>&
   {
     argv.push_back(word.data());
   }
-  std::ostringstream out;
-  std::ostringstream err;
-  std::streambuf* const old_out = std::cout.rdbuf(out.rdbuf());
-  std::streambuf* const old_err = std::cerr.rdbuf(err.rdbuf());
-  const int status = run_program(static_cast<int>(argv.size()), argv.data(), arguments, body);
-  std::cout.rdbuf(old_out);
-  std::cerr.rdbuf(old_err);
-  return {status, out.str(), err.str()};
+  return caught(
+      [&] { return run_program(static_cast<int>(argv.size()), argv.data(), arguments, body); });
 }
 
 } // namespace cookbook
