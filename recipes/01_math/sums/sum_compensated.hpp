@@ -1,8 +1,11 @@
 #pragma once
 
 /// \file
-/// \brief The sum of many numbers with a second sum of all that its roundings took away.
+/// \brief The sum of many numbers in two parts: rounded, and what the roundings took away.
 
+#include <Eigen/Core>
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -11,70 +14,63 @@ namespace cookbook
 {
 
 // [running_sum]
-/// A sum that numbers are added to one by one, with what the additions lost beside it; Neumaier.
-///
-/// Of the two numbers that are added, the digits of the smaller one are lost.
-template <class Real>
+/// A sum in two parts, to which numbers are added one by one; or a row of sums, where `Value` is a
+/// row of numbers.
+template <class Value>
 struct RunningSum
 {
-  Real sum = 0;  ///< rounded
-  Real lost = 0; ///< what the roundings took away
+  Value sum{};  ///< rounded
+  Value lost{}; ///< what the roundings took away, at most half an ulp of `sum`
 
-  /// Adds a number.
-  void add(Real x)
+  /// Adds a number, or a row of numbers.
+  void add(const Value& x)
   {
-    const Real next = sum + x;
-    const bool sum_is_larger = std::abs(sum) >= std::abs(x);
-    lost += sum_is_larger ? (sum - next) + x : (x - next) + sum;
-    sum = next;
+    // What the addition rounds away, exactly, whichever of the two is larger (Knuth).
+    const Value next = sum + x;
+    const Value added = next - sum;
+    const Value rounding = (sum - (next - added)) + (x - added);
+    // Move all digits that fit from the second part into the first.
+    const Value all_lost = lost + rounding;
+    sum = next + all_lost;
+    lost = all_lost - (sum - next);
   }
-
-  /// The sum of all numbers so far.
-  Real value() const { return sum + lost; }
 };
 // [running_sum]
 
 // [sum_columns]
-/// Adds numbers, each times a power of two, in 16 columns, each with what it lost beside it.
-///
-/// The rounding of a sum is found without asking which number is larger (Knuth).
+/// Adds numbers, each times a power of two, in columns of which a processor adds several at once.
 template <class Real>
 Real sum_columns(std::span<const Real> numbers, Real power)
 {
-  constexpr std::size_t columns = 16;
-  Real sums[columns] = {}, lost[columns] = {};
-  const std::size_t whole = numbers.size() / columns * columns;
-  for (std::size_t i = 0; i < whole; i += columns)
-  {
-    for (std::size_t j = 0; j < columns; ++j)
-    {
-      const Real x = numbers[i + j] * power, sum = sums[j], next = sum + x, added = next - sum;
-      lost[j] += (sum - (next - added)) + (x - added);
-      sums[j] = next;
-    }
-  }
+  constexpr std::size_t columns = 64 / sizeof(Real);
+  using Row = Eigen::Array<Real, static_cast<int>(columns), 1>;
+  RunningSum<Row> rows{Row::Zero(), Row::Zero()};
   RunningSum<Real> total;
-  for (std::size_t i = whole; i < numbers.size(); ++i)
+  std::size_t i = 0;
+  for (; i + columns <= numbers.size(); i += columns)
+  {
+    rows.add(Eigen::Map<const Row>(numbers.data() + i) * power);
+  }
+  for (; i < numbers.size(); ++i)
   {
     total.add(numbers[i] * power);
   }
-  for (const Real& sum : sums)
+  for (const Row& part : {rows.sum, rows.lost})
   {
-    total.add(sum);
+    for (const Real x : part)
+    {
+      total.add(x);
+    }
   }
-  for (const Real& one : lost)
-  {
-    total.add(one);
-  }
-  return total.value();
+  return total.sum;
 }
 // [sum_columns]
 
 // [sum_compensated]
-/// The sum of any finite numbers: off by u|sum| + γₙ² of the sum of their sizes, whatever the
-/// order; infinite only where the true answer does not fit.
+/// The sum of any finite numbers, off by at most u|sum| + 4nu² of the sum of their sizes, whatever
+/// the order; infinite only where the true answer does not fit.
 ///
-/// No numbers add up to 0. Infinite and NaN input gives what `sum_naive` gives.
+/// No numbers add up to 0. Infinite and NaN input gives what adding them one by one gives.
 template <class Real>
 Real sum_compensated(std::span<const Real> numbers)
 {
@@ -83,16 +79,18 @@ Real sum_compensated(std::span<const Real> numbers)
   {
     return sum;
   }
-  Real plain = 0;
-  bool given = true;
+  Real infinite = 0;
   for (const Real x : numbers)
   {
-    plain += x;
-    given = given && std::isfinite(x);
+    infinite += std::isfinite(x) ? Real(0) : x;
   }
-  // Divided by more than their count, no numbers overflow on the way.
+  if (infinite != Real(0))
+  {
+    return infinite;
+  }
+  // Divided by more than their count, numbers do not overflow on the way.
   const int exponent = std::ilogb(static_cast<double>(numbers.size())) + 2;
-  return given ? std::ldexp(sum_columns(numbers, std::ldexp(Real(1), -exponent)), exponent) : plain;
+  return std::ldexp(sum_columns(numbers, std::ldexp(Real(1), -exponent)), exponent);
 }
 // [sum_compensated]
 

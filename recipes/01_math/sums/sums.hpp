@@ -110,18 +110,22 @@ Real sum_kahan(std::span<const Real> numbers)
 }
 // [sum_kahan]
 
-// [sum_running]
-/// Adds with a running sum; infinite or NaN where a sum on the way overflows.
+// [sum_neumaier]
+/// Adds up apart what the additions lost, and adds that at the end: of two numbers that are added,
+/// the smaller one loses digits.
 template <class Real>
-Real sum_running(std::span<const Real> numbers)
+Real sum_neumaier(std::span<const Real> numbers)
 {
-  RunningSum<Real> running;
+  Real sum = 0, lost = 0;
   for (const Real x : numbers)
   {
-    running.add(x);
+    const Real next = sum + x;
+    const bool sum_is_larger = std::abs(sum) >= std::abs(x);
+    lost += sum_is_larger ? (sum - next) + x : (x - next) + sum;
+    sum = next;
   }
-  return running.value();
+  return sum + lost;
 }
-// [sum_running]
+// [sum_neumaier]
 
 } // namespace cookbook
