@@ -311,15 +311,18 @@ TEST_CASE("each way to subtract products holds or fails as the table says", "[pr
 // [compare]
 TEST_CASE("each way to compare holds or fails as the table says", "[compare]")
 {
-  const std::string published = "0.005, as published", both = "fixed and relative";
+  const std::string published = "0.005, as published", both = "fixed and relative",
+                    eigen = "Eigen's isApprox";
   check_verdicts(
       compare_verdicts(), compare_names(),
-      {{"ten times 0.1, and 1: the same", {published, "relative", both, "equal_to_rounding"}},
-       {"0.004 and 0: not the same", {"==", "relative", both, "equal_to_rounding"}},
-       {"1e6 and 1e6 + 0.0625: the same", {"relative", both, "equal_to_rounding"}},
+      {{"ten times 0.1, and 1: the same",
+        {published, "relative", eigen, both, "equal_to_rounding"}},
+       {"0.004 and 0: not the same", {"==", "relative", eigen, both, "equal_to_rounding"}},
+       {"1e6 and 1e6 + 0.0625: the same", {"relative", eigen, both, "equal_to_rounding"}},
        {"1e6 + 0.0625 − 1e6, and 0: the same", {"equal_to_rounding"}},
-       {"1e-12 and 2e-12: not the same", {"==", "relative", "equal_to_rounding"}},
-       {"infinite and 1: not the same", {"==", published, "equal_to_rounding"}}});
+       {"1e-12 and 2e-12: not the same", {"==", "relative", eigen, "equal_to_rounding"}},
+       {"1e-25 and 2e-25: not the same", {"==", "relative", "equal_to_rounding"}},
+       {"infinite and 1: not the same", {"==", published, eigen, "equal_to_rounding"}}});
 }
 // [compare]
 

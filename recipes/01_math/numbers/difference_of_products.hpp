@@ -24,7 +24,7 @@ Real difference_naive(Real a, Real d, Real b, Real c)
 // [difference_fused]
 /// ad − bc by Kahan: the rounding of the second product is found and put back.
 ///
-/// Within 1.5 ulp; infinite or NaN where a product overflows.
+/// Within 2u of the answer; infinite or NaN where a product overflows.
 template <class Real>
 Real difference_fused(Real a, Real d, Real b, Real c)
 {
@@ -47,8 +47,8 @@ Real difference_scaled(Real a, Real d, Real b, Real c)
 }
 
 // [difference_of_products]
-/// ad − bc, right for all finite numbers: within 1.5 ulp, and one smallest number where products
-/// underflow; infinite only where the true answer does not fit.
+/// ad − bc, right for all finite numbers: within 2u of the answer, and one smallest number where
+/// products underflow; infinite only where the true answer does not fit.
 ///
 /// The products of floats are exact in double. A double has nothing wider, and takes Kahan's way.
 /// Infinite and NaN input gives what ad − bc gives.
@@ -74,7 +74,7 @@ Real difference_of_products(Real a, Real d, Real b, Real c)
 // [difference_of_products]
 
 // [accurate_cross]
-/// a × b, each component within 1.5 ulp, also of vectors that are nearly parallel.
+/// a × b, each component within 2u of the true one, also of vectors that are nearly parallel.
 template <class Real>
 Vector3<Real> accurate_cross(const Vector3<Real>& a, const Vector3<Real>& b)
 {

@@ -67,8 +67,8 @@ Real sum_columns(std::span<const Real> numbers, Real power)
 // [sum_columns]
 
 // [sum_compensated]
-/// The sum of any finite numbers, off by at most u|sum| + 4nu² of the sum of their sizes, whatever
-/// the order; infinite only where the true answer does not fit.
+/// The sum of any finite numbers, off by at most u|sum| + 4(n + 32)u² of the sum of their sizes,
+/// whatever the order; infinite only where the true answer does not fit.
 ///
 /// No numbers add up to 0. Infinite and NaN input gives what adding them one by one gives.
 template <class Real>

@@ -128,6 +128,12 @@ inline std::vector<std::pair<std::string, Compare>> compare_methods()
       {"==", [](float a, float b, float) { return a == b; }},
       {"0.005, as published", [](float a, float b, float) { return std::abs(a - b) < 0.005f; }},
       {"relative", [](float a, float b, float) { return std::abs(a - b) <= relative(a, b); }},
+      {"Eigen's isApprox",
+       [](float a, float b, float)
+       {
+         using Number = Eigen::Matrix<float, 1, 1>;
+         return Number(a).isApprox(Number(b), 1e-6f);
+       }},
       {"fixed and relative",
        [](float a, float b, float) { return std::abs(a - b) <= 1e-6f + relative(a, b); }},
       {"equal_to_rounding",
@@ -173,6 +179,7 @@ inline std::vector<CompareCase> compare_cases()
       {"1e6 and 1e6 + 0.0625", million, next, million, true},
       {"1e6 + 0.0625 − 1e6, and 0", next - million, 0, million, true},
       {"1e-12 and 2e-12", 1e-12f, 2e-12f, 2e-12f, false},
+      {"1e-25 and 2e-25", 1e-25f, 2e-25f, 2e-25f, false},
       {"infinite and 1", infinite, 1, 1, false}};
 }
 // [compare_cases]
