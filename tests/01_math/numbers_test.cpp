@@ -3,10 +3,11 @@
 /// numbers that break a way.
 
 #include "01_math/numbers/numbers.hpp"
-#include "01_math/numbers/trial/numbers_cases.hpp"
+#include "01_math/numbers/trial/compare_cases.hpp"
 #include "01_math/numbers/trial/numbers_figures.hpp"
 #include "01_math/numbers/trial/product_cases.hpp"
 #include "01_math/numbers/trial/whole_numbers.hpp"
+#include "01_math/numbers/trial/wrap_cases.hpp"
 #include "01_math/truth/trial/whole_range.hpp"
 #include "common/math/rational.hpp"
 #include "common/math/ulp.hpp"

@@ -3,9 +3,10 @@
 /// draws the numbers of a small float.
 
 #include "01_math/numbers/numbers.hpp"
-#include "01_math/numbers/trial/numbers_cases.hpp"
+#include "01_math/numbers/trial/compare_cases.hpp"
 #include "01_math/numbers/trial/numbers_figures.hpp"
 #include "01_math/numbers/trial/product_cases.hpp"
+#include "01_math/numbers/trial/wrap_cases.hpp"
 #include "common/math/norm.hpp"
 #include "common/math/ulp.hpp"
 #include "common/program/program.hpp"

@@ -123,11 +123,13 @@ std::vector<VerdictRow> sum_verdicts()
     for (const SumMethod<Real>& method : sum_methods<Real>())
     {
       const Real answer = method.sum(one.numbers);
-      const bool right = sum_error(answer, one.right) <= allowed_sum_ulps;
-      rows.back().verdicts.push_back(
-          {right, right                   ? "right"
-                  : std::isfinite(answer) ? "says " + number(static_cast<double>(answer))
-                                          : "no number"});
+      const double error = sum_error(answer, one.right);
+      const bool right = error <= allowed_sum_ulps;
+      const std::string what = right                   ? "right"
+                               : !std::isfinite(error) ? "no number"
+                               : error < 1e6           ? rounded(error) + " ulp off"
+                                             : "says " + number(static_cast<double>(answer));
+      rows.back().verdicts.push_back({right, what});
     }
   }
   return rows;
