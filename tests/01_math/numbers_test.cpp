@@ -148,6 +148,7 @@ TEST_CASE("γ₃ in float is 3 / (2^24 − 3), and 2^24 roundings have no bound"
   CHECK(std::abs(static_cast<double>(rounding_bound<float>(3)) - third) <= third * 0x1p-23);
   CHECK(rounding_bound<double>(1 << 20) == 1 / (0x1p33 - 1));
   CHECK(std::isinf(rounding_bound<float>(1 << 24)));
+  CHECK(std::isinf(rounding_bound<float>((1 << 24) + (1 << 22))));
   CHECK(rounding_bound<float>(1 << 23) == 1);
   CHECK(rounding_error<float>(0, 3) == 3 * std::numeric_limits<float>::denorm_min());
   CHECK(rounding_error<float>(2, 3) == 2 * rounding_bound<float>(3));
@@ -207,6 +208,8 @@ TEST_CASE("(3e38, 3e38, 0)·(1, −1, 1e-30) is 0 within 1e32; 1e30 squares are 
   CHECK_FALSE(is_sign_certain(zero));
   const float infinite = std::numeric_limits<float>::infinity();
   CHECK(std::isinf(bounded_dot<float, 3>({infinite, 0, 0}, {1, 1, 1}).error));
+  CHECK(bounded_dot<float, 3>({infinite, 0, 0}, {1, 1, 1}).value == infinite);
+  CHECK(bounded_dot<float, 3>({1, 1, 1}, {infinite, 0, 0}).value == infinite);
   CHECK_FALSE(is_sign_certain(bounded_dot<float, 3>({infinite - infinite, 0, 0}, {1, 1, 1})));
   CHECK_FALSE(is_sign_certain(Bounded<float>{2, 2}));
   CHECK(is_sign_certain(Bounded<float>{-2.5f, 2}));
@@ -338,6 +341,7 @@ TEST_CASE("10 roundings at size 1 allow 5 gaps of 2^-23 above 1, not 6", "[compa
   const float infinite = std::numeric_limits<float>::infinity(), none = infinite - infinite;
   CHECK(equal_to_rounding(infinite, infinite, infinite, 4));
   CHECK_FALSE(equal_to_rounding(1.0f, 2.0f, infinite, 4));
+  CHECK(equal_to_rounding(rounding_error(1.0f, 4), 0.0f, 1.0f, 4)); // just as far as allowed
   CHECK_FALSE(equal_to_rounding(none, none, 1.0f, 4));
   CHECK_FALSE(equal_to_rounding(3e38f, -3e38f, 3e38f, 4));
   CHECK(equal_to_rounding(1e-45f, 4e-45f, 0.0f, 4)); // four products may have been lost

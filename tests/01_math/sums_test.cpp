@@ -70,7 +70,39 @@ std::vector<Real> shares(WholeRange<Real>& draw, int count, bool positive)
   return numbers;
 }
 
+/// The bound of pairwise: 8 rows, 4 halvings of the columns, and one for each doubling of 128.
+int most_roundings(int n)
+{
+  return 12 + std::max(0, static_cast<int>(std::ceil(std::log2(n / 128.0))));
+}
+
+/// A number that counts the additions which the numbers in it have gone through, at most.
+struct Counted
+{
+  int additions = 0; ///< so far
+
+  Counted& operator+=(const Counted& other)
+  {
+    additions = std::max(additions, other.additions) + 1;
+    return *this;
+  }
+  friend Counted operator+(Counted a, const Counted& b) { return a += b; }
+};
+
 } // namespace
+
+// [pairwise_roundings]
+TEST_CASE("pairwise, no number goes through more than 12 + ⌈log₂(n / 128)⌉ additions", "[sums]")
+{
+  for (int n = 128; n < 100000; n += 1 + n / 50)
+  {
+    const std::vector<Counted> numbers(static_cast<std::size_t>(n));
+    CHECK(sum_pairwise<Counted>(numbers).additions <= most_roundings(n));
+  }
+  CHECK(sum_pairwise<Counted>(std::vector<Counted>(128)).additions == 12);
+  CHECK(sum_pairwise<Counted>(std::vector<Counted>(1 << 20)).additions == 25);
+}
+// [pairwise_roundings]
 
 // [sum_verdicts]
 TEST_CASE("each way to add holds or fails as the table says", "[sums]")
@@ -147,12 +179,11 @@ TEMPLATE_TEST_CASE(
     const int n = draw.drawn(1, 3000);
     const std::vector<TestType> numbers = shares(draw, n, round % 2 == 0);
     const ExactSum exact = exact_sum(numbers);
-    // Eight rows and four halvings in a block, and a halving for each doubling of 64.
-    const int halvings = std::max(0, static_cast<int>(std::ceil(std::log2(n / 64.0))));
+    const int roundings = most_roundings(n);
     CHECK(is_within(sum_naive<TestType>(numbers), exact, n - 1));
     CHECK(is_within(sum_sorted<TestType>(numbers), exact, n - 1));
     CHECK(is_within(sum_eigen<TestType>(numbers), exact, n - 1));
-    CHECK(is_within(sum_pairwise<TestType>(numbers), exact, 12 + halvings));
+    CHECK(is_within(sum_pairwise<TestType>(numbers), exact, roundings));
     CHECK(is_within(sum_wide<TestType>(numbers), exact, sizeof(TestType) == 4 ? 1 : n - 1));
     CHECK(is_within(sum_kahan<TestType>(numbers), exact, 3));
     CHECK(is_compensated(sum_neumaier<TestType>(numbers), exact, 2L * n * n));

@@ -83,8 +83,7 @@ Bounded<Real> bounded_dot_in_range(const Vector<Real, Size>& a, const Vector<Rea
 template <class Real, int Size>
 int take_exponent_out(Vector<Real, Size>& v)
 {
-  const Real largest = v.cwiseAbs().maxCoeff();
-  const int exponent = largest == Real(0) ? 0 : std::ilogb(largest);
+  const int exponent = std::ilogb(v.cwiseAbs().maxCoeff());
   v = v.unaryExpr([exponent](Real x) { return std::ldexp(x, -exponent); }).eval();
   return exponent;
 }

@@ -57,7 +57,7 @@ Real sum_sorted(std::span<const Real> numbers)
 // [sum_pairwise]
 /// Adds the two halves, each added in the same way; up to 128 numbers in 16 columns.
 ///
-/// No number goes through more than 8 + 4 + log₂(n / 64) roundings. The columns do not wait for
+/// No number goes through more than 8 + 4 + ⌈log₂(n / 128)⌉ roundings. The columns do not wait for
 /// each other, so that a processor adds several at once.
 template <class Real>
 Real sum_pairwise(std::span<const Real> numbers)
