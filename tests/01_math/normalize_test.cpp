@@ -1,6 +1,7 @@
 /// \file
-/// What holds for lengths, directions and what is built on them: formulas M1 to M4, M6, M7 and
-/// M16, and the vectors that break a way to normalise.
+/// What holds for lengths, directions and what is built on them: formulas M1 to M4, M7 and M16, and
+/// the vectors that break a way to normalise.
+/// the vectors that break a way to normalise.
 
 #include "01_math/normalize/normalize.hpp"
 #include "01_math/normalize/trial/normalize_cases.hpp"
@@ -126,25 +127,6 @@ TEST_CASE("a normal of length 1.1 turns a speed of 1 into 1.42", "[M4]")
   CHECK(reflect(Exact3(1, 0, 0), too_long) == Exact3(Rational(-142, 100), 0, 0));
 }
 // [M4]
-
-// [M6]
-TEST_CASE("a dot product of floats is within γ₃|a|·|b| of the exact one", "[M6]")
-{
-  const double bound = gamma_bound(3, std::numeric_limits<float>::epsilon() / 2.0);
-  const std::vector<Vector3<float>> vectors = vectors_of_size(1.0f, 2000);
-  Rational worst = 0;
-  for (std::size_t i = 0; i + 1 < vectors.size(); i += 2)
-  {
-    const Exact3 a = exact<Rational>(vectors[i]);
-    const Exact3 b = exact<Rational>(vectors[i + 1]);
-    const Rational error = abs(Rational(vectors[i].dot(vectors[i + 1])) - a.dot(b));
-    const Rational size = a.cwiseAbs().dot(b.cwiseAbs());
-    worst = std::max<Rational>(worst, error / size);
-  }
-  CHECK(worst <= Rational(bound));
-  CHECK(worst > 0);
-}
-// [M6]
 
 // [M7]
 TEST_CASE("a rotation keeps every dot product and turns every right-handed trio into one", "[M7]")

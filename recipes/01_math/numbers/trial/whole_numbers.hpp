@@ -1,0 +1,44 @@
+#pragma once
+
+/// \file
+/// \brief Exact arithmetic that is quick: floats as whole multiples of one power of two.
+
+#include "common/math/rational.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace cookbook
+{
+
+/// A whole number of any size.
+using Whole = boost::multiprecision::cpp_int;
+
+// [whole]
+/// The digits behind the point that all numbers of a type fit in.
+template <class Real>
+constexpr int all_digits()
+{
+  return std::numeric_limits<Real>::digits - std::numeric_limits<Real>::min_exponent;
+}
+
+/// x · 2^digits, which must be a whole number.
+template <class Real>
+Whole whole(Real x, int digits = all_digits<Real>())
+{
+  constexpr int size = std::numeric_limits<Real>::digits;
+  int exponent = 0;
+  const Real fraction = std::frexp(x, &exponent);
+  const Whole mantissa = static_cast<long long>(std::ldexp(fraction, size));
+  const int shift = exponent - size + digits;
+  return shift >= 0 ? Whole(mantissa << shift) : Whole(mantissa >> -shift);
+}
+// [whole]
+
+/// 2^exponent.
+inline Whole power_of_two(int exponent)
+{
+  return Whole(1) << exponent;
+}
+
+} // namespace cookbook

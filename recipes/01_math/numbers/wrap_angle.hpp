@@ -1,0 +1,66 @@
+#pragma once
+
+/// \file
+/// \brief Angles of any size wrapped to half a turn either way.
+
+#include <cmath>
+
+namespace cookbook
+{
+
+/// The nearest whole number to `x`, of which |x| is below 2³⁰; of two, either.
+template <class Real>
+Real nearest_whole(Real x)
+{
+  return static_cast<Real>(static_cast<int>(x + std::copysign(Real(0.5), x)));
+}
+
+// [wrap_degrees]
+/// An angle [degrees] as the same direction in (−180, 180], exactly, for every finite number.
+///
+/// Infinite and NaN input gives NaN: no direction is known.
+template <class Real>
+Real wrap_degrees(Real degrees)
+{
+  const Real turn = 360, half = 180;
+  Real rest = degrees;
+  if (std::abs(degrees) < Real(1 << 24))
+  {
+    // The product is exact, and so is the difference: it has no finer digits than the angle.
+    rest = degrees - nearest_whole(degrees / turn) * turn;
+  }
+  else
+  {
+    rest = std::remainder(degrees, turn);
+  }
+  return rest > half ? rest - turn : rest > -half ? rest : rest + turn;
+}
+// [wrap_degrees]
+
+/// A turn, 2π, in three parts; the first two have 33 digits, so that up to 2²⁰ turns are exact.
+inline constexpr double turn_parts[] = {0x1.921fb544p+2, 0x1.0b4611a6p-32, 0x1.3198a2e037073p-67};
+
+// [wrap_radians]
+/// An angle [rad] as the same direction, from −π to π, for every finite number.
+///
+/// Off by at most an ulp of π [rad] from the exact angle, taking the input as exact. Infinite and
+/// NaN input gives NaN: no direction is known.
+template <class Real>
+Real wrap_radians(Real angle)
+{
+  const double x = static_cast<double>(angle);
+  if (std::abs(x) <= 3.14159265358979311600)
+  {
+    return angle;
+  }
+  if (std::abs(x) < 1 << 22)
+  {
+    const double turns = nearest_whole(x * 0.15915494309189533577);
+    const double rest = x - turns * turn_parts[0];
+    return static_cast<Real>((rest - turns * turn_parts[1]) - turns * turn_parts[2]);
+  }
+  return static_cast<Real>(std::atan2(std::sin(x), std::cos(x)));
+}
+// [wrap_radians]
+
+} // namespace cookbook

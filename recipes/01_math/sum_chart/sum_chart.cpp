@@ -1,0 +1,141 @@
+/// \file
+/// \brief Times ways to add a million floats, and ways to subtract products, and draws their cost
+/// against their error.
+
+#include "01_math/sum_chart/trial/sum_chart.hpp"
+#include "01_math/sum_chart/trial/product_chart.hpp"
+#include "common/measure/timing.hpp"
+#include "common/plot/charts/chart.hpp"
+#include "common/program/program.hpp"
+
+namespace
+{
+
+using namespace cookbook;
+
+plot::Chart new_chart(const std::string& name, const std::string& title, const std::string& unit)
+{
+  plot::Chart chart(
+      name, title, {"time of " + unit + " [ns]", plot::Scale::log},
+      {"error [ulp]", plot::Scale::log});
+  chart.size(400, 320);
+  return chart;
+}
+
+// [time_sums]
+/// All ways to add, on the first of three lists; the error is that of all three.
+plot::Chart
+sums(const std::string& name, const std::string& title, Signs signs, const measure::Effort& effort)
+{
+  const std::vector<SumList> lists{sum_list(signs, 1), sum_list(signs, 2), sum_list(signs, 3)};
+  const std::vector<float>& numbers = lists[0].numbers;
+  std::vector<measure::Timed> timed;
+  for (const SumMethod<float>& method : sum_methods<float>())
+  {
+    const auto run = [&numbers, method] { measure::keep(method.sum(numbers)); };
+    timed.push_back({method.name, run, static_cast<double>(numbers.size())});
+  }
+  const std::vector<measure::Timing> timings = measure::time_interleaved(timed, effort);
+  plot::Chart chart = new_chart(name, title, "a number");
+  std::vector<Eigen::Vector2d> front;
+  for (std::size_t i = 0; i < timings.size(); ++i)
+  {
+    const measure::ErrorStatistics errors = sum_errors(sum_methods<float>()[i], lists);
+    chart.whisker(timings[i].name, timings[i].ns, errors.p99, errors.maximum, plot::series_look(i));
+    front.push_back({timings[i].ns, errors.maximum});
+  }
+  chart.front(front);
+  return chart;
+}
+// [time_sums]
+
+using Difference = double (*)(double, double, double, double);
+
+/// A way to subtract products, built into the loop over all of them.
+template <class Way>
+measure::Timed timed(const std::string& name, const std::vector<Products>& all, Way way)
+{
+  const auto run = [&all, way]
+  {
+    for (const Products& one : all)
+    {
+      measure::keep(way(one.a, one.d, one.b, one.c));
+    }
+  };
+  return {name, run, static_cast<double>(all.size())};
+}
+
+#if defined(__x86_64__) && defined(__GNUC__)
+/// As `difference_fused`, where the compiler may use the processor's instruction.
+__attribute__((target("fma"))) void fused_by_instruction(const std::vector<Products>& all)
+{
+  for (const Products& one : all)
+  {
+    const double product = one.b * one.c;
+    const double lost = __builtin_fma(-one.b, one.c, product);
+    measure::keep(__builtin_fma(one.a, one.d, -product) + lost);
+  }
+}
+#endif
+
+plot::Chart products(const measure::Effort& effort)
+{
+  const std::vector<Products> all = unit_products(1000);
+  const auto naive = [](auto... x) { return difference_naive<double>(x...); };
+  const auto fused = [](auto... x) { return difference_fused<double>(x...); };
+  const auto right = [](auto... x) { return difference_of_products<double>(x...); };
+  const auto split = [](auto... x) { return difference_split(x...); };
+  std::vector<measure::Timed> ways{
+      timed("naive", all, naive), timed("fused", all, fused), timed("split", all, split),
+      timed("difference_of_products", all, right)};
+  std::vector<Difference> answers{naive, fused, split, right};
+#if defined(__x86_64__) && defined(__GNUC__)
+  if (__builtin_cpu_supports("fma"))
+  {
+    ways.push_back(
+        {"fused, one instruction", [&all] { fused_by_instruction(all); },
+         static_cast<double>(all.size())});
+    answers.push_back(fused);
+  }
+#endif
+  const std::vector<measure::Timing> timings = measure::time_interleaved(ways, effort);
+  plot::Chart chart = new_chart("products", "Doubles: ad − bc that is 1", "a difference");
+  std::vector<Eigen::Vector2d> front;
+  for (std::size_t i = 0; i < timings.size(); ++i)
+  {
+    double worst = 0;
+    for (const Products& one : all)
+    {
+      worst = std::max(worst, sum_error(answers[i](one.a, one.d, one.b, one.c), 1.0));
+    }
+    chart.point(timings[i].name, {timings[i].ns, worst}, plot::series_look(i));
+    front.push_back({timings[i].ns, worst});
+  }
+  chart.front(front).note(measure::machine_line());
+  return chart;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const Arguments arguments{
+      .name = "sum_chart",
+      .summary = "Times ways to add a million floats, and ways to subtract products.",
+      .options = {{"effort", "how long to measure", "full", {"full", "quick"}}}};
+  return run_program(
+      argc, argv, arguments,
+      [](const Arguments& given)
+      {
+        const bool quick = given.value("effort") == "quick";
+        const measure::Effort effort = quick ? measure::Effort{5, 0.002} : measure::Effort{};
+        plot::Grid grid("sum_chart", "", 1);
+        grid.describe("Cost against error of eight ways to add; " + measure::machine_line())
+            .add(sums("positive", "A million positive floats", Signs::positive, effort))
+            .add(sums("random", "Random signs", Signs::random, effort))
+            .add(sums("opposite", "Nearly all cancel", Signs::opposite, effort)
+                     .note(measure::machine_line()));
+        save_figure(given, "sum_chart.svg", grid.svg());
+        save_figure(given, "product_chart.svg", products(effort).svg());
+      });
+}
