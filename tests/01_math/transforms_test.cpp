@@ -2,6 +2,7 @@
 /// What holds for points, normals and planes through a transform: formulas M14 and M15.
 
 #include "01_math/transforms/transforms.hpp"
+#include "01_math/transforms/trial/local_cases.hpp"
 #include "01_math/transforms/trial/transforms_cases.hpp"
 #include "01_math/truth/trial/whole_range.hpp"
 #include "common/math/rational.hpp"

@@ -36,6 +36,7 @@ struct WideDouble
   explicit operator double() const { return std::ldexp(high + low, exponent); }
 };
 
+/// The number with the other sign.
 inline WideDouble operator-(const WideDouble& a)
 {
   WideDouble negated = a;
@@ -73,6 +74,7 @@ inline WideDouble operator+(const WideDouble& a, const WideDouble& b)
   return {sum, error + (large.low + std::ldexp(small.low, shift)), large.exponent};
 }
 
+/// A difference is the sum with the other sign.
 inline WideDouble operator-(const WideDouble& a, const WideDouble& b)
 {
   return a + -b;
@@ -87,11 +89,13 @@ inline WideDouble operator/(const WideDouble& a, const WideDouble& b)
 }
 // [wide_double]
 
+/// Adds, for Eigen's sums.
 inline WideDouble& operator+=(WideDouble& a, const WideDouble& b)
 {
   return a = a + b;
 }
 
+/// Multiplies, for Eigen's products.
 inline WideDouble& operator*=(WideDouble& a, const WideDouble& b)
 {
   return a = a * b;

@@ -2,6 +2,7 @@
 /// \brief Carries points, vectors, normals and planes through transforms, and back.
 
 #include "01_math/transforms/transforms.hpp"
+#include "01_math/transforms/trial/local_cases.hpp"
 #include "01_math/transforms/trial/transforms_cases.hpp"
 #include "01_math/transforms/trial/transforms_figures.hpp"
 #include "common/program/program.hpp"
@@ -16,7 +17,7 @@ using namespace cookbook;
 
 std::string triple(const Vector3<double>& v)
 {
-  return "(" + number(v.x()) + ", " + number(v.y()) + ", " + number(v.z()) + ")";
+  return '(' + number(v.x()) + ", " + number(v.y()) + ", " + number(v.z()) + ")";
 }
 
 // [print_transforms]
