@@ -38,8 +38,8 @@ Real condition(const SquareMatrix<Real, Size>& m)
 // [condition]
 
 // [keeps_digits]
-/// Whether a determinant, computed in `Real`, has lost at most a quarter of its digits, and no
-/// product on the way to the inverse has left the range of the type.
+/// Whether a determinant, computed in `Real`, has lost no more than about a quarter of its digits,
+/// and no product on the way to the inverse has left the range of the type.
 template <class Real, int Size>
 bool keeps_digits(const SquareMatrix<Real, Size>& m, const Real& determinant)
 {
@@ -105,7 +105,8 @@ std::optional<SquareMatrix<Real, Size>> inverse(const SquareMatrix<Real, Size>& 
 // [determinant]
 /// The determinant; infinite where it is too large for `Real`.
 ///
-/// Three quarters of its digits are right, its sign always.
+/// About three quarters of its digits are right, unless the products cancel to less than 2^-98 of
+/// their sum without signs.
 template <class Real, int Size>
 Real determinant(const SquareMatrix<Real, Size>& m)
 {

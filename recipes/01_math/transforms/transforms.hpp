@@ -75,6 +75,7 @@ std::optional<Vector3<Real>> to_local(const Affine3<Real>& t, const Vector3<Real
 }
 // [to_local]
 
+// [ordinary_size]
 /// A direction in 105 digits, brought to an ordinary size.
 template <class Real>
 Vector3<Real> ordinary_size(const Vector3<WideDouble>& v)
@@ -91,6 +92,7 @@ Vector3<Real> ordinary_size(const Vector3<WideDouble>& v)
   };
   return v.unaryExpr(sized);
 }
+// [ordinary_size]
 
 // [transformed_normal]
 /// The unit normal of a surface after the matrix `m`: along M⁻ᵀ n, M14, by cofactors.
