@@ -48,7 +48,7 @@ std::string answers_csv(const Question<Real>& question, const std::string& file)
       {
         throw CsvError(file, row.line, 1, "the answer is too large for the number type");
       }
-      text += "," + round_trip(number);
+      (text += ',') += round_trip(number); // g++ 12 warns of "," + text
     }
     text += (numbers.empty() ? std::string(static_cast<std::size_t>(cells), ',') : "") + "\n";
   }

@@ -1,0 +1,139 @@
+#pragma once
+
+/// \file
+/// \brief Matrices of a given condition, ways to invert them, and how wrong each way is.
+
+#include "01_math/matrices/matrices.hpp"
+#include "01_math/matrices/trial/matrices_cases.hpp"
+#include "common/measure/statistics.hpp"
+
+#ifdef COOKBOOK_HAS_GLM
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+#endif
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace cookbook
+{
+
+/// A way to invert that is timed, by name.
+template <int Size>
+struct TimedInverse
+{
+  using M = SquareMatrix<double, Size>;                       ///< what it inverts
+  std::string name;                                           ///< as on the chart
+  bool peer;                                                  ///< whether it is another library's
+  M (*invert)(const M&);                                      ///< the way
+  void (*invert_all)(const std::vector<M>&, std::vector<M>&); ///< the way built into a loop
+};
+
+/// A way, and the loop that it is built into.
+template <int Size, class Invert>
+TimedInverse<Size> timed_inverse(const std::string& name, bool peer, Invert)
+{
+  using M = SquareMatrix<double, Size>;
+  return {
+      name, peer, [](const M& m) -> M { return Invert()(m); },
+      [](const std::vector<M>& all, std::vector<M>& answers)
+      {
+        for (std::size_t i = 0; i < all.size(); ++i)
+        {
+          answers[i] = Invert()(all[i]);
+        }
+      }};
+}
+
+// [timed_inverses]
+/// All ways, the recommended one last; NaN where a way says that a matrix is singular.
+template <int Size>
+std::vector<TimedInverse<Size>> timed_inverses()
+{
+  using M = SquareMatrix<double, Size>;
+  const auto way = [](const std::string& name, bool peer, auto invert)
+  { return timed_inverse<Size>(name, peer, invert); };
+  return {
+      way("Eigen inverse", true, [](const M& m) -> M { return m.inverse(); }),
+      way("PartialPivLU", true, [](const M& m) -> M { return m.partialPivLu().inverse(); }),
+      way("FullPivLU", true, [](const M& m) -> M { return m.fullPivLu().inverse(); }),
+#ifdef COOKBOOK_HAS_GLM
+      way("GLM", true,
+          [](const M& m) -> M
+          {
+            glm::mat<Size, Size, double, glm::defaultp> of;
+            std::memcpy(glm::value_ptr(of), m.data(), sizeof(of));
+            of = glm::inverse(of);
+            M answer;
+            std::memcpy(answer.data(), glm::value_ptr(of), sizeof(of));
+            return answer;
+          }),
+#endif
+      way("adjugate", false, [](const M& m) -> M { return adjugate_inverse<double, Size>(m); }),
+      way("recommended", false,
+          [](const M& m) -> M
+          {
+            return inverse<double, Size>(m).value_or(
+                M::Constant(std::numeric_limits<double>::quiet_NaN()));
+          })};
+}
+// [timed_inverses]
+
+// [conditioned]
+/// Turned, stretched and turned again: the last axis is stretched `stretch` times less than the
+/// others. `count` matrices, the same ones every time.
+template <int Size>
+std::vector<SquareMatrix<double, Size>> conditioned(double stretch, int count)
+{
+  using M = SquareMatrix<double, Size>;
+  std::mt19937 random(1);
+  const auto drawn = [&]
+  {
+    M any;
+    for (int i = 0; i < Size * Size; ++i)
+    {
+      any.data()[i] = static_cast<double>(random() % 2001) / 1000 - 1;
+    }
+    return M(any.householderQr().householderQ());
+  };
+  Vector<double, Size> along = Vector<double, Size>::Ones();
+  along[Size - 1] = 1 / stretch;
+  std::vector<M> all;
+  for (int i = 0; i < count; ++i)
+  {
+    const M first = drawn();
+    all.push_back(drawn() * along.asDiagonal() * first);
+  }
+  return all;
+}
+// [conditioned]
+
+/// How wrong a way is on matrices: the largest entry's error, as a part of the largest entry.
+template <int Size>
+measure::ErrorStatistics inverse_errors(
+    const TimedInverse<Size>& way, const std::vector<SquareMatrix<double, Size>>& matrices)
+{
+  using Exact = SquareMatrix<Rational, Size>;
+  std::vector<double> errors;
+  for (const SquareMatrix<double, Size>& m : matrices)
+  {
+    const SquareMatrix<double, Size> answer = way.invert(m);
+    if (!answer.allFinite())
+    {
+      errors.push_back(std::numeric_limits<double>::infinity());
+      continue;
+    }
+    const Exact truth = adjugate_inverse<Rational, Size>(exact_matrix<double, Size>(m));
+    const Exact off = (exact_matrix<double, Size>(answer) - truth).cwiseAbs();
+    errors.push_back(static_cast<double>(Rational(off.maxCoeff() / truth.cwiseAbs().maxCoeff())));
+  }
+  return measure::error_statistics(errors);
+}
+
+} // namespace cookbook

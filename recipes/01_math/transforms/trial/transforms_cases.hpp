@@ -1,0 +1,160 @@
+#pragma once
+
+/// \file
+/// \brief Ways to carry a plane along, and transforms that break them.
+
+#include "01_math/matrices/trial/matrices_cases.hpp"
+#include "01_math/transforms/transforms.hpp"
+#include "common/math/rational.hpp"
+#include "common/program/table.hpp"
+#include "common/program/verdicts.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace cookbook
+{
+
+/// A transform from its matrix and its move.
+inline Affine3<float> affine(const Matrix3<float>& m, const Vector3<float>& move)
+{
+  Affine3<float> t = Affine3<float>::Identity();
+  t.linear() = m;
+  t.translation() = move;
+  return t;
+}
+
+/// The turn about z with cosine 4/5 and sine 3/5, each rounded once.
+inline Matrix3<float> turned_345()
+{
+  return rows<float>({0.8, -0.6, 0, 0.6, 0.8, 0, 0, 0, 1});
+}
+
+// [plane_methods]
+/// A way to carry a plane along, by name.
+struct PlaneMethod
+{
+  std::string name; ///< as on the page
+  Hyperplane3<float> (*carry)(
+      const Affine3<float>& t, const Hyperplane3<float>& plane); ///< the way
+};
+
+/// Our model of the seed's code, X35: the normal is turned, the distance stays.
+inline Hyperplane3<float>
+plane_as_published(const Affine3<float>& t, const Hyperplane3<float>& plane)
+{
+  return Hyperplane3<float>(Vector3<float>(t.linear() * plane.normal()), plane.offset());
+}
+
+/// The normal sent through the matrix as if it were a vector.
+inline Hyperplane3<float> plane_by_matrix(const Affine3<float>& t, const Hyperplane3<float>& plane)
+{
+  const Vector3<float> n = plane.normal(), point = t * Vector3<float>(-plane.offset() * n);
+  return Hyperplane3<float>(normalize<float>(t.linear() * n).unit, point);
+}
+
+/// Eigen's own function, which inverts the matrix.
+inline Hyperplane3<float> plane_by_eigen(const Affine3<float>& t, const Hyperplane3<float>& plane)
+{
+  Hyperplane3<float> carried = plane;
+  carried.transform(t);
+  return carried;
+}
+
+/// The ways that compete, the recommended one last.
+inline std::array<PlaneMethod, 4> plane_methods()
+{
+  return {
+      {{"as published", plane_as_published},
+       {"n by M", plane_by_matrix},
+       {"Eigen's transform", plane_by_eigen},
+       {"recommended", transformed_plane<float>}}};
+}
+// [plane_methods]
+
+// [plane_cases]
+/// A transform that some way does not survive; the plane is always 2x + y + 2z = 6.
+struct PlaneCase
+{
+  std::string id;   ///< in the book; empty for a neighbour of the case above
+  std::string what; ///< the transform, in a few words
+  Affine3<float> t; ///< the transform
+};
+
+/// The plane.
+inline const Hyperplane3<float> ramp(Vector3<float>(2.0f / 3, 1.0f / 3, 2.0f / 3), -2.0f);
+
+/// The transforms to try on the plane.
+inline std::vector<PlaneCase> plane_cases()
+{
+  const Vector3<float> none(0, 0, 0), move(5, -1, 2);
+  const auto scale = [](float x, float y, float z)
+  { return Matrix3<float>(Vector3<float>(x, y, z).asDiagonal()); };
+  return {
+      {"X35", "moved by (5, −1, 2)", affine(scale(1, 1, 1), move)},
+      {"", "turned about z", affine(turned_345(), none)},
+      {"", "turned, then moved", affine(turned_345(), move)},
+      {"", "Scale(2, 2, 2)", affine(scale(2, 2, 2), none)},
+      {"", "Scale(1, 1, 4)", affine(scale(1, 1, 4), none)},
+      {"", "sheared along x", affine(rows<float>({1, 0.5, 0, 0, 1, 0, 0, 0, 1}), move)},
+      {"", "mirrored in x", affine(scale(-1, 1, 1), move)},
+      {"", "Scale(1e-20)", affine(scale(1e-20f, 1e-20f, 1e-20f), none)},
+      {"", "flattened to z = 0", affine(scale(1, 1, 0), none)}};
+}
+// [plane_cases]
+
+// [plane_error]
+/// How far a plane is off: of its unit normal, or of its distance as a part of the sizes that it
+/// is made of, in roundings of float; infinite where it is not finite.
+inline double plane_error(const Hyperplane3<float>& answer, const Affine3<float>& t)
+{
+  if (!answer.coeffs().allFinite())
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  const Matrix3<Rational> m = exact_matrix<float, 3>(t.linear()), c = cofactors<Rational>(m);
+  const bool mirrors = m.col(0).dot(c.col(0)) < 0;
+  const Vector3<Rational> n = exact<Rational, float>(ramp.normal()), along = c * n;
+  Vector3<Reference> unit(Reference(along.x()), Reference(along.y()), Reference(along.z()));
+  unit = Vector3<Reference>(unit * (Reference(mirrors ? -1 : 1) / sqrt(unit.dot(unit))));
+  const Vector3<Rational> point = Rational(-ramp.offset()) * n;
+  const Vector3<Rational> carried = m * point + exact<Rational, float>(t.translation());
+  const Vector3<Rational> sizes =
+      m.cwiseAbs() * point.cwiseAbs() + exact<Rational, float>(t.translation().cwiseAbs());
+  Reference distance = 0, size = 0, off = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    distance += unit[i] * Reference(carried[i]);
+    size += abs(unit[i]) * Reference(sizes[i]);
+    off = std::max<Reference>(off, abs(Reference(answer.normal()[i]) - unit[i]));
+  }
+  const Reference far = abs(Reference(-answer.offset()) - distance) / size;
+  return static_cast<double>(std::max<Reference>(off, far)) * 0x1p24;
+}
+// [plane_error]
+
+/// What is right within this many roundings is right.
+inline constexpr double allowed_in_transforms = 16;
+
+/// The verdicts on all ways to carry a plane along.
+inline std::vector<VerdictRow> plane_verdicts()
+{
+  std::vector<VerdictRow> all;
+  for (const PlaneCase& one : plane_cases())
+  {
+    all.push_back({one.id, one.what, {}});
+    for (const PlaneMethod& method : plane_methods())
+    {
+      const double error = plane_error(method.carry(one.t, ramp), one.t);
+      const bool right = error <= allowed_in_transforms;
+      const std::string off = std::isinf(error) ? "not finite" : rounded(error * 0x1p-24) + " off";
+      all.back().verdicts.push_back({right, right ? "right" : off});
+    }
+  }
+  return all;
+}
+
+} // namespace cookbook
