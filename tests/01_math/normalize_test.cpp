@@ -1,11 +1,10 @@
 /// \file
-/// What holds for lengths, directions and what is built on them: formulas M1 to M4, M6, M7 and
-/// M16, and the vectors that break a way to normalise.
+/// What holds for lengths, directions and what is built on them: formulas M1 to M4 and M6, and the
+/// vectors that break a way to normalise.
 
 #include "01_math/normalize/normalize.hpp"
 #include "01_math/normalize/trial/normalize_cases.hpp"
 #include "common/math/rational.hpp"
-#include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/verdicts.hpp"
@@ -145,63 +144,6 @@ TEST_CASE("a dot product of floats is within γ₃|a|·|b| of the exact one", "[
   CHECK(worst > 0);
 }
 // [M6]
-
-// [M7]
-TEST_CASE("a rotation keeps every dot product and turns every right-handed trio into one", "[M7]")
-{
-  const Matrix3<Rational> r = rational_rotation<Rational>(1, 2, 3, 4);
-  CHECK(rotation_error(r) == 0);
-  CHECK(r.determinant() == 1);
-  for (const Vector3<int>& whole : whole_vectors(1))
-  {
-    const Exact3 v = whole.cast<Rational>();
-    const Exact3 w(1, 2, 3);
-    CHECK(Exact3(r * v).dot(Exact3(r * w)) == v.dot(w));
-    CHECK(Exact3(r * v).cross(Exact3(r * w)) == r * v.cross(w));
-  }
-}
-
-TEST_CASE("a shear by 1/10 is 1/10 from a rotation, and a mirror is 2", "[M7]")
-{
-  Matrix3<Rational> sheared = Matrix3<Rational>::Identity();
-  sheared(0, 1) = Rational(1, 10);
-  CHECK(rotation_error(sheared) == Rational(1, 10));
-  CHECK(rotation_error<Rational>(-Matrix3<Rational>::Identity()) == 2);
-}
-// [M7]
-
-// [M16]
-TEST_CASE("the whole quaternion 3 + k turns about z with cosine 4/5 and sine 3/5", "[M16]")
-{
-  Matrix3<Rational> expected;
-  expected << Rational(4, 5), Rational(-3, 5), Rational(0), Rational(3, 5), Rational(4, 5),
-      Rational(0), Rational(0), Rational(0), Rational(1);
-  CHECK(rational_rotation<Rational>(3, 0, 0, 1) == expected);
-}
-
-TEST_CASE("the whole quaternion 1 + i + j + k sends x to y, y to z and z to x", "[M16]")
-{
-  const Matrix3<Rational> r = rational_rotation<Rational>(1, 1, 1, 1);
-  CHECK(r * Exact3::UnitX() == Exact3::UnitY());
-  CHECK(r * Exact3::UnitY() == Exact3::UnitZ());
-  CHECK(r * Exact3::UnitZ() == Exact3::UnitX());
-}
-
-TEST_CASE("R v is q v q* divided by |q|² for 125 whole quaternions", "[M16]")
-{
-  for (const Vector3<int>& ijk : whole_vectors(2))
-  {
-    // The product of quaternions, part by part, for v = (1, 2, 3) and q = 3 + (i, j, k).
-    const Exact3 u = ijk.cast<Rational>();
-    const Exact3 v(1, 2, 3);
-    const Rational w = 3;
-    const Exact3 turned =
-        v * (w * w - u.dot(u)) + u * (2 * u.dot(v)) + Exact3(u.cross(v)) * (2 * w);
-    const Matrix3<Rational> r = rational_rotation<Rational>(3, ijk.x(), ijk.y(), ijk.z());
-    CHECK(r * v == turned / (w * w + u.dot(u)));
-  }
-}
-// [M16]
 
 // [cases]
 TEST_CASE("each way to normalise holds or fails as the table says", "[case:A1][case:A2]")
