@@ -124,7 +124,7 @@ TEMPLATE_TEST_CASE(
 }
 
 TEMPLATE_TEST_CASE(
-    "whatever the orientation and the spin, the answer is of length one to 2 ulp", "[M9]", float,
+    "whatever the orientation and the spin, the answer is of length one to 3 ulp", "[M9]", float,
     double)
 {
   WholeRange<TestType> draw;
@@ -135,17 +135,19 @@ TEMPLATE_TEST_CASE(
     const Vector3<TestType> v = draw.even_vector(), spin = draw.vector();
     Quaternion<TestType> start(v.cwiseAbs().maxCoeff() * draw.share(), v.x(), v.y(), v.z());
     const bool near = draw.drawn(0, 1) == 0;
-    start = near ? Quaternion<TestType>(
-                       unit_quaternion(start).coeffs() * (1 + draw.share() * TestType(8e-6)))
-                 : start;
-    const Quaternion<Long> end = repaired(start).template cast<Long>();
+    start = near
+                ? Quaternion<TestType>(
+                      unit_quaternion(start).coeffs() * (1 + draw.share() * 4 * std::sqrt(epsilon)))
+                : start;
+    const Quaternion<Long> end = unit_quaternion(start).template cast<Long>();
     worst = std::max(worst, static_cast<double>(std::abs(end.norm() - 1) / Long(epsilon)));
     const TestType step = near ? TestType(1) / 60 : draw.number();
-    const Quaternion<Long> turned = turned_by(repaired(start), spin, step).template cast<Long>();
+    const Quaternion<Long> turned =
+        turned_by(unit_quaternion(start), spin, step).template cast<Long>();
     worst = std::max(worst, static_cast<double>(std::abs(turned.norm() - 1) / Long(epsilon)));
   }
   CAPTURE(worst);
-  CHECK(worst <= 2);
+  CHECK(worst <= 3);
 }
 
 TEMPLATE_TEST_CASE(

@@ -17,12 +17,21 @@ namespace cookbook
 template <class Real>
 Matrix3<Real> rotation_about(const Vector3<Real>& axis, const Real& angle)
 {
-  using std::sin;
+  using std::cos, std::sin;
   const Vector3<Real> k = normalize<Real>(axis, Vector3<Real>::Zero()).unit;
-  Matrix3<Real> cross;
-  cross << Real(0), -k.z(), k.y(), k.z(), Real(0), -k.x(), -k.y(), k.x(), Real(0);
-  const Real half_sine = sin(angle / Real(2)), versine = Real(2) * half_sine * half_sine;
-  return Matrix3<Real>::Identity() + sin(angle) * cross + versine * (cross * cross);
+  if (k.isZero(0))
+  {
+    return Matrix3<Real>::Identity();
+  }
+  // 1 + sin θ K + (1 - cos θ) K², where K² is the matrix of all products of two parts of k, less 1.
+  const Real s = sin(angle), c = cos(angle), versine = Real(1) - c;
+  const Real x = versine * k.x(), y = versine * k.y(), z = versine * k.z();
+  const Vector3<Real> v = s * k;
+  Matrix3<Real> r;
+  r << x * k.x() + c, x * k.y() - v.z(), x * k.z() + v.y(), //
+      x * k.y() + v.z(), y * k.y() + c, y * k.z() - v.x(),  //
+      x * k.z() - v.y(), y * k.z() + v.x(), z * k.z() + c;
+  return r;
 }
 // [rotation_about]
 

@@ -3,7 +3,7 @@
 /// \file
 /// \brief From a rotation matrix to its quaternion, whatever the rotation.
 
-#include "common/math/vector.hpp"
+#include "01_math/rotations/unit_quaternion.hpp"
 
 #include <cmath>
 
@@ -31,21 +31,8 @@ Quaternion<Real> quaternion_column(const Matrix3<Real>& r)
 // [quaternion_column]
 
 // [quaternion_of]
-/// Of q and -q, which turn alike, the one with w > 0; where w = 0, with the first other part that
-/// is not zero above zero.
-template <class Real>
-Quaternion<Real> positive_quaternion(const Quaternion<Real>& q)
-{
-  if (q.w() == Real(0))
-  {
-    const Real first = q.x() != Real(0) ? q.x() : q.y() != Real(0) ? q.y() : q.z();
-    const Real sign = first < Real(0) ? Real(-1) : Real(1);
-    return {Real(0), sign * q.x(), sign * q.y(), sign * q.z()};
-  }
-  return q.w() < Real(0) ? Quaternion<Real>(-q.coeffs()) : q;
-}
-
-/// The quaternion of a rotation matrix: of length one, and positive as positive_quaternion() says.
+/// The quaternion of a rotation matrix: of length one, with w > 0; half a turn, where w = 0, has
+/// the first other part that is not zero above zero.
 ///
 /// Right to two units in the last place of one. A matrix that has drifted from a rotation still
 /// gets a quaternion of length one.
@@ -53,9 +40,13 @@ template <class Real>
 Quaternion<Real> quaternion_of(const Matrix3<Real>& r)
 {
   using std::sqrt;
-  const Quaternion<Real> column = quaternion_column(r);
-  const Real scale = Real(1) / sqrt(column.squaredNorm());
-  return positive_quaternion(Quaternion<Real>(column.coeffs() * scale));
+  const Quaternion<Real> q = quaternion_column(r);
+  const Real first = q.w() != Real(0)   ? q.w()
+                     : q.x() != Real(0) ? q.x()
+                     : q.y() != Real(0) ? q.y()
+                                        : q.z();
+  const Real length = sqrt(dot(q, q));
+  return times<Real>((first < Real(0) ? Real(-1) : Real(1)) / length, q);
 }
 // [quaternion_of]
 

@@ -7,6 +7,7 @@
 #include "common/math/wide.hpp"
 
 #include <cmath>
+#include <type_traits>
 
 namespace cookbook
 {
@@ -32,6 +33,16 @@ Vector3<Real> accurate_cross(const Vector3<Real>& a, const Vector3<Real>& b)
 }
 // [accurate_cross]
 
+/// A vector times a power of two, exactly, but for parts that are nothing beside the largest: its
+/// largest component lies between one and two.
+template <class Real>
+Vector3<Real> sized_one(const Vector3<Real>& v)
+{
+  using std::ilogb, std::ldexp;
+  const int exponent = -ilogb(v.cwiseAbs().maxCoeff());
+  return {ldexp(v.x(), exponent), ldexp(v.y(), exponent), ldexp(v.z(), exponent)};
+}
+
 // [rotation_between_opposite]
 /// A vector times a power of two, exactly: its largest component lies between 2⁴⁰⁰ and 2⁴⁰¹, so
 /// that products keep the digits of the smallest components.
@@ -54,8 +65,10 @@ rotation_to_opposite(const Vector3<Real>& from, const Vector3<Real>& to, const R
 {
   using std::sqrt;
   using W = Wide<Real>;
-  const Vector3<W> a = enlarged<W>(widen(from)), b = enlarged<W>(widen(to));
-  Direction<W> axis = normalize<W>(accurate_cross(a, b));
+  constexpr bool wider = !std::is_same_v<W, Real>; // then all products are exact as they are
+  const Vector3<W> a = wider ? Vector3<W>(widen(from)) : enlarged<W>(widen(from));
+  const Vector3<W> b = wider ? Vector3<W>(widen(to)) : enlarged<W>(widen(to));
+  Direction<W> axis = normalize<W>(wider ? Vector3<W>(a.cross(b)) : accurate_cross(a, b));
   if (axis.length == W(0))
   {
     int least = 0;
@@ -78,19 +91,27 @@ template <class Real>
 Quaternion<Real> rotation_between(const Vector3<Real>& from, const Vector3<Real>& to)
 {
   using std::sqrt;
-  const Direction<Real> a = normalize(from), b = normalize(to);
-  const Real cosine = a.unit.dot(b.unit);
-  if (a.length == Real(0) || b.length == Real(0))
+  const auto unsafe = [](const Real& square)
+  { return square < SafeSquares<Real>::least || square > SafeSquares<Real>::most; };
+  Vector3<Real> a = from, b = to;
+  Real aa = a.squaredNorm(), bb = b.squaredNorm();
+  if (unsafe(aa) || unsafe(bb) || unsafe(aa * bb))
   {
-    return Quaternion<Real>::Identity();
+    if (from.isZero(0) || to.isZero(0))
+    {
+      return Quaternion<Real>::Identity();
+    }
+    a = sized_one(from), b = sized_one(to);
+    aa = a.squaredNorm(), bb = b.squaredNorm();
   }
-  if (cosine < Real(-0.9))
+  const Real length = sqrt(aa * bb), along = a.dot(b);
+  if (along < Real(-0.9) * length)
   {
-    return rotation_to_opposite<Real>(from, to, cosine);
+    return rotation_to_opposite<Real>(from, to, along / length);
   }
-  // Twice the half turn's cosine, and its sine as a vector, both times that cosine.
-  const Real w = Real(1) + cosine;
-  const Vector3<Real> v = a.unit.cross(b.unit);
+  // Half the turn's cosine and, as a vector, its sine: both times twice that cosine, and `length`.
+  const Real w = length + along;
+  const Vector3<Real> v = a.cross(b);
   const Real scale = Real(1) / sqrt(w * w + v.squaredNorm());
   return {w * scale, v.x() * scale, v.y() * scale, v.z() * scale};
 }

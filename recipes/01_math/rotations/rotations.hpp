@@ -19,7 +19,7 @@ template <class Real>
 Vector3<Real> turned_vector(const Quaternion<Real>& q, const Vector3<Real>& v)
 {
   const Quaternion<Real> as_quaternion(Real(0), v.x(), v.y(), v.z());
-  return (q * as_quaternion * q.conjugate()).vec();
+  return product<Real>(product(q, as_quaternion), q.conjugate()).vec();
 }
 // [turned_vector]
 

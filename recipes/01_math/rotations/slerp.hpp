@@ -25,7 +25,7 @@ template <class Real>
 TurnEnds<Real> turn_ends(const Quaternion<Real>& a, const Quaternion<Real>& b)
 {
   const Quaternion<Real> from = unit_quaternion(a), to = unit_quaternion(b);
-  return {from, from.dot(to) < Real(0) ? Quaternion<Real>(-to.coeffs()) : to};
+  return {from, times<Real>(dot(from, to) < Real(0) ? Real(-1) : Real(1), to)};
 }
 // [ends]
 
@@ -40,17 +40,16 @@ template <class Real>
 Quaternion<Real> slerp(const Quaternion<Real>& a, const Quaternion<Real>& b, const Real& t)
 {
   using std::abs, std::atan2, std::cos, std::sin, std::sqrt;
-  using Vector4 = Eigen::Matrix<Real, 4, 1>;
   const TurnEnds<Real> ends = turn_ends(a, b);
-  const Vector4 start = ends.a.coeffs(), step = ends.b.coeffs() - start;
+  const Quaternion<Real> step = combined<Real>(Real(1), ends.b, Real(-1), ends.a);
   // What the step has across the start is sin θ long; what it has along it is cos θ - 1.
-  const Real along = start.dot(step);
-  const Vector4 across = step - start * along;
-  const Real sine = sqrt(across.squaredNorm());
+  const Real along = dot(ends.a, step);
+  const Quaternion<Real> across = combined<Real>(Real(1), step, -along, ends.a);
+  const Real sine = sqrt(dot(across, across));
   const bool digits = abs(t) * std::numeric_limits<Real>::epsilon() < Real(1);
   const Real turned = digits ? t * atan2(sine, Real(1) + along) : Real(0);
   const Real share = sine > Real(0) ? sin(turned) / sine : digits ? t : Real(0);
-  return Quaternion<Real>(start * cos(turned) + across * share);
+  return combined<Real>(cos(turned), ends.a, share, across);
 }
 // [slerp]
 
@@ -63,8 +62,8 @@ Quaternion<Real> nlerp(const Quaternion<Real>& a, const Quaternion<Real>& b, con
 {
   const TurnEnds<Real> ends = turn_ends(a, b);
   const Real share = std::abs(t) * std::numeric_limits<Real>::epsilon() < Real(1) ? t : Real(0);
-  return unit_quaternion(
-      Quaternion<Real>(ends.a.coeffs() + (ends.b.coeffs() - ends.a.coeffs()) * share));
+  const Quaternion<Real> step = combined<Real>(Real(1), ends.b, Real(-1), ends.a);
+  return unit_quaternion(combined<Real>(Real(1), ends.a, share, step));
 }
 // [nlerp]
 
