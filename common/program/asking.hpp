@@ -50,7 +50,7 @@ std::string answers_csv(const Question<Real>& question, const std::string& file)
       }
       (text += ',') += round_trip(number); // g++ 12 warns of "," + text
     }
-    text += (numbers.empty() ? std::string(static_cast<std::size_t>(cells), ',') : "") + "\n";
+    text.append(numbers.empty() ? static_cast<std::size_t>(cells) : 0, ',').append("\n");
   }
   return text;
 }

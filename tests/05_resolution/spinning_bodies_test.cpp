@@ -1,6 +1,5 @@
 /// \file
-/// What holds for a body that spins freely: formulas R24, R25, M9 and M10, and where ways to step
-/// it fail.
+/// What holds for a body that spins freely: formulas R24 and R25, and where ways to step it fail.
 
 #include "05_resolution/spinning_bodies/spinning_bodies.hpp"
 #include "05_resolution/spinning_bodies/trial/spinning_bodies_cases.hpp"
@@ -96,58 +95,6 @@ TEST_CASE("a racket needs it: without it, it never turns over")
   CHECK(spin_run(tennis_racket(), method_called("turned"), 10, 60).flips.size() == 4);
 }
 // [term_needed]
-
-// [M9]
-TEST_CASE("a quarter turn about x takes y to z; 90 turns of 1° are one of 90°", "[M9]")
-{
-  const double quarter = std::numbers::pi / 2;
-  const Vector3<double> y(0, 1, 0), axis = Vector3<double>(1, 2, -2) / 3;
-  CHECK((rotation_by<double>({quarter, 0, 0}) * y - Vector3<double>(0, 0, 1)).norm() <= rounding);
-  Quaternion<double> steps(1, 0, 0, 0);
-  for (int i = 0; i < 90; ++i)
-  {
-    steps = rotation_by<double>(axis * (quarter / 90)) * steps;
-  }
-  CHECK(angle_between(steps, rotation_by<double>(axis * quarter)) <= 90 * rounding);
-}
-
-TEST_CASE("cosine and sine of half an angle are right to three ulps, on both sides of 1/2", "[M9]")
-{
-  for (int i = -400; i <= 400; ++i)
-  {
-    const double angle = i / 200.0 + 1e-3;
-    const HalfTurn<double> half = half_turn(angle);
-    const Reference cosine = cos(Reference(angle) / 2), sine = sin(Reference(angle) / 2);
-    const double most = 3 * std::numeric_limits<double>::epsilon();
-    CHECK(abs(Reference(half.cosine) - cosine) <= most);
-    CHECK(abs(Reference(half.sine) - sine) <= most * abs(sine));
-  }
-}
-
-TEST_CASE("no turn, the smallest and one of which no digit is left are no turn at all", "[M9]")
-{
-  const Quaternion<double> none(1, 0, 0, 0);
-  CHECK(rotation_by<double>({0, 0, 0}).coeffs() == none.coeffs());
-  CHECK(rotation_by<double>({1e17, 0, 0}).coeffs() == none.coeffs());
-  CHECK(rotation_by<double>({1e308, 1e308, 0}).coeffs() == none.coeffs());
-  CHECK(rotation_by<double>({0, 1e-200, 0}).y() == 0.5e-200);
-  CHECK(rotation_by<double>({0, 5e-324, 0}).coeffs().allFinite());
-}
-// [M9]
-
-// [M10]
-TEST_CASE("added, a quaternion grows by √(1 + (ωh/2)²) and turns by 2 atan(ωh/2)", "[M10]")
-{
-  // ωh/2 = 3/4: five fourths as long, and the half turn has cosine 4/5 and sine 3/5.
-  const Quaternion<double> start(1, 0, 0, 0);
-  const Quaternion<double> added = quaternion_added<double>(start, {1.5, 0, 0}, 1);
-  CHECK(added.norm() == 1.25);
-  CHECK(std::abs(angle_between(added, start) - 2 * std::atan(0.75)) <= rounding);
-  const Quaternion<double> unit = quaternion_added_and_normalised<double>(start, {1.5, 0, 0}, 1);
-  CHECK(std::abs(unit.w() - 0.8) <= rounding);
-  CHECK(std::abs(unit.x() - 0.6) <= rounding);
-}
-// [M10]
 
 // [A5]
 TEST_CASE("at 50 rad/s and 60 Hz a quaternion added lags 150° a second, and grows 122 times")

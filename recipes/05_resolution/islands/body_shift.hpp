@@ -5,7 +5,7 @@
 /// positions.
 
 #include "05_resolution/islands/island_points.hpp"
-#include "05_resolution/spinning_bodies/rotation_by.hpp"
+#include "01_math/turning/rotation_by.hpp"
 
 namespace cookbook
 {

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Bodies that spin freely: Euler's equations in steps that keep the angular momentum.
 
-#include "05_resolution/spinning_bodies/rotation_by.hpp"
+#include "01_math/turning/rotation_by.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 /// way.
 
 #include "05_resolution/contacts/narrow_phase.hpp"
-#include "05_resolution/spinning_bodies/rotation_by.hpp"
+#include "01_math/turning/rotation_by.hpp"
 #include "05_resolution/tunnelling/swept_sphere.hpp"
 
 #include <algorithm>

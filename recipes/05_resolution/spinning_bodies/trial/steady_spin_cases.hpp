@@ -3,7 +3,7 @@
 /// \file
 /// \brief Steady spins, and where each way to turn an orientation ends.
 
-#include "05_resolution/spinning_bodies/trial/spinning_bodies_pitfalls.hpp"
+#include "01_math/turning/trial/turning_pitfalls.hpp"
 #include "common/program/table.hpp"
 #include "common/program/verdicts.hpp"
 

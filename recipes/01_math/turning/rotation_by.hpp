@@ -67,7 +67,7 @@ Vector3<Real> turn_between(const Quaternion<Real>& from, const Quaternion<Real>&
   const Vector3<Real> sine = turned.w() < Real(0) ? Vector3<Real>(-turned.vec()) : turned.vec();
   const Real length = sine.norm();
   const Real half_angle = std::atan2(length, std::abs(turned.w()));
-  return (length > Real(0) ? 2 * half_angle / length : Real(0)) * sine;
+  return (length > Real(0) ? 2 * half_angle / length : Real(2)) * sine;
 }
 // [turn_between]
 

@@ -1,0 +1,70 @@
+#pragma once
+
+/// \file
+/// \brief Between two orientations: at a constant rate, and along the straight line.
+
+#include "01_math/rotations/unit_quaternion.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace cookbook
+{
+
+// [ends]
+/// Two orientations as quaternions of length one, the second with the sign that is nearer.
+template <class Real>
+struct TurnEnds
+{
+  Quaternion<Real> a; ///< where the way begins
+  Quaternion<Real> b; ///< where it ends; half a turn from a, as it was given
+};
+
+/// Takes two quaternions as their directions, and the sign of b so that the way is the shorter one.
+template <class Real>
+TurnEnds<Real> turn_ends(const Quaternion<Real>& a, const Quaternion<Real>& b)
+{
+  const Quaternion<Real> from = unit_quaternion(a), to = unit_quaternion(b);
+  return {from, times<Real>(dot(from, to) < Real(0) ? Real(-1) : Real(1), to)};
+}
+// [ends]
+
+// [slerp]
+/// The orientation at the share t of the shorter way from a to b, which is turned at a constant
+/// rate; beyond 0 and 1 the way goes on.
+///
+/// Any finite quaternions are taken as their directions, zero as 1. The signs of q and -q do not
+/// matter; half a turn apart, the way leads to b as given. The answer has a's sign. Where |t| is
+/// 1/ε or more no digit of the angle would be left, and the answer is a.
+template <class Real>
+Quaternion<Real> slerp(const Quaternion<Real>& a, const Quaternion<Real>& b, const Real& t)
+{
+  using std::abs, std::atan2, std::cos, std::sin, std::sqrt;
+  const TurnEnds<Real> ends = turn_ends(a, b);
+  const Quaternion<Real> step = combined<Real>(Real(1), ends.b, Real(-1), ends.a);
+  // What the step has across the start is sin θ long; what it has along it is cos θ - 1.
+  const Real along = dot(ends.a, step);
+  const Quaternion<Real> across = combined<Real>(Real(1), step, -along, ends.a);
+  const Real sine = sqrt(dot(across, across));
+  const bool digits = abs(t) * std::numeric_limits<Real>::epsilon() < Real(1);
+  const Real turned = digits ? t * atan2(sine, Real(1) + along) : Real(0);
+  const Real share = sine > Real(0) ? sin(turned) / sine : digits ? t : Real(0);
+  return combined<Real>(cos(turned), ends.a, share, across);
+}
+// [slerp]
+
+// [nlerp]
+/// The orientation at the share t of the straight line from a to b, brought back to length one.
+///
+/// It takes the same way as slerp(), at a rate that is not constant. Degenerate ends as there.
+template <class Real>
+Quaternion<Real> nlerp(const Quaternion<Real>& a, const Quaternion<Real>& b, const Real& t)
+{
+  const TurnEnds<Real> ends = turn_ends(a, b);
+  const Real share = std::abs(t) * std::numeric_limits<Real>::epsilon() < Real(1) ? t : Real(0);
+  const Quaternion<Real> step = combined<Real>(Real(1), ends.b, Real(-1), ends.a);
+  return unit_quaternion(combined<Real>(Real(1), ends.a, share, step));
+}
+// [nlerp]
+
+} // namespace cookbook

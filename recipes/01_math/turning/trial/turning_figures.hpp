@@ -1,0 +1,82 @@
+#pragma once
+
+/// \file
+/// \brief Drawings of a step of turning: along the circle, and along its tangent.
+
+#include "01_math/turning/trial/turning_cases.hpp"
+#include "common/plot/figures/figure2d.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace cookbook
+{
+
+/// Points of the unit circle from one angle [rad] to another.
+inline std::vector<Eigen::Vector2d> arc_points(double from, double to)
+{
+  std::vector<Eigen::Vector2d> points;
+  for (int i = 0; i <= 60; ++i)
+  {
+    const double angle = from + (to - from) * i / 60;
+    points.push_back({std::cos(angle), std::sin(angle)});
+  }
+  return points;
+}
+
+// [tangent_figure]
+/// A step of half an angle of one radian: along the circle, and along the tangent and back.
+inline plot::Figure2d tangent_figure()
+{
+  const double half = 1, lost = std::atan(half);
+  const Eigen::Vector2d origin(0, 0), start(1, 0), added(1, half);
+  const Eigen::Vector2d right(std::cos(half), std::sin(half));
+  const Eigen::Vector2d back(std::cos(lost), std::sin(lost));
+  plot::Figure2d figure("turning", "", {{-0.25, -0.2}, {1.6, 1.2}, 400});
+  figure.describe("A step along the unit circle, and one along its tangent that falls short.")
+      .polyline(arc_points(-0.15, 1.75), plot::Ink::muted)
+      .segment(origin, start, plot::Ink::muted)
+      .segment(origin, added, plot::Ink::b, plot::Stroke::dashed)
+      .segment(origin, right, plot::Ink::a, plot::Stroke::dashed)
+      .polyline(arc_points(0, half), plot::Ink::a, plot::Stroke::solid, 2.5)
+      .polyline(arc_points(lost, half), plot::Ink::overlap, plot::Stroke::solid, 5)
+      .arrow(start, added, plot::Ink::b, "½|ω|h", plot::Side::right)
+      .dot(origin, plot::Ink::ink)
+      .point(start, plot::Ink::ink, "q", plot::Side::below_right)
+      .point(right, plot::Ink::a, "turned", plot::Side::above)
+      .point(added, plot::Ink::b, "added", plot::Side::above)
+      .point(back, plot::Ink::b, "length one", plot::Side::left)
+      .label(0.5 * (right + back) * 1.02, "lost", plot::Side::right, plot::Ink::overlap);
+  return figure;
+}
+// [tangent_figure]
+
+// [spiral_figure]
+/// Nine steps of half an angle of 0.4 radians, added: the quaternion runs away from the circle.
+inline plot::Figure2d spiral_figure()
+{
+  plot::Figure2d figure("turning_way", "", {{-2.35, -1.2}, {1.45, 1.85}, 400});
+  figure.describe("Nine steps added spiral outwards; the same steps turned stay on the circle.")
+      .circle({0, 0}, 1, plot::Ink::a, plot::Fill::none);
+  const double half = 0.4;
+  Eigen::Vector2d added(1, 0);
+  std::vector<Eigen::Vector2d> way{added};
+  for (int i = 1; i <= 9; ++i)
+  {
+    added += half * Eigen::Vector2d(-added.y(), added.x());
+    way.push_back(added);
+    figure.dot({std::cos(half * i), std::sin(half * i)}, plot::Ink::a).dot(added, plot::Ink::b);
+  }
+  const Eigen::Vector2d end(std::cos(9 * half), std::sin(9 * half));
+  figure.polyline(way, plot::Ink::b)
+      .segment({0, 0}, added, plot::Ink::b, plot::Stroke::dashed)
+      .segment({0, 0}, end, plot::Ink::a, plot::Stroke::dashed)
+      .point({1, 0}, plot::Ink::ink, "q", plot::Side::right)
+      .point(added, plot::Ink::b, "added", plot::Side::below)
+      .point(end, plot::Ink::a, "turned", plot::Side::right);
+  return figure;
+}
+// [spiral_figure]
+
+} // namespace cookbook
