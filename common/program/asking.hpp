@@ -48,7 +48,8 @@ std::string answers_csv(const Question<Real>& question, const std::string& file)
       {
         throw CsvError(file, row.line, 1, "the answer is too large for the number type");
       }
-      text += "," + round_trip(number);
+      text += ',';
+      text += round_trip(number);
     }
     text += (numbers.empty() ? std::string(static_cast<std::size_t>(cells), ',') : "") + "\n";
   }

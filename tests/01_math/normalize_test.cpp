@@ -1,6 +1,6 @@
 /// \file
-/// What holds for lengths, directions and what is built on them: formulas M1 to M4, M6, M7 and
-/// M16, and the vectors that break a way to normalise.
+/// What holds for lengths and directions, and the vectors that break a way to normalise; and
+/// formulas M6, M7 and M16, which other pages show.
 
 #include "01_math/normalize/normalize.hpp"
 #include "01_math/normalize/trial/normalize_cases.hpp"
@@ -18,9 +18,6 @@ namespace
 {
 
 using Exact3 = Vector3<Rational>;
-
-/// Double's unit roundoff: half the gap between one and the next number.
-constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
 
 /// The bound for n roundings in a row.
 double gamma_bound(int n, double roundoff)
@@ -46,86 +43,6 @@ std::vector<Vector3<int>> whole_vectors(int most)
 }
 
 } // namespace
-
-// [M1]
-TEST_CASE("(3,4,0) and (5,12,0) have the dot product 5 · 13 · 63/65", "[M1]")
-{
-  // Both lie in the plane: cosine and sine of their angles are sides of 3-4-5 and 5-12-13, and
-  // the cosine of the difference is their sum of products.
-  const Rational cosine = Rational(3, 5) * Rational(5, 13) + Rational(4, 5) * Rational(12, 13);
-  const Rational dot = Exact3(3, 4, 0).dot(Exact3(5, 12, 0));
-  CHECK(cosine == Rational(63, 65));
-  CHECK(dot == 5 * 13 * cosine);
-}
-
-TEST_CASE("the unit vectors along (3,4,0) and (5,12,0) have the dot product 63/65", "[M1]")
-{
-  const Direction<double> a = normalize<double>({3, 4, 0});
-  const Direction<double> b = normalize<double>({5, 12, 0});
-  CHECK(a.length == 5);
-  CHECK(b.length == 13);
-  // Three roundings in each unit vector, three in the dot product.
-  CHECK(a.unit.dot(b.unit) == Catch::Approx(63.0 / 65).epsilon(gamma_bound(9, unit_roundoff)));
-}
-// [M1]
-
-// [M2]
-TEST_CASE("|a × b|² = |a|²|b|² - (a·b)² for all 15,625 pairs of whole vectors up to 2", "[M2]")
-{
-  int right = 0;
-  for (const Vector3<int>& a : whole_vectors(2))
-  {
-    for (const Vector3<int>& b : whole_vectors(2))
-    {
-      const int dot = a.dot(b);
-      right += a.cross(b).squaredNorm() == a.squaredNorm() * b.squaredNorm() - dot * dot ? 1 : 0;
-    }
-  }
-  CHECK(right == 125 * 125);
-}
-// [M2]
-
-// [M3]
-TEST_CASE("(1,2,3) is (20,10,20)/9 along (2,1,2) and (-11,8,7)/9 across", "[M3]")
-{
-  const Exact3 a(1, 2, 3);
-  const Exact3 n(2, 1, 2);
-  CHECK(project(a, n) == Exact3(20, 10, 20) / Rational(9));
-  CHECK(reject(a, n) == Exact3(-11, 8, 7) / Rational(9));
-}
-
-TEST_CASE("what lies across is perpendicular, exactly in fractions, to rounding in double", "[M3]")
-{
-  const Vector3<double> n(2, 1, 2);
-  for (const Vector3<int>& whole : whole_vectors(3))
-  {
-    CHECK(reject(Exact3(whole.cast<Rational>()), Exact3(2, 1, 2)).dot(Exact3(2, 1, 2)) == 0);
-    const Vector3<double> a = whole.cast<double>();
-    // Each component: a projection of four roundings, and one subtraction; |a| ≤ 3√3, |n| = 3.
-    const double bound = gamma_bound(8, unit_roundoff) * 2 * a.norm() * 3 * 3;
-    CHECK(std::abs(reject(a, n).dot(n)) <= bound);
-  }
-}
-// [M3]
-
-// [M4]
-TEST_CASE("(1,2,3) mirrored along (2,1,2)/3 is (-31,-2,-13)/9, and mirrored twice itself", "[M4]")
-{
-  const Exact3 n = Exact3(2, 1, 2) / Rational(3);
-  const Exact3 v(1, 2, 3);
-  const Exact3 mirrored = reflect(v, n);
-  CHECK(mirrored == Exact3(-31, -2, -13) / Rational(9));
-  CHECK(mirrored.dot(mirrored) == 14);
-  CHECK(reflect(mirrored, n) == v);
-}
-
-TEST_CASE("a normal of length 1.1 turns a speed of 1 into 1.42", "[M4]")
-{
-  // 1 - 2 · 1.1² = -1.42
-  const Exact3 too_long(Rational(11, 10), 0, 0);
-  CHECK(reflect(Exact3(1, 0, 0), too_long) == Exact3(Rational(-142, 100), 0, 0));
-}
-// [M4]
 
 // [M6]
 TEST_CASE("a dot product of floats is within γ₃|a|·|b| of the exact one", "[M6]")
