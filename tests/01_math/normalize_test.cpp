@@ -4,6 +4,7 @@
 
 #include "01_math/normalize/normalize.hpp"
 #include "01_math/normalize/trial/normalize_cases.hpp"
+#include "01_math/normalize/trial/normalize_libraries.hpp"
 #include "common/math/rational.hpp"
 #include "common/math/rotation.hpp"
 
@@ -132,6 +133,7 @@ TEST_CASE("each way to normalise holds or fails as the table says", "[case:A1][c
        {"(1, 2, 2) · 1e-7", {"naive", "wider", "scaled"}},
        {"(1, 2, 2) · 1e-22", {"wider", "scaled"}},
        {"(3, 4, 0) · smallest float", {"wider", "scaled"}},
+       {"(1, 1, 0) · smallest float", {"wider", "scaled"}},
        {"(1e20, 1, 0)", {"wider", "scaled"}},
        {"half of the largest", {"wider", "scaled"}}});
   check_verdicts(
@@ -139,6 +141,29 @@ TEST_CASE("each way to normalise holds or fails as the table says", "[case:A1][c
       {{"(1, 2, 2), double", {"naive", "threshold", "wider", "scaled"}},
        {"(1, 1, 1) · 1e200, double", {"scaled"}},
        {"(3, 4, 0) · 1e-200, double", {"scaled"}}});
+}
+
+TEST_CASE("each library's way to normalise holds or fails as the table says", "[case:A1][case:A2]")
+{
+  const std::vector<std::string> all{"normalized", "stableNormalized", "hypot"};
+  const std::vector<std::string> scaling{"stableNormalized", "hypot"};
+  check_verdicts(
+      library_verdicts(normalize_cases(0.0f)), names_of(normalize_libraries<float>()),
+      {{"A1", {}},
+       {"A2", scaling},
+       {"(1e20, 1e20, 1e20)", scaling},
+       {"(1, 2, 2)", all},
+       {"(1, 2, 2) · 1e-7", all},
+       {"(1, 2, 2) · 1e-22", scaling},
+       {"(3, 4, 0) · smallest float", scaling},
+       {"(1, 1, 0) · smallest float", {}},
+       {"(1e20, 1, 0)", scaling},
+       {"half of the largest", scaling}});
+  check_verdicts(
+      library_verdicts(normalize_cases(0.0)), names_of(normalize_libraries<double>()),
+      {{"(1, 2, 2), double", all},
+       {"(1, 1, 1) · 1e200, double", scaling},
+       {"(3, 4, 0) · 1e-200, double", scaling}});
 }
 
 TEST_CASE("a direction that is 3 ulp off is right, one that is 5 ulp off is not", "[case:A1]")

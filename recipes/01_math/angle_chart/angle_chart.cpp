@@ -44,12 +44,6 @@ glm::vec<3, Real> of_glm(const Vector3<Real>& v)
   return {v.x(), v.y(), v.z()};
 }
 
-template <class Real>
-Vector3<Real> of_eigen(const glm::vec<3, Real>& v)
-{
-  return {v.x, v.y, v.z};
-}
-
 /// Of unit vectors, as it asks for.
 template <class Real>
 Real angle_glm(const Vector3<Real>& a, const Vector3<Real>& b)
@@ -112,7 +106,7 @@ angles_chart(const std::string& name, const std::string& title, const measure::E
     chart.whisker(methods[i].name, timings[i].ns, errors.p99, errors.maximum, plot::series_look(i));
     front.push_back({timings[i].ns, errors.maximum});
   }
-  chart.size(400, 310).front(front).rail("not one digit right");
+  chart.size(400, 310).front(front).rail("no digit");
   return chart;
 }
 
@@ -146,12 +140,10 @@ plot::BarChart cost_chart(const measure::Effort& effort)
 #ifdef COOKBOOK_HAS_GLM
   all.push_back(timed<float>(
       "project, GLM", floats,
-      [](const F& a, const F& b)
-      { return of_eigen(glm::proj(of_glm<float>(a), of_glm<float>(b))); }));
+      [](const F& a, const F& b) { return glm::proj(of_glm<float>(a), of_glm<float>(b)); }));
   all.push_back(timed<float>(
       "reflect, GLM", floats,
-      [](const F& a, const F& b)
-      { return of_eigen(glm::reflect(of_glm<float>(a), of_glm<float>(b))); }));
+      [](const F& a, const F& b) { return glm::reflect(of_glm<float>(a), of_glm<float>(b)); }));
 #endif
   plot::BarChart chart("vectors_cost", "", {"time of a call [ns]"});
   for (const measure::Timing& one : measure::time_interleaved(all, effort))
@@ -159,7 +151,7 @@ plot::BarChart cost_chart(const measure::Effort& effort)
     const bool ours = one.name.find(", ") == std::string::npos || one.name.find("accurate") == 0;
     chart.bar(one.name, one.ns, ours ? plot::Ink::a : plot::Ink::muted);
   }
-  chart.width(400).note(measure::machine_line());
+  chart.describe("The time of the recommended functions beside others'.").width(400);
   return chart;
 }
 

@@ -95,7 +95,8 @@ inline double angle(const Vector3<double>& a, const Vector3<double>& b)
 /// for someone whom `axis` points at.
 ///
 /// The axis may have any length. Where it is square to a × b, as the zero vector is, the angle is
-/// positive. Where it is that to rounding, or a × b is below the smallest number, either sign may be.
+/// positive. Where it is that to rounding, or a × b is below the smallest number, either sign may
+/// be.
 template <class Real>
 Real signed_angle(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& axis)
 {

@@ -3,6 +3,7 @@
 /// \file
 /// \brief What is made of two vectors: cross product, part along and across, mirror image, mixture.
 
+#include "01_math/vectors/accurate_cross.hpp"
 #include "01_math/vectors/scaled.hpp"
 
 #include <cmath>

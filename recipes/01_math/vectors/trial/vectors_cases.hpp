@@ -96,12 +96,17 @@ inline Verdict vectors_verdict(const Vector3<double>& answer, const Vector3<doub
 {
   const double allowed = truth.x() == 20.0 / 9 ? 18 * 0x1p-24 * truth.norm() : 0;
   const bool holds = !answer.hasNaN() && (answer - truth).cwiseAbs().maxCoeff() <= allowed;
-  std::string text = number(answer.x());
-  text.append(", ").append(number(answer.y())).append(", ").append(number(answer.z()));
-  const std::string what = holds                 ? "right"
-                           : answer.hasNaN()     ? "not a number"
-                           : !answer.allFinite() ? "infinite"
-                                                 : text;
+  const auto text = [](const Vector3<double>& v)
+  {
+    std::string cells = number(v.x());
+    cells.append(", ").append(number(v.y())).append(", ").append(number(v.z()));
+    return cells;
+  };
+  const std::string what = holds                         ? "right"
+                           : answer.hasNaN()             ? "not a number"
+                           : !answer.allFinite()         ? "infinite"
+                           : text(answer) == text(truth) ? "a rounding off"
+                                                         : text(answer);
   return {holds, what};
 }
 

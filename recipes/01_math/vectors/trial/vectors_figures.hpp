@@ -61,14 +61,14 @@ inline plot::Figure2d dot_figure()
       .arrow(origin, c, Ink::b)
       .arrow(origin, square, Ink::muted)
       .arrow(origin, {1, 0})
-      .label({0.75, 0}, "n", Side::above, Ink::ink)
+      .label({0.7, 0}, "n", Side::above, Ink::ink)
       .label({2.2, 1.65}, "a", Side::above_left, Ink::a)
       .label({-1.15, 1.7}, "c", Side::below_left, Ink::b)
       .label({0, 2.6}, "e · n = 0", Side::above, Ink::muted)
       .label({4, 1.5}, "perp_{n} a", Side::right, Ink::muted)
       .dimension(origin, {4, 0}, "a · n = 4", -16, Ink::ink)
       .dimension({-2, 0}, origin, "c · n = −2", -16, Ink::ink)
-      .angle(origin, 0.9, 0, std::atan2(3.0, 4.0), "θ");
+      .angle(origin, 1.6, 0, std::atan2(3.0, 4.0), "θ");
   return figure;
 }
 
