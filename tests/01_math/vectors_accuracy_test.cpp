@@ -153,7 +153,7 @@ TEMPLATE_TEST_CASE(
     double)
 {
   WholeRange<TestType> range;
-  double worst = 0;
+  double worst = 0, off = 0;
   int different = 0;
   for (int i = 0; i < count; ++i)
   {
@@ -177,12 +177,16 @@ TEMPLATE_TEST_CASE(
     worst = std::max(worst, error <= 0 ? 0 : static_cast<double>(error / (2 * roundoff * truth)));
     const Direction<TestType> direction = normalize(v);
     different += direction.length == answer ? 0 : 1;
-    // Rounded components of a unit vector: 3.5 u each from length and quotient, in all within 8 u.
-    const double one = static_cast<double>(direction.unit.template cast<long double>().norm() - 1);
-    worst = std::max(
-        worst, v.isZero(0) ? 0 : std::abs(one) / (8.0 / 3 * static_cast<double>(roundoff)));
+    // Each component: 2.5 u from the length, and two roundings more.
+    const long double exact_length = std::sqrt(static_cast<long double>(truth));
+    const Vector3<long double> missing =
+        direction.unit.template cast<long double>() * exact_length - v.template cast<long double>();
+    const long double allowed = exact_length * static_cast<long double>(roundoff);
+    off = std::max(
+        off, v.isZero(0) ? 0 : static_cast<double>(missing.cwiseAbs().maxCoeff() / allowed));
   }
   CHECK(worst <= 3);
+  CHECK(off <= 4.5);
   CHECK(different == 0);
 }
 

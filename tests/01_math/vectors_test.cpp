@@ -167,6 +167,21 @@ TEST_CASE("fractions have the same answers for the zero vector", "[degenerate]")
 }
 // [zero_normal]
 
+TEMPLATE_TEST_CASE(
+    "numbers from ε² to 1/ε² are ordinary, others and zero not", "[whole]", float, double)
+{
+  const TestType epsilon = std::numeric_limits<TestType>::epsilon();
+  for (const TestType ordinary : {epsilon * epsilon, TestType(1), 1 / epsilon / epsilon})
+  {
+    CHECK(is_ordinary<TestType>(ordinary));
+  }
+  for (const TestType other :
+       {epsilon * epsilon / 2, 2 / epsilon / epsilon, TestType(0), TestType(-1), TestType(NAN)})
+  {
+    CHECK_FALSE(is_ordinary<TestType>(other));
+  }
+}
+
 // [any_size]
 TEMPLATE_TEST_CASE(
     "(3,5,7) along (0,0,2) is (0,0,7), for any power of two of both", "[whole]", float, double)

@@ -12,9 +12,10 @@ int main()
       "vectors",
       [](Draw& draw, Bits& bits)
       {
-        const Eigen::Vector3d a = draw.vector(2) * draw.scale(), b = draw.vector(2) * draw.scale();
+        const double of_a = draw.scale(), of_b = draw.scale(), share = draw.number(0, 1);
+        const Eigen::Vector3d a = draw.vector(2) * of_a, b = draw.vector(2) * of_b;
         bits(project(a, b), reject(a, b), reflect(a, b), reflect_unit(a, draw.unit()));
-        bits(lerp(a, b, draw.number(0, 1)), length(a), accurate_cross(a, b));
+        bits(lerp(a, b, share), length(a), accurate_cross(a, b));
       });
 #endif
 #ifdef TAKE_angles
@@ -22,8 +23,9 @@ int main()
       "angles",
       [](Draw& draw, Bits& bits)
       {
-        const Eigen::Vector3d a = draw.vector(2) * draw.scale(), axis = draw.unit();
-        const double tilt = std::ldexp(draw.number(-1, 1), -static_cast<int>(draw.number(0, 60)));
+        const double scale = draw.scale(), fineness = draw.number(0, 60);
+        const Eigen::Vector3d a = draw.vector(2) * scale, axis = draw.unit();
+        const double tilt = std::ldexp(draw.number(-1, 1), -static_cast<int>(fineness));
         const Eigen::Vector3d b =
             draw.one_in(2) ? draw.vector(2) : Eigen::Vector3d(a + tilt * axis);
         bits(angle(a, b), signed_angle(a, b, axis), accurate_cross(a, b));
