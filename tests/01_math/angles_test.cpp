@@ -64,6 +64,29 @@ TEST_CASE(
 }
 // [A3]
 
+// [clamped]
+TEST_CASE(
+    "of 729 vectors and three times each, acos is not a number for some, clamped for none", "[M5]")
+{
+  int acos_nan = 0, clamped_nan = 0, beyond_one = 0;
+  for (int i = 0; i < 729; ++i)
+  {
+    const Vector3<float> a =
+        Vector3<int>(1001 + i % 9, 1011 + i / 9 % 9, 1021 + i / 81).cast<float>();
+    const Vector3<float> b = 3 * a;
+    acos_nan += std::isnan(angle_acos(a, b)) ? 1 : 0;
+    beyond_one += a.normalized().dot(b.normalized()) > 1 ? 1 : 0;
+    beyond_one += a.normalized().dot(-b.normalized()) < -1 ? 1 : 0;
+    clamped_nan +=
+        std::isnan(angle_clamped(a, b)) || std::isnan(angle_clamped<float>(a, -b)) ? 1 : 0;
+    CHECK(angle_clamped<float>(a, -b) > 3.14f);
+  }
+  CHECK(acos_nan > 0);
+  CHECK(beyond_one > 1);
+  CHECK(clamped_nan == 0);
+}
+// [clamped]
+
 // [signed]
 TEMPLATE_TEST_CASE("about z, x to y is a right angle and y to x minus one", "[M5]", float, double)
 {

@@ -4,7 +4,7 @@
 /// \brief The angle between two vectors: right for every angle and every size.
 
 #include "01_math/vectors/accurate_cross.hpp"
-#include "01_math/vectors/scaled.hpp"
+#include "01_math/vectors/power_of_two.hpp"
 #include "common/math/norm.hpp"
 #include "common/math/wide.hpp"
 
@@ -61,7 +61,7 @@ inline double angle_of_ordinary(const Vector3<double>& a, const Vector3<double>&
   // Adding 0 makes 0 of -0, for atan2(0, -0) is π.
   const double cosine = a.dot(b) + 0.0;
   double sine = a.cross(b).norm();
-  if (2 * sine < std::abs(cosine))
+  if (2 * sine < cosine)
   {
     sine = length<double>(accurate_cross<double>(a, b));
   }

@@ -4,7 +4,7 @@
 /// \brief What is made of two vectors: cross product, part along and across, mirror image, mixture.
 
 #include "01_math/vectors/accurate_cross.hpp"
-#include "01_math/vectors/scaled.hpp"
+#include "01_math/vectors/power_of_two.hpp"
 
 #include <cmath>
 #include <type_traits>
