@@ -48,7 +48,8 @@ std::string answers_csv(const Question<Real>& question, const std::string& file)
       {
         throw CsvError(file, row.line, 1, "the answer is too large for the number type");
       }
-      (text += ',') += round_trip(number); // g++ 12 warns of "," + text
+      text += ',';
+      text += round_trip(number);
     }
     text.append(numbers.empty() ? static_cast<std::size_t>(cells) : 0, ',').append("\n");
   }

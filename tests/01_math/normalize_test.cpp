@@ -1,189 +1,14 @@
 /// \file
-/// What holds for lengths, directions and what is built on them: formulas M1 to M4, M7 and M16, and
-/// the vectors that break a way to normalise.
-/// the vectors that break a way to normalise.
+/// What holds for lengths and directions, and the vectors that break a way to normalise.
 
 #include "01_math/normalize/normalize.hpp"
 #include "01_math/normalize/trial/normalize_cases.hpp"
-#include "common/math/rational.hpp"
-#include "common/math/rotation.hpp"
+#include "01_math/normalize/trial/normalize_libraries.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/verdicts.hpp"
 
-#include <numeric>
-
 using namespace cookbook;
-
-namespace
-{
-
-using Exact3 = Vector3<Rational>;
-
-/// Double's unit roundoff: half the gap between one and the next number.
-constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
-
-/// The bound for n roundings in a row.
-double gamma_bound(int n, double roundoff)
-{
-  return n * roundoff / (1 - n * roundoff);
-}
-
-/// All vectors of whole numbers from -most to most.
-std::vector<Vector3<int>> whole_vectors(int most)
-{
-  std::vector<Vector3<int>> all;
-  for (int x = -most; x <= most; ++x)
-  {
-    for (int y = -most; y <= most; ++y)
-    {
-      for (int z = -most; z <= most; ++z)
-      {
-        all.push_back({x, y, z});
-      }
-    }
-  }
-  return all;
-}
-
-} // namespace
-
-// [M1]
-TEST_CASE("(3,4,0) and (5,12,0) have the dot product 5 · 13 · 63/65", "[M1]")
-{
-  // Both lie in the plane: cosine and sine of their angles are sides of 3-4-5 and 5-12-13, and
-  // the cosine of the difference is their sum of products.
-  const Rational cosine = Rational(3, 5) * Rational(5, 13) + Rational(4, 5) * Rational(12, 13);
-  const Rational dot = Exact3(3, 4, 0).dot(Exact3(5, 12, 0));
-  CHECK(cosine == Rational(63, 65));
-  CHECK(dot == 5 * 13 * cosine);
-}
-
-TEST_CASE("the unit vectors along (3,4,0) and (5,12,0) have the dot product 63/65", "[M1]")
-{
-  const Direction<double> a = normalize<double>({3, 4, 0});
-  const Direction<double> b = normalize<double>({5, 12, 0});
-  CHECK(a.length == 5);
-  CHECK(b.length == 13);
-  // Three roundings in each unit vector, three in the dot product.
-  CHECK(a.unit.dot(b.unit) == Catch::Approx(63.0 / 65).epsilon(gamma_bound(9, unit_roundoff)));
-}
-// [M1]
-
-// [M2]
-TEST_CASE("|a × b|² = |a|²|b|² - (a·b)² for all 15,625 pairs of whole vectors up to 2", "[M2]")
-{
-  int right = 0;
-  for (const Vector3<int>& a : whole_vectors(2))
-  {
-    for (const Vector3<int>& b : whole_vectors(2))
-    {
-      const int dot = a.dot(b);
-      right += a.cross(b).squaredNorm() == a.squaredNorm() * b.squaredNorm() - dot * dot ? 1 : 0;
-    }
-  }
-  CHECK(right == 125 * 125);
-}
-// [M2]
-
-// [M3]
-TEST_CASE("(1,2,3) is (20,10,20)/9 along (2,1,2) and (-11,8,7)/9 across", "[M3]")
-{
-  const Exact3 a(1, 2, 3);
-  const Exact3 n(2, 1, 2);
-  CHECK(project(a, n) == Exact3(20, 10, 20) / Rational(9));
-  CHECK(reject(a, n) == Exact3(-11, 8, 7) / Rational(9));
-}
-
-TEST_CASE("what lies across is perpendicular, exactly in fractions, to rounding in double", "[M3]")
-{
-  const Vector3<double> n(2, 1, 2);
-  for (const Vector3<int>& whole : whole_vectors(3))
-  {
-    CHECK(reject(Exact3(whole.cast<Rational>()), Exact3(2, 1, 2)).dot(Exact3(2, 1, 2)) == 0);
-    const Vector3<double> a = whole.cast<double>();
-    // Each component: a projection of four roundings, and one subtraction; |a| ≤ 3√3, |n| = 3.
-    const double bound = gamma_bound(8, unit_roundoff) * 2 * a.norm() * 3 * 3;
-    CHECK(std::abs(reject(a, n).dot(n)) <= bound);
-  }
-}
-// [M3]
-
-// [M4]
-TEST_CASE("(1,2,3) mirrored along (2,1,2)/3 is (-31,-2,-13)/9, and mirrored twice itself", "[M4]")
-{
-  const Exact3 n = Exact3(2, 1, 2) / Rational(3);
-  const Exact3 v(1, 2, 3);
-  const Exact3 mirrored = reflect(v, n);
-  CHECK(mirrored == Exact3(-31, -2, -13) / Rational(9));
-  CHECK(mirrored.dot(mirrored) == 14);
-  CHECK(reflect(mirrored, n) == v);
-}
-
-TEST_CASE("a normal of length 1.1 turns a speed of 1 into 1.42", "[M4]")
-{
-  // 1 - 2 · 1.1² = -1.42
-  const Exact3 too_long(Rational(11, 10), 0, 0);
-  CHECK(reflect(Exact3(1, 0, 0), too_long) == Exact3(Rational(-142, 100), 0, 0));
-}
-// [M4]
-
-// [M7]
-TEST_CASE("a rotation keeps every dot product and turns every right-handed trio into one", "[M7]")
-{
-  const Matrix3<Rational> r = rational_rotation<Rational>(1, 2, 3, 4);
-  CHECK(rotation_error(r) == 0);
-  CHECK(r.determinant() == 1);
-  for (const Vector3<int>& whole : whole_vectors(1))
-  {
-    const Exact3 v = whole.cast<Rational>();
-    const Exact3 w(1, 2, 3);
-    CHECK(Exact3(r * v).dot(Exact3(r * w)) == v.dot(w));
-    CHECK(Exact3(r * v).cross(Exact3(r * w)) == r * v.cross(w));
-  }
-}
-
-TEST_CASE("a shear by 1/10 is 1/10 from a rotation, and a mirror is 2", "[M7]")
-{
-  Matrix3<Rational> sheared = Matrix3<Rational>::Identity();
-  sheared(0, 1) = Rational(1, 10);
-  CHECK(rotation_error(sheared) == Rational(1, 10));
-  CHECK(rotation_error<Rational>(-Matrix3<Rational>::Identity()) == 2);
-}
-// [M7]
-
-// [M16]
-TEST_CASE("the whole quaternion 3 + k turns about z with cosine 4/5 and sine 3/5", "[M16]")
-{
-  Matrix3<Rational> expected;
-  expected << Rational(4, 5), Rational(-3, 5), Rational(0), Rational(3, 5), Rational(4, 5),
-      Rational(0), Rational(0), Rational(0), Rational(1);
-  CHECK(rational_rotation<Rational>(3, 0, 0, 1) == expected);
-}
-
-TEST_CASE("the whole quaternion 1 + i + j + k sends x to y, y to z and z to x", "[M16]")
-{
-  const Matrix3<Rational> r = rational_rotation<Rational>(1, 1, 1, 1);
-  CHECK(r * Exact3::UnitX() == Exact3::UnitY());
-  CHECK(r * Exact3::UnitY() == Exact3::UnitZ());
-  CHECK(r * Exact3::UnitZ() == Exact3::UnitX());
-}
-
-TEST_CASE("R v is q v q* divided by |q|² for 125 whole quaternions", "[M16]")
-{
-  for (const Vector3<int>& ijk : whole_vectors(2))
-  {
-    // The product of quaternions, part by part, for v = (1, 2, 3) and q = 3 + (i, j, k).
-    const Exact3 u = ijk.cast<Rational>();
-    const Exact3 v(1, 2, 3);
-    const Rational w = 3;
-    const Exact3 turned =
-        v * (w * w - u.dot(u)) + u * (2 * u.dot(v)) + Exact3(u.cross(v)) * (2 * w);
-    const Matrix3<Rational> r = rational_rotation<Rational>(3, ijk.x(), ijk.y(), ijk.z());
-    CHECK(r * v == turned / (w * w + u.dot(u)));
-  }
-}
-// [M16]
 
 // [cases]
 TEST_CASE("each way to normalise holds or fails as the table says", "[case:A1][case:A2]")
@@ -197,6 +22,7 @@ TEST_CASE("each way to normalise holds or fails as the table says", "[case:A1][c
        {"(1, 2, 2) · 1e-7", {"naive", "wider", "scaled"}},
        {"(1, 2, 2) · 1e-22", {"wider", "scaled"}},
        {"(3, 4, 0) · smallest float", {"wider", "scaled"}},
+       {"(1, 1, 0) · smallest float", {"wider", "scaled"}},
        {"(1e20, 1, 0)", {"wider", "scaled"}},
        {"half of the largest", {"wider", "scaled"}}});
   check_verdicts(
@@ -204,6 +30,29 @@ TEST_CASE("each way to normalise holds or fails as the table says", "[case:A1][c
       {{"(1, 2, 2), double", {"naive", "threshold", "wider", "scaled"}},
        {"(1, 1, 1) · 1e200, double", {"scaled"}},
        {"(3, 4, 0) · 1e-200, double", {"scaled"}}});
+}
+
+TEST_CASE("each library's way to normalise holds or fails as the table says", "[case:A1][case:A2]")
+{
+  const std::vector<std::string> all{"normalized", "stableNormalized", "hypot"};
+  const std::vector<std::string> scaling{"stableNormalized", "hypot"};
+  check_verdicts(
+      library_verdicts(normalize_cases(0.0f)), names_of(normalize_libraries<float>()),
+      {{"A1", {}},
+       {"A2", scaling},
+       {"(1e20, 1e20, 1e20)", scaling},
+       {"(1, 2, 2)", all},
+       {"(1, 2, 2) · 1e-7", all},
+       {"(1, 2, 2) · 1e-22", scaling},
+       {"(3, 4, 0) · smallest float", scaling},
+       {"(1, 1, 0) · smallest float", {}},
+       {"(1e20, 1, 0)", scaling},
+       {"half of the largest", scaling}});
+  check_verdicts(
+      library_verdicts(normalize_cases(0.0)), names_of(normalize_libraries<double>()),
+      {{"(1, 2, 2), double", all},
+       {"(1, 1, 1) · 1e200, double", scaling},
+       {"(3, 4, 0) · 1e-200, double", scaling}});
 }
 
 TEST_CASE("a direction that is 3 ulp off is right, one that is 5 ulp off is not", "[case:A1]")

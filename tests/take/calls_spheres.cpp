@@ -13,9 +13,9 @@ int main()
       [](Draw& draw, Bits& bits)
       {
         const double scale = draw.scale();
-        const Eigen::Vector3d v = draw.vector(2) * scale, n = draw.unit();
+        const Eigen::Vector3d v = draw.vector(2) * scale;
         bits(normalize(v), normalize_naive(v), normalize_threshold(v), normalize_wide(v));
-        bits(project(v, n), reject(v, n), reflect(v, n));
+        bits(normalize_hypot(v));
       });
 #endif
 #ifdef TAKE_closest_point_box

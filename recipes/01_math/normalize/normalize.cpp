@@ -3,6 +3,7 @@
 
 #include "01_math/normalize/normalize.hpp"
 #include "01_math/normalize/trial/normalize_cases.hpp"
+#include "01_math/normalize/trial/normalize_libraries.hpp"
 #include "common/plot/charts/chart.hpp"
 #include "common/program/program.hpp"
 #include "common/program/table.hpp"
@@ -47,6 +48,16 @@ std::string verdicts()
   return verdict_table(
       "Ways to normalise: right means within four ulps, in length and direction.",
       {"naive", "threshold", "wider", "scaled"}, rows);
+}
+
+std::string libraries()
+{
+  std::vector<VerdictRow> rows = library_verdicts(normalize_cases(0.0f));
+  const std::vector<VerdictRow> doubles = library_verdicts(normalize_cases(0.0));
+  rows.insert(rows.end(), doubles.begin(), doubles.end());
+  return verdict_table(
+      "What libraries make of the same vectors.", names_of(normalize_libraries<float>()), rows,
+      "library");
 }
 
 /// The largest error among vectors of one size, infinite where a direction or a length is lost.
@@ -100,7 +111,8 @@ plot::Chart chart()
   chart.describe("Errors of four ways to normalise, from the smallest to the largest float.")
       .legend(plot::Legend::below)
       .rail("no length")
-      .reference_y(allowed_ulps, "allowed");
+      .reference_y(allowed_ulps, "allowed")
+      .size(400, 360);
   std::size_t index = 0;
   for (const NormalizeMethod<float>& method : normalize_methods<float>())
   {
@@ -122,6 +134,7 @@ int main(int argc, char** argv)
       {
         print_lengths();
         save_figure(given, "normalize_cases.html", verdicts());
+        save_figure(given, "normalize_libraries.html", libraries());
         save_figure(given, "normalize.svg", chart().svg());
       });
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief Ways to normalise a vector beside the recommended one, and what a unit vector is for.
+/// \brief Ways to normalise a vector beside the recommended one.
 
 #include "common/math/norm.hpp"
 #include "common/math/wide.hpp"
@@ -53,31 +53,15 @@ Direction<Real> normalize_wide(const Vector3<Real>& v)
 }
 // [normalize_wide]
 
-// [project]
-/// The part of `a` along `n`, of any length but zero; M3.
+// [normalize_hypot]
+/// Divides by the library's `hypot`: its length is right, but tiny vectors divide by one that has
+/// no digits left. Not a number for the zero vector.
 template <class Real>
-Vector3<Real> project(const Vector3<Real>& a, const Vector3<Real>& n)
+Direction<Real> normalize_hypot(const Vector3<Real>& v)
 {
-  return n * (a.dot(n) / n.dot(n));
+  const Real length = std::hypot(v.x(), v.y(), v.z());
+  return {v / length, length};
 }
-
-/// The part of `a` across `n`, of any length but zero; M3.
-template <class Real>
-Vector3<Real> reject(const Vector3<Real>& a, const Vector3<Real>& n)
-{
-  return a - project(a, n);
-}
-// [project]
-
-// [reflect]
-/// The mirror image of `v` in a plane with the unit normal `n`; M4.
-///
-/// A normal that is not of length one also changes the length of `v`.
-template <class Real>
-Vector3<Real> reflect(const Vector3<Real>& v, const Vector3<Real>& n)
-{
-  return v - n * (Real(2) * v.dot(n));
-}
-// [reflect]
+// [normalize_hypot]
 
 } // namespace cookbook

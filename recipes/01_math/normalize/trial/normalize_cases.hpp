@@ -62,6 +62,7 @@ inline std::vector<NormalizeCase<float>> normalize_cases(float)
       {"", "(1, 2, 2) · 1e-7", {1e-7f, 2e-7f, 2e-7f}},
       {"", "(1, 2, 2) · 1e-22", {1e-22f, 2e-22f, 2e-22f}},
       {"", "(3, 4, 0) · smallest float", {3 * tiny, 4 * tiny, 0}},
+      {"", "(1, 1, 0) · smallest float", {tiny, tiny, 0}},
       {"", "(1e20, 1, 0)", {1e20f, 1, 0}},
       {"", "half of the largest", {huge, 0, 0}}};
 }

@@ -1,0 +1,128 @@
+#pragma once
+
+/// \file
+/// \brief The angle between two vectors: right for every angle and every size.
+
+#include "01_math/vectors/accurate_cross.hpp"
+#include "01_math/vectors/power_of_two.hpp"
+#include "common/math/norm.hpp"
+#include "common/math/wide.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cookbook
+{
+
+// [angle_atan2]
+/// The angle from 0 to π by the cross and the dot product, as its formula is written; M5 [rad].
+template <class Real>
+Real angle_atan2(const Vector3<Real>& a, const Vector3<Real>& b)
+{
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+// [angle_atan2]
+
+// [angle_acos]
+/// The angle by the cosine, as it is published [rad]: not a number where rounding makes the cosine
+/// more than 1.
+template <class Real>
+Real angle_acos(const Vector3<Real>& a, const Vector3<Real>& b)
+{
+  return std::acos(a.dot(b) / std::sqrt(a.squaredNorm() * b.squaredNorm()));
+}
+
+/// The angle by the cosine of unit vectors, which is first brought back to [-1, 1] [rad].
+template <class Real>
+Real angle_clamped(const Vector3<Real>& a, const Vector3<Real>& b)
+{
+  return std::acos(std::clamp(a.normalized().dot(b.normalized()), Real(-1), Real(1)));
+}
+// [angle_acos]
+
+// [angle_kahan]
+/// The angle by Kahan's formula [rad]: half of it stands between the diagonals of a rhombus.
+template <class Real>
+Real angle_kahan(const Vector3<Real>& a, const Vector3<Real>& b)
+{
+  const Vector3<Real> p = a * b.norm(), q = b * a.norm();
+  return Real(2) * std::atan2((p - q).norm(), (p + q).norm());
+}
+// [angle_kahan]
+
+// [angle_in_double]
+/// The angle between vectors of ordinary size, or one of which is zero [rad].
+///
+/// The cross product loses digits where the vectors are nearly parallel: then it is formed with
+/// care.
+inline double angle_of_ordinary(const Vector3<double>& a, const Vector3<double>& b)
+{
+  // Adding 0 makes 0 of -0, for atan2(0, -0) is π.
+  const double cosine = a.dot(b) + 0.0;
+  double sine = a.cross(b).norm();
+  if (2 * sine < cosine)
+  {
+    sine = length<double>(accurate_cross<double>(a, b));
+  }
+  return std::atan2(sine, cosine);
+}
+// [angle_in_double]
+
+// [angle]
+/// The angle between two vectors, from 0 to π [rad]; M5. Zero if one of them is zero.
+///
+/// Within 12 u of itself for all finite vectors, however small the angle and whatever their
+/// lengths.
+inline float angle(const Vector3<float>& a, const Vector3<float>& b)
+{
+  // In double the products are exact, no square overflows, and only zero vectors make zeros.
+  const Vector3<double> p = widen(a), q = widen(b);
+  return static_cast<float>(std::atan2(p.cross(q).norm(), p.dot(q) + 0.0));
+}
+
+/// The same for doubles, which are brought to ordinary size where they are not.
+inline double angle(const Vector3<double>& a, const Vector3<double>& b)
+{
+  const bool ordinary = is_ordinary(a.squaredNorm()) && is_ordinary(b.squaredNorm());
+  return ordinary ? angle_of_ordinary(a, b)
+                  : angle_of_ordinary(scaled<double>(a).v, scaled<double>(b).v);
+}
+// [angle]
+
+// [signed_angle]
+/// The angle that turns `a` to `b`, from -π to π [rad]: positive where it turns counter-clockwise
+/// for someone whom `axis` points at.
+///
+/// The axis may have any length. Where it is square to a × b, as the zero vector is, the angle is
+/// positive. Where it is that to rounding, or a × b is below the smallest number, either sign may
+/// be.
+template <class Real>
+Real signed_angle(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& axis)
+{
+  // So large that even the smallest angle's cross product keeps its digits.
+  const auto enlarged = [](const Vector3<Real>& v)
+  {
+    const int exponent = std::numeric_limits<Real>::digits - scaled<Real>(v).exponent;
+    return times_power_of_two<Real>(v, exponent);
+  };
+  const Vector3<Real> turn = accurate_cross<Real>(enlarged(a), enlarged(b));
+  const Real size = angle(a, b);
+  return scaled<Real>(axis).v.dot(scaled<Real>(turn).v) < Real(0) ? -size : size;
+}
+// [signed_angle]
+
+// [equal]
+/// Whether two vectors differ by no more than a few roundings of numbers as large as `size`.
+///
+/// The size is that of what both were computed from [unit of the vectors]: the difference of two
+/// vectors does not know how large its terms were.
+template <class Real>
+bool equal_within_roundings(const Vector3<Real>& a, const Vector3<Real>& b, Real size)
+{
+  const Real allowed = Real(4) * std::numeric_limits<Real>::epsilon() * size;
+  return (a - b).cwiseAbs().maxCoeff() <= allowed;
+}
+// [equal]
+
+} // namespace cookbook
