@@ -5,7 +5,7 @@
 #include "01_math/angles/angles.hpp"
 #include "01_math/normalize/trial/normalize_cases.hpp"
 #include "01_math/truth/trial/whole_range.hpp"
-#include "01_math/vectors/accurate_cross.hpp"
+#include "01_math/numbers/difference_of_products.hpp"
 #include "01_math/vectors/vectors.hpp"
 #include "common/math/rational.hpp"
 

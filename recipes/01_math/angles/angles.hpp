@@ -3,7 +3,7 @@
 /// \file
 /// \brief The angle between two vectors: right for every angle and every size.
 
-#include "01_math/vectors/accurate_cross.hpp"
+#include "01_math/numbers/difference_of_products.hpp"
 #include "01_math/vectors/power_of_two.hpp"
 #include "common/math/norm.hpp"
 #include "common/math/wide.hpp"

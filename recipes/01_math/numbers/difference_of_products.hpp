@@ -22,15 +22,16 @@ Real difference_naive(Real a, Real d, Real b, Real c)
 // [difference_naive]
 
 // [difference_fused]
-/// ad − bc by Kahan: the rounding of the second product is found and put back.
+/// ad − bc with what both products lost put back. The products swapped give the same with the other
+/// sign, to the last bit.
 ///
-/// Within 2u of the answer; infinite or NaN where a product overflows.
+/// Within 2 u of itself, and the smallest number; infinite or NaN where a product overflows.
 template <class Real>
 Real difference_fused(Real a, Real d, Real b, Real c)
 {
-  const Real product = b * c;
-  const Real lost = std::fma(-b, c, product); // product - bc, exactly
-  return std::fma(a, d, -product) + lost;
+  const Real first = a * d, second = b * c;
+  const Real lost_first = std::fma(a, d, -first), lost_second = std::fma(b, c, -second);
+  return (first - second) + (lost_first - lost_second);
 }
 // [difference_fused]
 
@@ -50,7 +51,8 @@ Real difference_scaled(Real a, Real d, Real b, Real c)
 /// ad − bc, right for all finite numbers: within 2u of the answer, and one smallest number where
 /// products underflow; infinite only where the true answer does not fit.
 ///
-/// The products of floats are exact in double. A double has nothing wider, and takes Kahan's way.
+/// The products of floats are exact in double. A double has nothing wider: there, what both products
+/// lose is put back.
 /// Infinite and NaN input gives what ad − bc gives.
 template <class Real>
 Real difference_of_products(Real a, Real d, Real b, Real c)

@@ -3,6 +3,7 @@
 /// \file
 /// \brief The shortest rotation that turns one direction into another, also into the opposite.
 
+#include "01_math/numbers/difference_of_products.hpp"
 #include "common/math/norm.hpp"
 #include "common/math/wide.hpp"
 
@@ -11,27 +12,6 @@
 
 namespace cookbook
 {
-
-// [accurate_cross]
-/// ab - cd, right to two units in the last place also where the products nearly cancel.
-template <class Real>
-Real difference_of_products(const Real& a, const Real& b, const Real& c, const Real& d)
-{
-  using std::fma;
-  const Real rounded = c * d;
-  return fma(a, b, -rounded) + fma(-c, d, rounded);
-}
-
-/// The cross product with each component right, also of vectors that are nearly parallel.
-template <class Real>
-Vector3<Real> accurate_cross(const Vector3<Real>& a, const Vector3<Real>& b)
-{
-  return {
-      difference_of_products<Real>(a.y(), b.z(), a.z(), b.y()),
-      difference_of_products<Real>(a.z(), b.x(), a.x(), b.z()),
-      difference_of_products<Real>(a.x(), b.y(), a.y(), b.x())};
-}
-// [accurate_cross]
 
 /// A vector times a power of two, exactly, but for parts that are nothing beside the largest: its
 /// largest component lies between one and two.

@@ -3,7 +3,7 @@
 
 #include "01_math/vectors/vectors.hpp"
 #include "01_math/angles/angles.hpp"
-#include "01_math/vectors/accurate_cross.hpp"
+#include "01_math/numbers/difference_of_products.hpp"
 #include "01_math/vectors/trial/vectors_cases.hpp"
 #include "01_math/vectors/trial/vectors_figures.hpp"
 #include "common/program/asking.hpp"

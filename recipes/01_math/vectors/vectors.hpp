@@ -3,7 +3,7 @@
 /// \file
 /// \brief What is made of two vectors: cross product, part along and across, mirror image, mixture.
 
-#include "01_math/vectors/accurate_cross.hpp"
+#include "01_math/numbers/difference_of_products.hpp"
 #include "01_math/vectors/power_of_two.hpp"
 
 #include <cmath>

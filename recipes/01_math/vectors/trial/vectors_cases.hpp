@@ -3,7 +3,7 @@
 /// \file
 /// \brief Where textbook formulas on vectors break, and what the recommended ones answer there.
 
-#include "01_math/vectors/accurate_cross.hpp"
+#include "01_math/numbers/difference_of_products.hpp"
 #include "01_math/vectors/vectors.hpp"
 #include "common/program/table.hpp"
 #include "common/program/verdicts.hpp"

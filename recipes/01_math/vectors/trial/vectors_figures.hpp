@@ -3,7 +3,7 @@
 /// \file
 /// \brief Pictures of vectors: components, sums, the dot and the cross product, mirror images.
 
-#include "01_math/vectors/accurate_cross.hpp"
+#include "01_math/numbers/difference_of_products.hpp"
 #include "01_math/vectors/vectors.hpp"
 #include "common/plot/figures/figure2d.hpp"
 #include "common/plot/figures/figure3d.hpp"
