@@ -51,9 +51,8 @@ Real difference_scaled(Real a, Real d, Real b, Real c)
 /// ad − bc, right for all finite numbers: within 2u of the answer, and one smallest number where
 /// products underflow; infinite only where the true answer does not fit.
 ///
-/// The products of floats are exact in double. A double has nothing wider: there, what both products
-/// lose is put back.
-/// Infinite and NaN input gives what ad − bc gives.
+/// The products of floats are exact in double. A double has nothing wider: there, what both
+/// products lose is put back. Infinite and NaN input gives what ad − bc gives.
 template <class Real>
 Real difference_of_products(Real a, Real d, Real b, Real c)
 {
