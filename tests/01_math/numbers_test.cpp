@@ -405,6 +405,8 @@ TEST_CASE(
   CHECK_FALSE(is_empty(point));
   CHECK(interval_overlap(a, none) == -infinite);
   CHECK(interval_overlap(none, a) == -infinite);
+  CHECK(interval_overlap<double>(a, {3, 1}) == -infinite);
+  CHECK(interval_overlap<double>({3, 1}, a) == -infinite);
   CHECK_FALSE(clamp(1.0, none).has_value());
   CHECK_FALSE(clamp(infinite - infinite, a).has_value());
   CHECK(hull(none, 3.0).least == 3);
@@ -503,6 +505,11 @@ TEMPLATE_TEST_CASE("whole and half turns, either way", "[case:A7]", float, doubl
     CHECK(wrap_degrees(whole_turns + 90) == 90);
     CHECK(wrap_degrees(-whole_turns + 90) == 90);
   }
+  // Just below half a turn, the quotient is rounded to a half.
+  const TestType below = std::nextafter(TestType(180), TestType(0));
+  CHECK(wrap_degrees(below) == below);
+  CHECK(wrap_degrees(-below) == -below);
+  CHECK(wrap_radians(TestType(3.1415925)) == TestType(3.1415925));
   const TestType infinite = std::numeric_limits<TestType>::infinity();
   CHECK(std::isnan(wrap_degrees(infinite)));
   CHECK(std::isnan(wrap_degrees(-infinite)));

@@ -35,6 +35,7 @@ Real difference_fused(Real a, Real d, Real b, Real c)
 }
 // [difference_fused]
 
+// [difference_scaled]
 /// ad − bc of finite numbers that are not zero, with powers of two taken out of the products.
 template <class Real>
 Real difference_scaled(Real a, Real d, Real b, Real c)
@@ -46,6 +47,7 @@ Real difference_scaled(Real a, Real d, Real b, Real c)
       std::ldexp(c, of_b - most));
   return std::ldexp(scaled, most);
 }
+// [difference_scaled]
 
 // [difference_of_products]
 /// ad − bc, right for all finite numbers: within 2u of the answer, and one smallest number where

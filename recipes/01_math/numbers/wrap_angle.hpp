@@ -8,6 +8,7 @@
 namespace cookbook
 {
 
+// [wrap_degrees]
 /// The nearest whole number to `x`, of which |x| is below 2³⁰; of two, either.
 template <class Real>
 Real nearest_whole(Real x)
@@ -15,7 +16,6 @@ Real nearest_whole(Real x)
   return static_cast<Real>(static_cast<int>(x + std::copysign(Real(0.5), x)));
 }
 
-// [wrap_degrees]
 /// An angle [degrees] as the same direction in (−180, 180], exactly, for every finite number.
 ///
 /// Infinite and NaN input gives NaN: no direction is known.
@@ -37,10 +37,10 @@ Real wrap_degrees(Real degrees)
 }
 // [wrap_degrees]
 
+// [wrap_radians]
 /// A turn, 2π, in three parts; the first two have 33 digits, so that up to 2²⁰ turns are exact.
 inline constexpr double turn_parts[] = {0x1.921fb544p+2, 0x1.0b4611a6p-32, 0x1.3198a2e037073p-67};
 
-// [wrap_radians]
 /// An angle [rad] as the same direction, from −π to π, for every finite number.
 ///
 /// Off by at most an ulp of π [rad] from the exact angle, taking the input as exact. Infinite and

@@ -1,8 +1,9 @@
 /// \file
-/// \brief Times ways to add a million floats, and ways to subtract products, and draws their cost
-/// against their error.
+/// \brief Times ways to add a million floats, to subtract products and to wrap angles, and draws
+/// their cost against their error.
 
 #include "01_math/sum_chart/trial/sum_chart.hpp"
+#include "01_math/numbers/trial/wrap_cases.hpp"
 #include "01_math/sum_chart/trial/product_chart.hpp"
 #include "common/measure/timing.hpp"
 #include "common/plot/charts/chart.hpp"
@@ -115,13 +116,70 @@ plot::Chart products(const measure::Effort& effort)
   return chart;
 }
 
+/// Angles of random digits, from `least` to `most` turns.
+std::vector<float> angles(double least, double most)
+{
+  std::mt19937 random(1);
+  std::vector<float> all;
+  for (int i = 0; i < 1000; ++i)
+  {
+    const double share = static_cast<double>(random()) * 0x1p-32;
+    all.push_back(static_cast<float>(360 * least * std::pow(most / least, share)));
+  }
+  return all;
+}
+
+/// Ways to wrap, without the loop if it is not to be `asked`.
+plot::Chart wraps(
+    const std::string& name, const std::string& title, const std::vector<float>& all, bool asked,
+    const measure::Effort& effort)
+{
+  const auto each = [&all](auto wrap)
+  {
+    return [&all, wrap]
+    {
+      for (const float angle : all)
+      {
+        measure::keep(wrap(angle));
+      }
+    };
+  };
+  const double calls = static_cast<double>(all.size());
+  std::vector<measure::Timed> ways{
+      {"loop, as published", each([](float x) { return wrap_loop(x); }), calls},
+      {"floor", each([](float x) { return wrap_floor(x); }), calls},
+      {"remainder", each([](float x) { return std::remainder(x, 360.0f); }), calls},
+      {"wrap_degrees", each([](float x) { return wrap_degrees(x); }), calls}};
+  const std::size_t first = asked ? 0 : 1;
+  ways.erase(ways.begin(), ways.begin() + static_cast<std::ptrdiff_t>(first));
+  const std::vector<measure::Timing> timings = measure::time_interleaved(ways, effort);
+  plot::Chart chart(
+      name, title, {"time of an angle [ns]", plot::Scale::log}, {"error [°]", plot::Scale::log});
+  std::vector<Eigen::Vector2d> front;
+  for (std::size_t i = 0; i < timings.size(); ++i)
+  {
+    double worst = 0;
+    for (const float angle : all)
+    {
+      // The remainder of doubles is exact, and so is that of two angles within a turn.
+      const double wrapped = static_cast<double>(wrap_methods()[first + i].wrap(angle));
+      const double off = std::remainder(wrapped - std::remainder(angle, 360.0), 360.0);
+      worst = std::max(worst, std::abs(off));
+    }
+    chart.point(timings[i].name, {timings[i].ns, worst}, plot::series_look(first + i));
+    front.push_back({timings[i].ns, worst});
+  }
+  chart.size(400, 250).front(front);
+  return chart;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
   const Arguments arguments{
       .name = "sum_chart",
-      .summary = "Times ways to add a million floats, and ways to subtract products.",
+      .summary = "Times ways to add a million floats, to subtract products and to wrap angles.",
       .options = {{"effort", "how long to measure", "full", {"full", "quick"}}}};
   return run_program(
       argc, argv, arguments,
@@ -136,6 +194,13 @@ int main(int argc, char** argv)
             .add(sums("opposite", "Nearly all cancel", Signs::opposite, effort)
                      .note(measure::machine_line()));
         save_figure(given, "sum_chart.svg", grid.svg());
+        plot::Grid wrap_grid("wrap_chart", "", 1);
+        wrap_grid
+            .describe("Cost against error of ways to wrap an angle; " + measure::machine_line())
+            .add(wraps("ten", "Up to ten turns", angles(0.01, 10), true, effort))
+            .add(wraps("many", "1e6 to 1e35 turns", angles(1e6, 1e35), false, effort)
+                     .note(measure::machine_line()));
+        save_figure(given, "wrap_chart.svg", wrap_grid.svg());
         save_figure(given, "product_chart.svg", products(effort).svg());
       });
 }
