@@ -104,6 +104,8 @@ TEMPLATE_TEST_CASE("about z, x to y is a right angle and y to x minus one", "[M5
   const TestType tiny = std::numeric_limits<TestType>::denorm_min();
   CHECK(signed_angle<TestType>(x, Three(1, tiny, 0), z) == tiny);
   CHECK(signed_angle<TestType>(Three(1, 7 * tiny, 2 * tiny), x, {0, -1, -3}) == 7 * tiny);
+  // a × b is 1.5 (0, -1, 3) tiny, which rounds to (0, -2, 4) tiny, on the other side of the axis.
+  CHECK(signed_angle<TestType>({TestType(1.5), 0, 0}, {1, 3 * tiny, tiny}, {0, 5, 2}) > 0);
   CHECK(signed_angle<TestType>(x, -x, z) == static_cast<TestType>(pi));
   CHECK(signed_angle<TestType>(x, x, z) == 0);
   CHECK(signed_angle<TestType>(Three(0, 0, 0), y, z) == 0);
