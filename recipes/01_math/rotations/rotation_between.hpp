@@ -4,6 +4,7 @@
 /// \brief The shortest rotation that turns one direction into another, also into the opposite.
 
 #include "01_math/numbers/difference_of_products.hpp"
+#include "01_math/vectors/power_of_two.hpp"
 #include "common/math/norm.hpp"
 #include "common/math/wide.hpp"
 
@@ -13,25 +14,13 @@
 namespace cookbook
 {
 
-/// A vector times a power of two, exactly, but for parts that are nothing beside the largest: its
-/// largest component lies between one and two.
-template <class Real>
-Vector3<Real> sized_one(const Vector3<Real>& v)
-{
-  using std::ilogb, std::ldexp;
-  const int exponent = -ilogb(v.cwiseAbs().maxCoeff());
-  return {ldexp(v.x(), exponent), ldexp(v.y(), exponent), ldexp(v.z(), exponent)};
-}
-
 // [rotation_between_opposite]
 /// A vector times a power of two, exactly: its largest component lies between 2⁴⁰⁰ and 2⁴⁰¹, so
 /// that products keep the digits of the smallest components.
 template <class Real>
 Vector3<Real> enlarged(const Vector3<Real>& v)
 {
-  using std::ilogb, std::ldexp;
-  const int exponent = 400 - ilogb(v.cwiseAbs().maxCoeff());
-  return {ldexp(v.x(), exponent), ldexp(v.y(), exponent), ldexp(v.z(), exponent)};
+  return times_power_of_two<Real>(v, 400 - scaled<Real>(v).exponent);
 }
 
 /// rotation_between() for vectors that are nearly opposite, with the cosine between them.
@@ -81,7 +70,7 @@ Quaternion<Real> rotation_between(const Vector3<Real>& from, const Vector3<Real>
     {
       return Quaternion<Real>::Identity();
     }
-    a = sized_one(from), b = sized_one(to);
+    a = scaled<Real>(from).v, b = scaled<Real>(to).v;
     aa = a.squaredNorm(), bb = b.squaredNorm();
   }
   const Real length = sqrt(aa * bb), along = a.dot(b);
