@@ -182,6 +182,15 @@ TEMPLATE_TEST_CASE(
   }
 }
 
+TEMPLATE_TEST_CASE(
+    "zero and what is not finite have no power of two to take out", "[whole]", float, double)
+{
+  const TestType infinite = std::numeric_limits<TestType>::infinity();
+  CHECK(scaled<TestType>({0, 0, 0}).exponent == 0);
+  CHECK(scaled<TestType>({infinite, 1, 0}).exponent == 0);
+  CHECK(scaled<TestType>({6, -1, 0}).exponent == 2);
+}
+
 // [any_size]
 TEMPLATE_TEST_CASE(
     "(3,5,7) along (0,0,2) is (0,0,7), for any power of two of both", "[whole]", float, double)
