@@ -229,6 +229,22 @@ TEMPLATE_TEST_CASE(
 }
 // [singular]
 
+// [threshold]
+TEMPLATE_TEST_CASE(
+    "1 1 0, 1 1+d 0, 0 0 1 is singular to rounding for d of 1 or 2 ulps, and not for 3", "[M11]",
+    float, double)
+{
+  // The determinant is d; half an ulp in each entry moves it by half an ulp times 4 + 3d.
+  const TestType ulp_of_one = std::numeric_limits<TestType>::epsilon();
+  Matrix3<TestType> m = rows<TestType>({1, 1, 0, 1, 1, 0, 0, 0, 1});
+  for (const int ulps : {0, 1, 2, 3, 4, 100})
+  {
+    m(1, 1) = TestType(1) + static_cast<TestType>(ulps) * ulp_of_one;
+    CHECK(inverse<TestType, 3>(m).has_value() == (ulps > 2));
+  }
+}
+// [threshold]
+
 // [solve]
 TEST_CASE(
     "x + 2y + z = 8, 2x - y + z = 3 and x + y - z = 0 meet in (1, 2, 3), by LU and inverse",
