@@ -18,7 +18,7 @@ TEST_CASE("after a million frames turned_by is within 0.01 rad, and length one t
   CHECK(drift(ours, right) <= 0.01);
   CHECK(std::abs(ours.length - 1) <= 1e-6);
   CHECK(drift(end(quaternion_added_and_normalised<float>), right) > 0.1);
-  CHECK(end(quaternion_added<float>).length > 1e6);
+  CHECK_FALSE(drift(end(quaternion_added<float>), right) <= 4);
 }
 // [million]
 
