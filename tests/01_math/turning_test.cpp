@@ -220,7 +220,7 @@ TEST_CASE("the fraction with a fourth of the angle turns by 4 atan(ωh/4), at le
 TEST_CASE(
     "at 50 rad/s and 60 Hz a quaternion added lags 150° a second and grows 122 times", "[case:A5]")
 {
-  const SpinCase second{"", "", {0, 50, 0}, 60, 60, 1e-3, false};
+  const TurningCase second{"", "", {0, 50, 0}, 60, 60, 1e-3, false};
   const auto ways = spin_ways<double>();
   const auto end = [&](std::size_t i) { return ways[i].turn(second.spin, 1.0 / 60, 60); };
   const double degree = std::numbers::pi / 180;
@@ -240,7 +240,7 @@ TEST_CASE("each way to turn holds or fails as the table says", "[case:A5][case:A
                     matrix = "matrix added, orthonormal", divided = "divided by |ω|",
                     best = "turned_by";
   check_verdicts(
-      spin_verdicts(), names_of(spin_ways<double>()),
+      turning_verdicts(), names_of(spin_ways<double>()),
       {{"A5", {angles, divided, best}},
        {"A6", {divided, best}},
        {"no spin for 1 s", {angles, added, unit, fraction, matrix, best}},
@@ -252,7 +252,7 @@ TEST_CASE("each way to turn holds or fails as the table says", "[case:A5][case:A
 
 TEST_CASE("a length that is 1/500 off fails, one that is 1/2000 off holds; so does an angle")
 {
-  const SpinCase still{"", "", {0, 0, 0}, 1, 1, 0.01, false};
+  const TurningCase still{"", "", {0, 0, 0}, 1, 1, 0.01, false};
   const Quaternion<double> none(1, 0, 0, 0);
   CHECK(spin_verdict(still, {none, 1.0005}).holds);
   CHECK_FALSE(spin_verdict(still, {none, 1.002}).holds);

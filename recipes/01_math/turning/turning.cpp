@@ -21,7 +21,7 @@ void print_spins()
   Table table({"rad/s about y", "added: off by", "length", "length one: off by", "turned_by"});
   for (const double speed : {0.0, 1.0, 5.0, 10.0, 20.0, 50.0})
   {
-    const SpinCase one{"", "", {0, speed, 0}, 60, 60, 1e-6, false};
+    const TurningCase one{"", "", {0, speed, 0}, 60, 60, 1e-6, false};
     const auto ways = spin_ways<double>();
     const auto end = [&](std::size_t way) { return ways[way].turn(one.spin, 1 / one.rate, 60); };
     const auto degrees = [&](std::size_t way)
@@ -54,6 +54,6 @@ int main(int argc, char** argv)
             given, "turning_cases.html",
             verdict_table(
                 "Steady spins: the orientation at the end.", names_of(spin_ways<double>()),
-                spin_verdicts()));
+                turning_verdicts()));
       });
 }

@@ -151,7 +151,7 @@ std::vector<MatrixCase<Real>> matrix_cases()
 // [matrix_cases]
 
 /// An inverse is right if it is off by no more roundings of the matrix than this.
-inline constexpr double allowed_roundings = 16;
+inline constexpr double allowed_inverse_roundings = 16;
 
 // [inverse_verdict]
 /// Whether an answer is right, and what to say of it.
@@ -171,7 +171,7 @@ Verdict inverse_verdict(const std::optional<Matrix3<Real>>& answer, const Matrix
     return {false, "entries up to " + rounded(double(answer->cwiseAbs().maxCoeff()))};
   }
   const double error = inverse_error<Real, 3>(*answer, one.m);
-  const bool right = error <= allowed_roundings;
+  const bool right = error <= allowed_inverse_roundings;
   return {right, right ? "right" : rounded(error) + " roundings off"};
 }
 // [inverse_verdict]

@@ -20,7 +20,7 @@ namespace cookbook
 
 // [turning_cases]
 /// A steady spin, and how far an orientation may be off in the end.
-struct SpinCase
+struct TurningCase
 {
   std::string id;       ///< in the book; empty for one of our own
   std::string what;     ///< spin, time, rate and number type
@@ -32,7 +32,7 @@ struct SpinCase
 };
 
 /// All cases.
-inline std::vector<SpinCase> spin_cases()
+inline std::vector<TurningCase> turning_cases()
 {
   const double degree = std::numbers::pi / 180;
   return {
@@ -120,7 +120,7 @@ std::vector<SpinWay<Real>> spin_ways()
 
 /// The angle [rad] from where a spin ends in truth, by its closed form in long double; 0 where the
 /// case allows any orientation.
-inline double spin_error(const SpinCase& one, const SpinEnd& end)
+inline double spin_error(const TurningCase& one, const SpinEnd& end)
 {
   const Vector3<long double> spin = one.spin.cast<long double>();
   const long double speed = spin.norm(), half = speed * one.steps / one.rate / 2;
@@ -133,7 +133,7 @@ inline double spin_error(const SpinCase& one, const SpinEnd& end)
 }
 
 /// Whether a way held: the orientation off by no more than the limit, its length by 1/1000.
-inline Verdict spin_verdict(const SpinCase& one, const SpinEnd& end)
+inline Verdict spin_verdict(const TurningCase& one, const SpinEnd& end)
 {
   const bool finite = std::isfinite(end.length) && end.orientation.coeffs().allFinite();
   if (!finite)
@@ -150,10 +150,10 @@ inline Verdict spin_verdict(const SpinCase& one, const SpinEnd& end)
 }
 
 /// The verdicts on all ways, case by case.
-inline std::vector<VerdictRow> spin_verdicts()
+inline std::vector<VerdictRow> turning_verdicts()
 {
   std::vector<VerdictRow> rows;
-  const auto add = [&](const SpinCase& one, auto zero)
+  const auto add = [&](const TurningCase& one, auto zero)
   {
     using Real = decltype(zero);
     const Vector3<Real> spin = one.spin.cast<Real>();
@@ -163,7 +163,7 @@ inline std::vector<VerdictRow> spin_verdicts()
       rows.back().verdicts.push_back(spin_verdict(one, end));
     }
   };
-  for (const SpinCase& one : spin_cases())
+  for (const TurningCase& one : turning_cases())
   {
     rows.push_back({one.id, one.what, {}});
     one.in_float ? add(one, 0.0f) : add(one, 0.0);
