@@ -217,12 +217,15 @@ function(cookbook_test_program target source)
   endif()
 endfunction()
 
-# The tests of a chapter, up to three in one source: first what the chapter has compiled already, as
-# COOKBOOK_INSTANCES says, then all that they include, then each test in a namespace of its own.
-# Sanitizers leave out what is tagged [long].
+# The tests of a chapter, COOKBOOK_TESTS_A_SOURCE (three, if it is not set) in one source: first what
+# the chapter has compiled already, as COOKBOOK_INSTANCES says, then all that they include, then each
+# test in a namespace of its own. Sanitizers leave out what is tagged [long].
 function(cookbook_tests_together)
   get_property(names DIRECTORY PROPERTY COOKBOOK_TOGETHER)
   get_property(libraries DIRECTORY PROPERTY COOKBOOK_TOGETHER_LIBRARIES)
+  if(NOT COOKBOOK_TESTS_A_SOURCE)
+    set(COOKBOOK_TESTS_A_SOURCE 3)
+  endif()
   set(number 0)
   set(only "")
   if(COOKBOOK_SANITIZE)
@@ -230,7 +233,7 @@ function(cookbook_tests_together)
   endif()
   while(names)
     math(EXPR number "${number} + 1")
-    list(SUBLIST names 0 3 some)
+    list(SUBLIST names 0 ${COOKBOOK_TESTS_A_SOURCE} some)
     list(REMOVE_ITEM names ${some})
     set(program ${COOKBOOK_CHAPTER}_tests_${number})
     set(includes "")

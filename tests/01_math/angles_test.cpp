@@ -53,6 +53,29 @@ TEST_CASE("vectors 1e-8 apart, and 1e-8 short of opposite, in double", "[M5]")
 }
 // [M5]
 
+TEST_CASE(
+    "an angle that is far below the vectors' smallest digits: 7e-309/3e-16, in double", "[M5]")
+{
+  // For such an angle θ = tan θ, to rounding; the quotient of the components is right to 2u.
+  const double across = 7e-309;
+  CHECK(
+      angle<double>({3e-16, 0, 0}, {3e-16, across, 0}) ==
+      Catch::Approx(across / 3e-16).epsilon(1e-15));
+  CHECK(
+      angle<double>({3e-16, 0, 0}, {3e-16, 5e-308, 0}) ==
+      Catch::Approx(5e-308 / 3e-16).epsilon(1e-15));
+  CHECK(angle<double>({3, 0, 0}, {3, 5e-292, 0}) == Catch::Approx(5e-292 / 3).epsilon(1e-15));
+}
+
+TEST_CASE("half a turn seen against its axis is -π, though parts of it are tiny", "[M5]")
+{
+  const Vector3<float> a(-9.87707205215988e37f, 0, 0),
+      axis(2.8e-45f, 6.0007749880242045e-09f, 1.01e-26f);
+  const Vector3<float> b(2.7038599401784463e37f, -9.799961220955066e-33f, -7.521185794771175e-36f);
+  // a × b = (0, a_x·(-b_z), a_x·b_y): its y component is negative, and so is axis·(a × b).
+  CHECK(signed_angle(a, b, axis) < -3);
+}
+
 // [A3]
 TEST_CASE(
     "vectors of floats 1e-4 apart: 1e-4 within 1e-8, where the arc cosine says 0", "[case:A3]")
@@ -104,7 +127,7 @@ TEMPLATE_TEST_CASE("about z, x to y is a right angle and y to x minus one", "[M5
   const TestType tiny = std::numeric_limits<TestType>::denorm_min();
   CHECK(signed_angle<TestType>(x, Three(1, tiny, 0), z) == tiny);
   CHECK(signed_angle<TestType>(Three(1, 7 * tiny, 2 * tiny), x, {0, -1, -3}) == 7 * tiny);
-  // a × b is 1.5 (0, -1, 3) tiny, which rounds to (0, -2, 4) tiny, on the other side of the axis.
+  // a × b is 1.5 (0, -1, 3) tiny, and rounded it would be on the other side of the axis.
   CHECK(signed_angle<TestType>({TestType(1.5), 0, 0}, {1, 3 * tiny, tiny}, {0, 5, 2}) > 0);
   CHECK(signed_angle<TestType>(x, -x, z) == static_cast<TestType>(pi));
   CHECK(signed_angle<TestType>(x, x, z) == 0);

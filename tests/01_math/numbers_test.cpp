@@ -558,3 +558,21 @@ TEMPLATE_TEST_CASE(
   CHECK(wrong == 0);
 }
 // [wrap_radians]
+
+TEST_CASE("next to odd multiples of π, too, wrapped angles lie from −π to π", "[case:A7]")
+{
+  const double pi = 3.14159265358979323846;
+  int outside = 0, moved = 0;
+  for (int k = -660000; k <= 660000; k += 3)
+  {
+    const double odd = (2.0 * k + 1) * pi;
+    for (const double angle : {odd, std::nextafter(odd, HUGE_VAL), std::nextafter(odd, -HUGE_VAL)})
+    {
+      const double wrapped = wrap_radians(angle);
+      outside += std::abs(wrapped) <= pi ? 0 : 1;
+      moved += std::abs(std::cos(wrapped) + 1) <= 1e-12 ? 0 : 1;
+    }
+  }
+  CHECK(outside == 0);
+  CHECK(moved == 0);
+}

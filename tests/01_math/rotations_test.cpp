@@ -649,3 +649,11 @@ TEMPLATE_TEST_CASE(
   CHECK(back.value() <= 9);
   CHECK(there.value() <= 6);
 }
+
+TEST_CASE("a share that is not a number leads nowhere", "[M16]")
+{
+  const Quaternion<double> a(1, 0, 0, 0), b(0, 1, 0, 0);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(slerp<double>(a, b, nan).coeffs().hasNaN());
+  CHECK(nlerp<double>(a, b, nan).coeffs().hasNaN());
+}

@@ -261,3 +261,10 @@ TEST_CASE("a length that is 1/500 off fails, one that is 1/2000 off holds; so do
   CHECK_FALSE(spin_verdict(still, {Quaternion<double>(1, 0.006, 0, 0), 1}).holds);
   CHECK_FALSE(spin_verdict(still, {none, HUGE_VAL}).holds);
 }
+
+TEST_CASE("a spin, or a share of a way, that is not a number gives no number", "[M9]")
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(rotation_by<double>({0, nan, 0}).coeffs().hasNaN());
+  CHECK(turned_by<double>(Quaternion<double>(1, 0, 0, 0), {0, nan, 0}, 1).coeffs().hasNaN());
+}

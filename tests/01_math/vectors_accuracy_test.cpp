@@ -4,8 +4,8 @@
 
 #include "01_math/angles/angles.hpp"
 #include "01_math/normalize/trial/normalize_cases.hpp"
-#include "01_math/truth/trial/whole_range.hpp"
 #include "01_math/numbers/difference_of_products.hpp"
+#include "01_math/truth/trial/whole_range.hpp"
 #include "01_math/vectors/vectors.hpp"
 #include "common/math/rational.hpp"
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace cookbook
 {
@@ -60,10 +61,11 @@ inline double angle_of_ordinary(const Vector3<double>& a, const Vector3<double>&
 {
   // Adding 0 makes 0 of -0, for atan2(0, -0) is π.
   const double cosine = a.dot(b) + 0.0;
-  double sine = a.cross(b).norm();
+  const double sine = a.cross(b).norm();
   if (2 * sine < cosine)
   {
-    sine = length<double>(accurate_cross<double>(a, b));
+    const Vector3<double> p = a * 0x1p300, q = b * 0x1p300; // small products keep their digits
+    return std::atan2(length<double>(accurate_cross<double>(p, q)), p.dot(q));
   }
   return std::atan2(sine, cosine);
 }
@@ -72,21 +74,23 @@ inline double angle_of_ordinary(const Vector3<double>& a, const Vector3<double>&
 // [angle]
 /// The angle between two vectors, from 0 to π [rad]; M5. Zero if one of them is zero.
 ///
-/// Within 12 u of itself for all finite vectors, however small the angle and whatever their
-/// lengths.
-inline float angle(const Vector3<float>& a, const Vector3<float>& b)
+/// Within 12 u of itself, or the smallest number, for all finite vectors, however small the angle
+/// and whatever their lengths.
+template <class Real>
+Real angle(const Vector3<Real>& a, const Vector3<Real>& b)
 {
-  // In double the products are exact, no square overflows, and only zero vectors make zeros.
-  const Vector3<double> p = widen(a), q = widen(b);
-  return static_cast<float>(std::atan2(p.cross(q).norm(), p.dot(q) + 0.0));
-}
-
-/// The same for doubles, which are brought to ordinary size where they are not.
-inline double angle(const Vector3<double>& a, const Vector3<double>& b)
-{
-  const bool ordinary = is_ordinary(a.squaredNorm()) && is_ordinary(b.squaredNorm());
-  return ordinary ? angle_of_ordinary(a, b)
-                  : angle_of_ordinary(scaled<double>(a).v, scaled<double>(b).v);
+  if constexpr (std::is_same_v<Real, float>)
+  {
+    // In double the products are exact, no square overflows, and only zero vectors make zeros.
+    const Vector3<double> p = widen(a), q = widen(b);
+    return static_cast<float>(std::atan2(p.cross(q).norm(), p.dot(q) + 0.0));
+  }
+  else
+  {
+    const bool ordinary = is_ordinary(a.squaredNorm()) && is_ordinary(b.squaredNorm());
+    return ordinary ? angle_of_ordinary(a, b)
+                    : angle_of_ordinary(scaled<double>(a).v, scaled<double>(b).v);
+  }
 }
 // [angle]
 
@@ -100,15 +104,11 @@ inline double angle(const Vector3<double>& a, const Vector3<double>& b)
 template <class Real>
 Real signed_angle(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& axis)
 {
-  // So large that even the smallest angle's cross product keeps its digits.
-  const auto enlarged = [](const Vector3<Real>& v)
-  {
-    const int exponent = std::numeric_limits<Real>::digits - scaled<Real>(v).exponent;
-    return times_power_of_two<Real>(v, exponent);
-  };
-  const Vector3<Real> turn = accurate_cross<Real>(enlarged(a), enlarged(b));
-  const Real size = angle(a, b);
-  return scaled<Real>(axis).v.dot(scaled<Real>(turn).v) < Real(0) ? -size : size;
+  const Vector3<double> turn = accurate_cross<double>(
+      enlarged(a.template cast<double>()), enlarged(b.template cast<double>()));
+  const Vector3<double> along = scaled<double>(axis.template cast<double>()).v;
+  const Real size = angle<Real>(a, b);
+  return along.dot(scaled<double>(turn).v) < 0 ? -size : size;
 }
 // [signed_angle]
 

@@ -2,7 +2,7 @@
 /// \brief Determinants, conditions and inverses of a few matrices, and of a reader's own.
 
 #include "01_math/matrices/matrices.hpp"
-#include "01_math/matrices/trial/matrices_cases.hpp"
+#include "01_math/matrices/trial/matrix_instances.hpp"
 #include "01_math/matrices/trial/matrices_figures.hpp"
 #include "common/program/asking.hpp"
 #include "common/program/table.hpp"

@@ -77,7 +77,8 @@ Real difference_of_products(Real a, Real d, Real b, Real c)
 // [difference_of_products]
 
 // [accurate_cross]
-/// a × b, each component within 2u of the true one, also of vectors that are nearly parallel.
+/// a × b, each component within 2u of the true one and one smallest number, also of vectors that
+/// are nearly parallel.
 template <class Real>
 Vector3<Real> accurate_cross(const Vector3<Real>& a, const Vector3<Real>& b)
 {

@@ -4,6 +4,7 @@
 /// \brief Intervals of numbers: overlap, clamp, and what an empty one answers.
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -72,7 +73,7 @@ Real interval_overlap(const Interval<Real>& a, const Interval<Real>& b)
 template <class Real>
 std::optional<Real> clamp(Real x, const Interval<Real>& i)
 {
-  const bool no_number = x != x;
+  const bool no_number = std::isnan(x);
   if (is_empty(i) || no_number)
   {
     return std::nullopt;

@@ -15,14 +15,6 @@ namespace cookbook
 {
 
 // [rotation_between_opposite]
-/// A vector times a power of two, exactly: its largest component lies between 2⁴⁰⁰ and 2⁴⁰¹, so
-/// that products keep the digits of the smallest components.
-template <class Real>
-Vector3<Real> enlarged(const Vector3<Real>& v)
-{
-  return times_power_of_two<Real>(v, 400 - scaled<Real>(v).exponent);
-}
-
 /// rotation_between() for vectors that are nearly opposite, with the cosine between them.
 ///
 /// The cross product is the axis, and all that is left of it must be right. Exactly opposite
@@ -35,8 +27,8 @@ rotation_to_opposite(const Vector3<Real>& from, const Vector3<Real>& to, const R
   using std::sqrt;
   using W = Wide<Real>;
   constexpr bool wider = !std::is_same_v<W, Real>; // then all products are exact as they are
-  const Vector3<W> a = wider ? Vector3<W>(widen(from)) : enlarged<W>(widen(from));
-  const Vector3<W> b = wider ? Vector3<W>(widen(to)) : enlarged<W>(widen(to));
+  const Vector3<W> a = wider ? Vector3<W>(widen(from)) : enlarged(widen(from));
+  const Vector3<W> b = wider ? Vector3<W>(widen(to)) : enlarged(widen(to));
   Direction<W> axis = normalize<W>(wider ? Vector3<W>(a.cross(b)) : accurate_cross(a, b));
   if (axis.length == W(0))
   {

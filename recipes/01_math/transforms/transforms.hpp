@@ -61,13 +61,14 @@ Vector3<Real> to_local(const Isometry3<Real>& t, const Vector3<Real>& point)
   return t.linear().transpose() * (point - t.translation());
 }
 
-/// The same for any affine transform; nothing where its matrix is singular to rounding.
+/// The same for any affine transform; nothing where its matrix is singular to rounding, or its
+/// inverse does not fit.
 template <class Real>
 std::optional<Vector3<Real>> to_local(const Affine3<Real>& t, const Vector3<Real>& point)
 {
   const Matrix3<Real> m = t.linear();
   const std::optional<Matrix3<Real>> back = inverse<Real, 3>(m);
-  if (!back)
+  if (!back || !back->allFinite())
   {
     return std::nullopt;
   }
@@ -97,8 +98,10 @@ Vector3<Real> ordinary_size(const Vector3<WideDouble>& v)
 // [transformed_normal]
 /// The unit normal of a surface after the matrix `m`: along M⁻ᵀ n, M14, by cofactors.
 ///
-/// Right for entries of every size, for mirrors, and for a matrix that flattens space to a plane;
-/// where all that is left is a line, the answer is +y. `n` may have any length; zero counts as +y.
+/// Right for entries of every size, for mirrors, and for a matrix that flattens space to a plane.
+/// A normal that has no image, for it lay in that plane or all that is left is a line, gets +y.
+/// Which side the answer points to is certain wherever the matrix has an inverse(). `n` may have
+/// any length; zero counts as +y.
 template <class Real>
 Vector3<Real> transformed_normal(const Matrix3<Real>& m, const Vector3<Real>& normal)
 {

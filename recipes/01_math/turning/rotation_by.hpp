@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief The rotation of a steady spin, exact whatever the time: the exponential of a quaternion.
+/// \brief The rotation of a steady spin, whatever the time: the exponential of a quaternion.
 
 #include "common/math/vector.hpp"
 
@@ -42,12 +42,13 @@ HalfTurn<Real> half_turn(Real angle)
 // [rotation_by]
 /// The rotation about the direction of a vector by its length [rad]; M9.
 ///
-/// Zero is no turn, and neither is an angle of 1/ε or more: no digit of it would be left.
+/// Zero is no turn, and neither is an angle of 1/ε or more: no digit of it would be left. Not a
+/// number comes out as it went in.
 template <class Real>
 Quaternion<Real> rotation_by(const Vector3<Real>& turn)
 {
   const Real angle = turn.norm();
-  if (!(angle * std::numeric_limits<Real>::epsilon() < Real(1)))
+  if (angle * std::numeric_limits<Real>::epsilon() >= Real(1))
   {
     return Quaternion<Real>::Identity();
   }
@@ -59,7 +60,7 @@ Quaternion<Real> rotation_by(const Vector3<Real>& turn)
 
 // [turn_between]
 /// The rotation vector [rad] that leads from one orientation to another, the shorter way round:
-/// what rotation_by() takes.
+/// what rotation_by() takes. Both orientations have length one.
 template <class Real>
 Vector3<Real> turn_between(const Quaternion<Real>& from, const Quaternion<Real>& to)
 {

@@ -39,6 +39,13 @@ Scaled<Real> scaled(const Vector3<Real>& v)
   return {times_power_of_two<Real>(v, -exponent), exponent};
 }
 
+/// A double vector times a power of two, so that its largest component lies between 2⁴⁰⁰ and 2⁴⁰¹:
+/// then products keep the digits of the smallest components. Zero stays as it is.
+inline Vector3<double> enlarged(const Vector3<double>& v)
+{
+  return v.isZero(0) ? v : times_power_of_two<double>(v, 400 - scaled<double>(v).exponent);
+}
+
 /// Whether a number is so far from both ends of its type's range that the product or quotient of
 /// two such numbers is, too. A fraction, whose range has no ends, only must not be zero.
 template <class Real>

@@ -4,7 +4,7 @@
 /// \brief Matrices of a given condition, ways to invert them, and how wrong each way is.
 
 #include "01_math/matrices/matrices.hpp"
-#include "01_math/matrices/trial/matrices_cases.hpp"
+#include "01_math/matrices/trial/matrix_instances.hpp"
 #include "common/measure/statistics.hpp"
 
 #ifdef COOKBOOK_HAS_GLM
@@ -135,5 +135,15 @@ measure::ErrorStatistics inverse_errors(
   }
   return measure::error_statistics(errors);
 }
+
+// Compiled once, in timed_inverses.cpp and inverse_errors.cpp.
+extern template std::vector<TimedInverse<3>> timed_inverses<3>();
+extern template std::vector<SquareMatrix<double, 3>> conditioned<3>(double, int);
+extern template measure::ErrorStatistics
+inverse_errors<3>(const TimedInverse<3>&, const std::vector<SquareMatrix<double, 3>>&);
+extern template std::vector<TimedInverse<4>> timed_inverses<4>();
+extern template std::vector<SquareMatrix<double, 4>> conditioned<4>(double, int);
+extern template measure::ErrorStatistics
+inverse_errors<4>(const TimedInverse<4>&, const std::vector<SquareMatrix<double, 4>>&);
 
 } // namespace cookbook

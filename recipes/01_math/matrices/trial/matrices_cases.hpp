@@ -140,6 +140,10 @@ std::vector<MatrixCase<Real>> matrix_cases()
       {"", "Scale(" + number(tiny) + ")" + name, scale(tiny), false},
       {"", "Scale(" + number(1 / tiny) + ")" + name, scale(1 / tiny), false},
       {"", "diag(1e-30, 1, 1e30)" + name, rows<Real>({1e-30, 0, 0, 0, 1, 0, 0, 0, 1e30}), false},
+      {"", (is_float ? "0.0034 and 2.6e-23 beside it" : "1e-20 and 2.3e-308 beside it") + name,
+       is_float ? rows<Real>({0.0034, 2.6e-23, 0, 0, 0.0034, 2.6e-23, 0, 0, 0.0034})
+                : rows<Real>({1e-20, 0, 0, 0, 1e-20, 2.3e-308, 0, 0, 1e-20}),
+       false},
       {"", "rows in km, m, mm" + name, rows<Real>({2e3, 0, 1e3, 1, 3, 2, 1e-3, 1e-3, 2e-3}), false},
       {"", "Hilbert" + name,
        rows<Real>({1, 1. / 2, 1. / 3, 1. / 2, 1. / 3, 1. / 4, 1. / 3, 1. / 4, 1. / 5}), false},

@@ -58,17 +58,17 @@ inline plot::Figure3d axis_figure()
 inline plot::Figure3d axes_at_pitch(const std::string& name, const std::string& title, double pitch)
 {
   const Vector3<double> origin(0, 0, 0), y(0, 1, 0), x(1, 0, 0), z(0, 0, 1);
-  const Vector3<double> nose = rotation_about<double>(x, pitch) * z;
+  const Vector3<double> tail = rotation_about<double>(x, pitch) * z; // from the nose to the tail
   plot::Figure3d figure(name, title, {0.55, 0.35, 400, 250, 26});
   const auto ring = [&](const Vector3<double>& axis, const Vector3<double>& start, plot::Ink ink)
   { figure.polyline(turned_points(axis, start, 0, 2 * std::numbers::pi), ink); };
   ring(y, 1.12 * x, plot::Ink::a);
-  ring(nose, 0.8 * x, plot::Ink::b);
+  ring(tail, 0.8 * x, plot::Ink::b);
   figure.describe("The axes of heading, pitch and roll at one pitch.")
       .frame({{0, 0, 0}, 4.2})
       .arrow(origin, 1.4 * y, plot::Ink::a, "heading", plot::Side::left)
       .arrow(origin, 1.4 * x, plot::Ink::ink, "pitch", plot::Side::below)
-      .arrow(origin, (pitch < -1 ? 1.05 : 1.5) * nose, plot::Ink::b, "roll", plot::Side::right);
+      .arrow(origin, (pitch > 1 ? 1.05 : 1.5) * tail, plot::Ink::b, "roll", plot::Side::right);
   return figure;
 }
 
@@ -78,7 +78,7 @@ inline plot::Grid lock_grid()
   plot::Grid grid("rotations_lock", "", 1);
   grid.describe("Level, three axes; with the nose straight up, heading and roll share one.")
       .add(axes_at_pitch("level", "Level: three axes, three ways to turn", 0))
-      .add(axes_at_pitch("up", "Nose up: two axes coincide", -std::numbers::pi / 2));
+      .add(axes_at_pitch("up", "Nose up: two axes on one line", std::numbers::pi / 2));
   return grid;
 }
 // [lock_figure]

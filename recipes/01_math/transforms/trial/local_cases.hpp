@@ -69,43 +69,14 @@ inline std::vector<LocalCase> local_cases()
 }
 // [local_cases]
 
-// [local_error]
 /// How far a local point is from the exact one [unit of the body].
-inline double
-local_error(const Vector3<float>& answer, const Affine3<float>& t, const Vector3<float>& point)
-{
-  if (!answer.allFinite())
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-  const Matrix3<Rational> back = adjugate_inverse<Rational, 3>(exact_matrix<float, 3>(t.linear()));
-  const Vector3<Rational> truth =
-      back * (exact<Rational, float>(point) - exact<Rational, float>(t.translation()));
-  return static_cast<double>(
-      Rational((exact<Rational, float>(answer) - truth).cwiseAbs().maxCoeff()));
-}
-// [local_error]
+double
+local_error(const Vector3<float>& answer, const Affine3<float>& t, const Vector3<float>& point);
 
 /// Local points are of the size 1: right within a tenth of a millimetre of a metre.
 inline constexpr double allowed_local = 1e-4;
 
 /// The verdicts on all ways to a body's frame.
-inline std::vector<VerdictRow> local_verdicts()
-{
-  std::vector<VerdictRow> all;
-  for (const LocalCase& one : local_cases())
-  {
-    const Vector3<float> point = one.t * Vector3<float>(1, 2, 3);
-    all.push_back({"", one.what, {}});
-    for (const LocalMethod& method : local_methods())
-    {
-      const double error = local_error(method.local(one.t, point), one.t, point);
-      const bool right = error <= allowed_local;
-      const std::string off = std::isinf(error) ? "not finite" : rounded(error) + " off";
-      all.back().verdicts.push_back({right, right ? "right" : off});
-    }
-  }
-  return all;
-}
+std::vector<VerdictRow> local_verdicts();
 
 } // namespace cookbook

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Ways to carry a plane along, and transforms that break them.
 
-#include "01_math/matrices/trial/matrices_cases.hpp"
+#include "01_math/matrices/trial/matrix_instances.hpp"
 #include "01_math/transforms/transforms.hpp"
 #include "common/math/rational.hpp"
 #include "common/program/table.hpp"
@@ -106,55 +106,14 @@ inline std::vector<PlaneCase> plane_cases()
 }
 // [plane_cases]
 
-// [plane_error]
 /// How far a plane is off: of its unit normal, or of its distance as a part of the sizes that it
 /// is made of, in roundings of float; infinite where it is not finite.
-inline double plane_error(const Hyperplane3<float>& answer, const Affine3<float>& t)
-{
-  if (!answer.coeffs().allFinite())
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-  const Matrix3<Rational> m = exact_matrix<float, 3>(t.linear()), c = cofactors<Rational>(m);
-  const bool mirrors = m.col(0).dot(c.col(0)) < 0;
-  const Vector3<Rational> n = exact<Rational, float>(ramp.normal()), along = c * n;
-  Vector3<Reference> unit(Reference(along.x()), Reference(along.y()), Reference(along.z()));
-  unit = Vector3<Reference>(unit * (Reference(mirrors ? -1 : 1) / sqrt(unit.dot(unit))));
-  const Vector3<Rational> point = Rational(-ramp.offset()) * n;
-  const Vector3<Rational> carried = m * point + exact<Rational, float>(t.translation());
-  const Vector3<Rational> sizes =
-      m.cwiseAbs() * point.cwiseAbs() + exact<Rational, float>(t.translation().cwiseAbs());
-  Reference distance = 0, size = 0, off = 0;
-  for (int i = 0; i < 3; ++i)
-  {
-    distance += unit[i] * Reference(carried[i]);
-    size += abs(unit[i]) * Reference(sizes[i]);
-    off = std::max<Reference>(off, abs(Reference(answer.normal()[i]) - unit[i]));
-  }
-  const Reference far = abs(Reference(-answer.offset()) - distance) / size;
-  return static_cast<double>(std::max<Reference>(off, far)) * 0x1p24;
-}
-// [plane_error]
+double plane_error(const Hyperplane3<float>& answer, const Affine3<float>& t);
 
 /// What is right within this many roundings is right.
 inline constexpr double allowed_in_transforms = 16;
 
 /// The verdicts on all ways to carry a plane along.
-inline std::vector<VerdictRow> plane_verdicts()
-{
-  std::vector<VerdictRow> all;
-  for (const PlaneCase& one : plane_cases())
-  {
-    all.push_back({one.id, one.what, {}});
-    for (const PlaneMethod& method : plane_methods())
-    {
-      const double error = plane_error(method.carry(one.t, ramp), one.t);
-      const bool right = error <= allowed_in_transforms;
-      const std::string off = std::isinf(error) ? "not finite" : rounded(error * 0x1p-24) + " off";
-      all.back().verdicts.push_back({right, right ? "right" : off});
-    }
-  }
-  return all;
-}
+std::vector<VerdictRow> plane_verdicts();
 
 } // namespace cookbook
