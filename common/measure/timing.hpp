@@ -25,6 +25,9 @@ struct Effort
   double seconds = 0.02; ///< at least, for each repetition
 };
 
+/// The effort that --effort names: brief where it is `quick`.
+Effort effort_named(const std::string& name);
+
 /// What a call costs.
 struct Timing
 {

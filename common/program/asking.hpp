@@ -71,8 +71,7 @@ int run_asking_program(
     names.push_back(question.name);
   }
   arguments.options.push_back({"ask", "what to ask of each row of --pairs", "", names, {"pairs"}});
-  arguments.options.push_back(
-      {"scalar", "number type for --pairs", "double", {"float", "double"}, {"pairs"}});
+  arguments.options.push_back(scalar_option());
   const auto print_as = [&](const Arguments& given, auto zero)
   {
     for (const auto& question : questions(zero))

@@ -34,6 +34,18 @@ struct Option
   bool draws = true;                   ///< whether figures are drawn where it is given
 };
 
+/// The option with which a reader chooses the number type of --pairs.
+inline Option scalar_option()
+{
+  return {"scalar", "number type for --pairs", "double", {"float", "double"}, {"pairs"}};
+}
+
+/// The option with which a chart is measured at length or quickly.
+inline Option effort_option()
+{
+  return {"effort", "how long to measure", "full", {"full", "quick"}};
+}
+
 /// What a program is called with, and what it can be called with.
 struct Arguments
 {

@@ -4,9 +4,8 @@
 #include "01_math/angle_chart/trial/angle_chart.hpp"
 #include "01_math/vectors/trial/vectors_cases.hpp"
 #include "01_math/vectors/vectors.hpp"
-#include "common/measure/timing.hpp"
+#include "common/measure/cost_chart.hpp"
 #include "common/plot/charts/bar_chart.hpp"
-#include "common/plot/charts/chart.hpp"
 #include "common/program/program.hpp"
 
 #ifdef COOKBOOK_HAS_GLM
@@ -93,20 +92,13 @@ angles_chart(const std::string& name, const std::string& title, const measure::E
   plot::Chart chart(
       name, title, {"time of a call [ns]", plot::Scale::log},
       {"error as a part of the angle", plot::Scale::log});
-  const std::vector<measure::Timing> timings = measure::time_interleaved(all, effort);
-  std::vector<Eigen::Vector2d> front;
+  std::vector<measure::ChartedMethod> charted;
   for (std::size_t i = 0; i < methods.size(); ++i)
   {
-    const measure::ErrorStatistics errors = angle_errors(methods[i], pairs);
-    if (!(errors.maximum < 0.1))
-    {
-      chart.fails(methods[i].name, timings[i].ns, plot::series_look(i));
-      continue;
-    }
-    chart.whisker(methods[i].name, timings[i].ns, errors.p99, errors.maximum, plot::series_look(i));
-    front.push_back({timings[i].ns, errors.maximum});
+    charted.push_back({all[i], angle_errors(methods[i], pairs)});
   }
-  chart.size(400, 310).front(front).rail("no digit");
+  measure::add_methods(chart, charted, effort, 0.1);
+  chart.size(400, 310).rail("no digit");
   return chart;
 }
 
@@ -162,13 +154,12 @@ int main(int argc, char** argv)
   const Arguments arguments{
       .name = "angle_chart",
       .summary = "Times ways to find an angle and to multiply vectors; draws cost against error.",
-      .options = {{"effort", "how long to measure", "full", {"full", "quick"}}}};
+      .options = {effort_option()}};
   return run_program(
       argc, argv, arguments,
       [](const Arguments& given)
       {
-        const bool quick = given.value("effort") == "quick";
-        const measure::Effort effort = quick ? measure::Effort{5, 0.002} : measure::Effort{};
+        const measure::Effort effort = measure::effort_named(given.value("effort"));
         plot::Grid grid("angle_chart", "", 1);
         grid.describe("Cost against error of ways to find an angle; " + measure::machine_line())
             .add(angles_chart<float>("float", "Angles of every size, float", effort))

@@ -2,9 +2,7 @@
 /// \brief Times ways from a matrix to a quaternion, and draws their cost against their error.
 
 #include "01_math/quaternion_chart/trial/quaternion_chart.hpp"
-#include "common/measure/pareto.hpp"
-#include "common/measure/timing.hpp"
-#include "common/plot/charts/chart.hpp"
+#include "common/measure/cost_chart.hpp"
 #include "common/program/program.hpp"
 
 namespace
@@ -13,14 +11,9 @@ namespace
 using namespace cookbook;
 
 /// A way by its name: timed, and asked for its errors.
-struct TimedWay
-{
-  measure::Timed timed;
-  measure::ErrorStatistics errors;
-};
-
 template <class Way>
-TimedWay timed_way(const std::string& name, const std::vector<KnownRotation>& rotations, Way way)
+measure::ChartedMethod
+timed_way(const std::string& name, const std::vector<KnownRotation>& rotations, Way way)
 {
   const auto run = [&rotations, way]
   {
@@ -37,7 +30,7 @@ plot::Chart chart(
     const measure::Effort& effort)
 {
   using M = Matrix3<float>;
-  std::vector<TimedWay> ways{
+  std::vector<measure::ChartedMethod> ways{
       timed_way("by w alone", rotations, [](const M& r) { return quaternion_by_w(r); }),
       timed_way("four roots", rotations, [](const M& r) { return quaternion_by_roots(r); }),
       timed_way("Eigen", rotations, [](const M& r) { return Quaternion<float>(r); }),
@@ -45,28 +38,11 @@ plot::Chart chart(
 #ifdef COOKBOOK_HAS_GLM
   ways.push_back(timed_way("GLM", rotations, glm_quaternion));
 #endif
-  std::vector<measure::Timed> timed;
-  for (const TimedWay& way : ways)
-  {
-    timed.push_back(way.timed);
-  }
-  const std::vector<measure::Timing> timings = measure::time_interleaved(timed, effort);
   plot::Chart chart(
       name, title, {"time of a call [ns]", plot::Scale::log},
       {"error [ulp of one]", plot::Scale::log});
-  std::vector<Eigen::Vector2d> front;
-  for (std::size_t i = 0; i < ways.size(); ++i)
-  {
-    const measure::ErrorStatistics errors = ways[i].errors;
-    if (std::isinf(errors.maximum))
-    {
-      chart.fails(timings[i].name, timings[i].ns, plot::series_look(i));
-      continue;
-    }
-    chart.whisker(timings[i].name, timings[i].ns, errors.p99, errors.maximum, plot::series_look(i));
-    front.push_back({timings[i].ns, errors.maximum});
-  }
-  chart.size(400, 290).front(front).rail("not a number");
+  measure::add_methods(chart, ways, effort);
+  chart.size(400, 290).rail("not a number");
   return chart;
 }
 
@@ -77,13 +53,12 @@ int main(int argc, char** argv)
   const Arguments arguments{
       .name = "quaternion_chart",
       .summary = "Times ways from a matrix to a quaternion, and draws cost against error.",
-      .options = {{"effort", "how long to measure", "full", {"full", "quick"}}}};
+      .options = {effort_option()}};
   return run_program(
       argc, argv, arguments,
       [](const Arguments& given)
       {
-        const bool quick = given.value("effort") == "quick";
-        const measure::Effort effort = quick ? measure::Effort{5, 0.002} : measure::Effort{};
+        const measure::Effort effort = measure::effort_named(given.value("effort"));
         plot::Grid grid("quaternion_chart", "", 1);
         grid.describe("Cost against error, matrix to quaternion; " + measure::machine_line())
             .add(chart("any", "Any rotation", known_rotations(60), effort))

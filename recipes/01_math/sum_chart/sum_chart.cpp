@@ -5,9 +5,10 @@
 #include "01_math/sum_chart/trial/sum_chart.hpp"
 #include "01_math/numbers/trial/wrap_cases.hpp"
 #include "01_math/sum_chart/trial/product_chart.hpp"
-#include "common/measure/timing.hpp"
-#include "common/plot/charts/chart.hpp"
+#include "common/measure/cost_chart.hpp"
 #include "common/program/program.hpp"
+
+#include <limits>
 
 namespace
 {
@@ -30,22 +31,15 @@ sums(const std::string& name, const std::string& title, Signs signs, const measu
 {
   const std::vector<SumList> lists{sum_list(signs, 1), sum_list(signs, 2), sum_list(signs, 3)};
   const std::vector<float>& numbers = lists[0].numbers;
-  std::vector<measure::Timed> timed;
+  std::vector<measure::ChartedMethod> ways;
   for (const SumMethod<float>& method : sum_methods<float>())
   {
     const auto run = [&numbers, method] { measure::keep(method.sum(numbers)); };
-    timed.push_back({method.name, run, static_cast<double>(numbers.size())});
+    ways.push_back(
+        {{method.name, run, static_cast<double>(numbers.size())}, sum_errors(method, lists)});
   }
-  const std::vector<measure::Timing> timings = measure::time_interleaved(timed, effort);
   plot::Chart chart = new_chart(name, title, "a number");
-  std::vector<Eigen::Vector2d> front;
-  for (std::size_t i = 0; i < timings.size(); ++i)
-  {
-    const measure::ErrorStatistics errors = sum_errors(sum_methods<float>()[i], lists);
-    chart.whisker(timings[i].name, timings[i].ns, errors.p99, errors.maximum, plot::series_look(i));
-    front.push_back({timings[i].ns, errors.maximum});
-  }
-  chart.front(front);
+  measure::add_methods(chart, ways, effort);
   return chart;
 }
 // [time_sums]
@@ -72,9 +66,10 @@ __attribute__((target("fma"))) void fused_by_instruction(const std::vector<Produ
 {
   for (const Products& one : all)
   {
-    const double product = one.b * one.c;
-    const double lost = __builtin_fma(-one.b, one.c, product);
-    measure::keep(__builtin_fma(one.a, one.d, -product) + lost);
+    const double first = one.a * one.d, second = one.b * one.c;
+    const double lost_first = __builtin_fma(one.a, one.d, -first);
+    const double lost_second = __builtin_fma(one.b, one.c, -second);
+    measure::keep((first - second) + (lost_first - lost_second));
   }
 }
 #endif
@@ -99,20 +94,19 @@ plot::Chart products(const measure::Effort& effort)
     answers.push_back(fused);
   }
 #endif
-  const std::vector<measure::Timing> timings = measure::time_interleaved(ways, effort);
-  plot::Chart chart = new_chart("products", "Doubles: ad − bc that is 1", "a difference");
-  std::vector<Eigen::Vector2d> front;
-  for (std::size_t i = 0; i < timings.size(); ++i)
+  std::vector<measure::ChartedMethod> charted;
+  for (std::size_t i = 0; i < ways.size(); ++i)
   {
     double worst = 0;
     for (const Products& one : all)
     {
       worst = std::max(worst, sum_error(answers[i](one.a, one.d, one.b, one.c), 1.0));
     }
-    chart.point(timings[i].name, {timings[i].ns, worst}, plot::series_look(i));
-    front.push_back({timings[i].ns, worst});
+    charted.push_back({ways[i], {worst, worst}});
   }
-  chart.front(front).note(measure::machine_line());
+  plot::Chart chart = new_chart("products", "Doubles: ad − bc that is 1", "a difference");
+  measure::add_methods(chart, charted, effort);
+  chart.note(measure::machine_line());
   return chart;
 }
 
@@ -152,11 +146,8 @@ plot::Chart wraps(
       {"wrap_degrees", each([](float x) { return wrap_degrees(x); }), calls}};
   const std::size_t first = asked ? 0 : 1;
   ways.erase(ways.begin(), ways.begin() + static_cast<std::ptrdiff_t>(first));
-  const std::vector<measure::Timing> timings = measure::time_interleaved(ways, effort);
-  plot::Chart chart(
-      name, title, {"time of an angle [ns]", plot::Scale::log}, {"error [°]", plot::Scale::log});
-  std::vector<Eigen::Vector2d> front;
-  for (std::size_t i = 0; i < timings.size(); ++i)
+  std::vector<measure::ChartedMethod> charted;
+  for (std::size_t i = 0; i < ways.size(); ++i)
   {
     double worst = 0;
     for (const float angle : all)
@@ -166,10 +157,12 @@ plot::Chart wraps(
       const double off = std::remainder(wrapped - std::remainder(angle, 360.0), 360.0);
       worst = std::max(worst, std::abs(off));
     }
-    chart.point(timings[i].name, {timings[i].ns, worst}, plot::series_look(first + i));
-    front.push_back({timings[i].ns, worst});
+    charted.push_back({ways[i], {worst, worst}});
   }
-  chart.size(400, 250).front(front);
+  plot::Chart chart(
+      name, title, {"time of an angle [ns]", plot::Scale::log}, {"error [°]", plot::Scale::log});
+  measure::add_methods(chart, charted, effort, std::numeric_limits<double>::max(), first);
+  chart.size(400, 250);
   return chart;
 }
 
@@ -180,13 +173,12 @@ int main(int argc, char** argv)
   const Arguments arguments{
       .name = "sum_chart",
       .summary = "Times ways to add a million floats, to subtract products and to wrap angles.",
-      .options = {{"effort", "how long to measure", "full", {"full", "quick"}}}};
+      .options = {effort_option()}};
   return run_program(
       argc, argv, arguments,
       [](const Arguments& given)
       {
-        const bool quick = given.value("effort") == "quick";
-        const measure::Effort effort = quick ? measure::Effort{5, 0.002} : measure::Effort{};
+        const measure::Effort effort = measure::effort_named(given.value("effort"));
         plot::Grid grid("sum_chart", "", 1);
         grid.describe("Cost against error of eight ways to add; " + measure::machine_line())
             .add(sums("positive", "A million positive floats", Signs::positive, effort))

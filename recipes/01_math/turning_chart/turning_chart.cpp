@@ -2,9 +2,7 @@
 /// \brief Times ways to turn by an angular velocity, and draws their cost against their drift.
 
 #include "01_math/turning_chart/trial/turning_chart.hpp"
-#include "common/measure/pareto.hpp"
-#include "common/measure/timing.hpp"
-#include "common/plot/charts/chart.hpp"
+#include "common/measure/cost_chart.hpp"
 #include "common/program/program.hpp"
 
 namespace
@@ -13,22 +11,17 @@ namespace
 using namespace cookbook;
 
 /// A way by its name: timed, and its drift after a million steps.
-struct TurningWay
-{
-  measure::Timed timed;
-  double drift;
-};
-
 template <class State, class Step>
-TurningWay turning_way(const std::string& name, const State& start, Step one)
+measure::ChartedMethod turning_way(const std::string& name, const State& start, Step one)
 {
   static const std::vector<Vector3<float>> spins = changing_spin();
   static const Quaternion<double> right = true_end(spins, 15625);
   const auto run = [start, one] { measure::keep(after_rounds(start, spins, 20, one)); };
-  return {{name, run, 20.0 * 64}, drift(spin_end(after_rounds(start, spins, 15625, one)), right)};
+  const double off = drift(spin_end(after_rounds(start, spins, 15625, one)), right);
+  return {{name, run, 20.0 * 64}, {off, off}};
 }
 
-std::vector<TurningWay> turning_ways()
+std::vector<measure::ChartedMethod> turning_ways()
 {
   using Q = Quaternion<float>;
   using V = Vector3<float>;
@@ -36,7 +29,7 @@ std::vector<TurningWay> turning_ways()
   const Matrix3<float> axes = Matrix3<float>::Identity();
   const auto by = [](auto step)
   { return [step](const auto& state, const V& spin, float h) { return step(state, spin, h); }; };
-  std::vector<TurningWay> ways{
+  std::vector<measure::ChartedMethod> ways{
       turning_way("quaternion added", none, by(quaternion_added<float>)),
       turning_way("added, length one", none, by(quaternion_added_and_normalised<float>)),
       turning_way("half-angle fraction", none, by(turned_by_fraction<float>)),
@@ -54,29 +47,13 @@ std::vector<TurningWay> turning_ways()
 
 plot::Chart chart(const measure::Effort& effort)
 {
-  const std::vector<TurningWay> ways = turning_ways();
-  std::vector<measure::Timed> timed;
-  for (const TurningWay& way : ways)
-  {
-    timed.push_back(way.timed);
-  }
-  const std::vector<measure::Timing> timings = measure::time_interleaved(timed, effort);
   plot::Chart chart(
       "turning_chart", "A million frames of a changing spin, float",
       {"time of a step [ns]", plot::Scale::log},
       {"drift [rad, or of the length]", plot::Scale::log});
-  std::vector<Eigen::Vector2d> front;
-  for (std::size_t i = 0; i < ways.size(); ++i)
-  {
-    if (!(ways[i].drift <= 4)) // half a turn is the most that an angle can be off
-    {
-      chart.fails(timings[i].name, timings[i].ns, plot::series_look(i));
-      continue;
-    }
-    chart.point(timings[i].name, {timings[i].ns, ways[i].drift}, plot::series_look(i));
-    front.push_back({timings[i].ns, ways[i].drift});
-  }
-  chart.size(400, 420).front(front).rail("length lost").note(measure::machine_line());
+  // Half a turn is the most that an angle can be off.
+  measure::add_methods(chart, turning_ways(), effort, 4);
+  chart.size(400, 420).rail("length lost").note(measure::machine_line());
   chart.describe("Cost of a step against drift after a million; " + measure::machine_line());
   return chart;
 }
@@ -88,13 +65,12 @@ int main(int argc, char** argv)
   const Arguments arguments{
       .name = "turning_chart",
       .summary = "Times ways to turn by an angular velocity, and draws cost against drift.",
-      .options = {{"effort", "how long to measure", "full", {"full", "quick"}}}};
+      .options = {effort_option()}};
   return run_program(
       argc, argv, arguments,
       [](const Arguments& given)
       {
-        const bool quick = given.value("effort") == "quick";
-        const measure::Effort effort = quick ? measure::Effort{5, 0.002} : measure::Effort{};
+        const measure::Effort effort = measure::effort_named(given.value("effort"));
         save_figure(given, "turning_chart.svg", chart(effort).svg());
       });
 }

@@ -308,7 +308,7 @@ int main(int argc, char** argv)
   const Arguments arguments{
       .name = "sphere_chart",
       .summary = "Speed against accuracy of every method for two spheres.",
-      .options = {{"effort", "how long to measure", "full", {"full", "quick"}}}};
+      .options = {effort_option()}};
   return run_program(
       argc, argv, arguments,
       [](const Arguments& given)

@@ -107,6 +107,6 @@ int main(int argc, char** argv)
   const Arguments arguments{
       .name = "box_chart",
       .summary = "Speed against accuracy of every method for two boxes.",
-      .options = {{"effort", "how long to measure", "full", {"full", "quick"}}}};
+      .options = {effort_option()}};
   return run_program(argc, argv, arguments, run);
 }

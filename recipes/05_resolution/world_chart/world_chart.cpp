@@ -201,6 +201,6 @@ int main(int argc, char** argv)
   const Arguments arguments{
       .name = "world_chart",
       .summary = "Times every solver beside Bullet, and draws cost against how far a tower sinks.",
-      .options = {{"effort", "how long to measure", "full", {"full", "quick"}}}};
+      .options = {effort_option()}};
   return run_program(argc, argv, arguments, run);
 }

@@ -30,18 +30,17 @@ struct TimedInverse
 {
   using M = SquareMatrix<double, Size>;                       ///< what it inverts
   std::string name;                                           ///< as on the chart
-  bool peer;                                                  ///< whether it is another library's
   M (*invert)(const M&);                                      ///< the way
   void (*invert_all)(const std::vector<M>&, std::vector<M>&); ///< the way built into a loop
 };
 
 /// A way, and the loop that it is built into.
 template <int Size, class Invert>
-TimedInverse<Size> timed_inverse(const std::string& name, bool peer, Invert)
+TimedInverse<Size> timed_inverse(const std::string& name, Invert)
 {
   using M = SquareMatrix<double, Size>;
   return {
-      name, peer, [](const M& m) -> M { return Invert()(m); },
+      name, [](const M& m) -> M { return Invert()(m); },
       [](const std::vector<M>& all, std::vector<M>& answers)
       {
         for (std::size_t i = 0; i < all.size(); ++i)
@@ -57,14 +56,14 @@ template <int Size>
 std::vector<TimedInverse<Size>> timed_inverses()
 {
   using M = SquareMatrix<double, Size>;
-  const auto way = [](const std::string& name, bool peer, auto invert)
-  { return timed_inverse<Size>(name, peer, invert); };
+  const auto way = [](const std::string& name, auto invert)
+  { return timed_inverse<Size>(name, invert); };
   return {
-      way("Eigen inverse", true, [](const M& m) -> M { return m.inverse(); }),
-      way("PartialPivLU", true, [](const M& m) -> M { return m.partialPivLu().inverse(); }),
-      way("FullPivLU", true, [](const M& m) -> M { return m.fullPivLu().inverse(); }),
+      way("Eigen inverse", [](const M& m) -> M { return m.inverse(); }),
+      way("PartialPivLU", [](const M& m) -> M { return m.partialPivLu().inverse(); }),
+      way("FullPivLU", [](const M& m) -> M { return m.fullPivLu().inverse(); }),
 #ifdef COOKBOOK_HAS_GLM
-      way("GLM", true,
+      way("GLM",
           [](const M& m) -> M
           {
             glm::mat<Size, Size, double, glm::defaultp> of;
@@ -75,8 +74,8 @@ std::vector<TimedInverse<Size>> timed_inverses()
             return answer;
           }),
 #endif
-      way("adjugate", false, [](const M& m) -> M { return adjugate_inverse<double, Size>(m); }),
-      way("recommended", false,
+      way("adjugate", [](const M& m) -> M { return adjugate_inverse<double, Size>(m); }),
+      way("recommended",
           [](const M& m) -> M
           {
             return inverse<double, Size>(m).value_or(

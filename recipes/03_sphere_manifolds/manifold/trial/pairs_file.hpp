@@ -123,12 +123,6 @@ std::string manifolds_csv(const std::vector<std::optional<Manifold<Real, Capacit
   return text;
 }
 
-/// The option with which a reader chooses the number type of --pairs.
-inline Option scalar_option()
-{
-  return {"scalar", "number type for --pairs", "double", {"float", "double"}, {"pairs"}};
-}
-
 /// Whether all numbers of a manifold are finite.
 template <class Real, std::size_t Capacity>
 bool is_finite(const Manifold<Real, Capacity>& manifold)
