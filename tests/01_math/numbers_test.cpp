@@ -13,6 +13,7 @@
 #include "common/math/ulp.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/random_inputs.hpp"
 #include "tests/verdicts.hpp"
 
 #include <limits>
@@ -106,7 +107,7 @@ TEMPLATE_TEST_CASE(
 {
   WholeRange<TestType> draw;
   int wrong = 0;
-  for (int i = 0; i < 100000; ++i)
+  for (int i = 0; i < random_inputs; ++i)
   {
     const TestType a = std::abs(draw.number());
     const TestType b = a + a * draw.share() / 2;
@@ -126,7 +127,7 @@ TEMPLATE_TEST_CASE(
 {
   WholeRange<TestType> draw;
   int wrong = 0;
-  for (int i = 0; i < 100000; ++i)
+  for (int i = 0; i < random_inputs; ++i)
   {
     const Vector3<TestType> a(draw.share(), draw.share(), draw.share());
     const Vector3<TestType> b(draw.share(), draw.share(), draw.share());
@@ -162,7 +163,7 @@ TEMPLATE_TEST_CASE(
   constexpr int digits = all_digits<TestType>();
   WholeRange<TestType> draw;
   int wrong = 0, unknown = 0;
-  for (int i = 0; i < 100000; ++i)
+  for (int i = 0; i < random_inputs; ++i)
   {
     const bool even = i % 2 == 0;
     const Vector3<TestType> a = even ? draw.even_vector() : draw.vector();
@@ -224,7 +225,7 @@ TEMPLATE_TEST_CASE(
   constexpr int digits = all_digits<TestType>();
   WholeRange<TestType> draw;
   int wrong = 0;
-  for (int i = 0; i < 100000; ++i)
+  for (int i = 0; i < random_inputs; ++i)
   {
     const TestType a = draw.number(), b = draw.number(), c = draw.number();
     // Every other time the products are nearly equal, and nearly all digits cancel.
@@ -355,7 +356,7 @@ TEMPLATE_TEST_CASE(
   using Limits = std::numeric_limits<TestType>;
   WholeRange<TestType> draw;
   int wrong = 0, same = 0;
-  for (int i = 0; i < 100000; ++i)
+  for (int i = 0; i < random_inputs; ++i)
   {
     const TestType a = draw.number();
     const int gaps = draw.drawn(-20, 20);
@@ -375,7 +376,7 @@ TEMPLATE_TEST_CASE(
     wrong += !answer && apart < bound * 9 ? 1 : 0;
   }
   CHECK(wrong == 0);
-  CHECK(same > 10000);
+  CHECK(same > random_inputs / 10);
 }
 // [comparison_scales]
 
@@ -438,7 +439,7 @@ TEMPLATE_TEST_CASE(
 {
   WholeRange<TestType> draw;
   int wrong = 0, touching = 0;
-  for (int i = 0; i < 100000; ++i)
+  for (int i = 0; i < random_inputs; ++i)
   {
     TestType ends[4] = {draw.number(), draw.number(), draw.number(), draw.number()};
     ends[2] = i % 3 == 0 ? ends[1] : i % 3 == 1 ? std::nextafter(ends[1], ends[2]) : ends[2];
@@ -454,7 +455,7 @@ TEMPLATE_TEST_CASE(
     wrong += off << std::numeric_limits<TestType>::digits <= abs(truth) ? 0 : 1;
   }
   CHECK(wrong == 0);
-  CHECK(touching > 1000);
+  CHECK(touching > random_inputs / 100);
 }
 // [exact_sign]
 

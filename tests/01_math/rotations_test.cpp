@@ -9,6 +9,7 @@
 #include "common/math/rational.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/random_inputs.hpp"
 #include "tests/verdicts.hpp"
 
 #include <cmath>
@@ -24,8 +25,6 @@ namespace
 /// float only.
 using Long = long double;
 constexpr bool long_is_longer = std::numeric_limits<Long>::digits >= 64;
-
-constexpr int count = 100000;
 
 template <class Real>
 constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
@@ -414,7 +413,7 @@ TEMPLATE_TEST_CASE(
   REQUIRE(long_is_longer);
   WholeRange<TestType> draw;
   Worst unit, matrix;
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < random_inputs; ++i)
   {
     const Quaternion<TestType> q = drawn_quaternion(draw);
     const Quaternion<Long> truth = long_unit(q);
@@ -433,7 +432,7 @@ TEMPLATE_TEST_CASE(
   WholeRange<TestType> draw;
   Worst error, length;
   int positive = 0;
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < random_inputs; ++i)
   {
     const Quaternion<Long> truth = long_unit(drawn_quaternion(draw));
     const Matrix3<TestType> r = long_matrix(truth).template cast<TestType>();
@@ -452,14 +451,14 @@ TEMPLATE_TEST_CASE(
   CAPTURE(error.value(), length.value());
   CHECK(error.value() <= 2);
   CHECK(length.value() <= 2);
-  CHECK(positive == count);
+  CHECK(positive == random_inputs);
 }
 
 TEMPLATE_TEST_CASE("slerp and nlerp are within 4 ulp of one for t from 0 to 1", "", float, double)
 {
   WholeRange<TestType> draw;
   Worst constant, straight;
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < random_inputs; ++i)
   {
     const Quaternion<TestType> a = drawn_quaternion(draw);
     Quaternion<TestType> b = drawn_quaternion(draw);
@@ -504,7 +503,7 @@ TEMPLATE_TEST_CASE(
 {
   WholeRange<TestType> draw;
   Worst error;
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < random_inputs; ++i)
   {
     const Quaternion<TestType> a = drawn_quaternion(draw), b = drawn_quaternion(draw);
     const TestType t = 1000 * draw.share();
@@ -530,7 +529,7 @@ TEMPLATE_TEST_CASE(
 {
   WholeRange<TestType> draw;
   Worst error, askew, length;
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < random_inputs; ++i)
   {
     const Vector3<TestType> from = drawn_vector(draw);
     Vector3<TestType> to = drawn_vector(draw);
@@ -597,7 +596,7 @@ TEMPLATE_TEST_CASE("any angle about any axis gives the matrix within 6 ulp", "[M
 {
   WholeRange<TestType> draw;
   Worst error;
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < random_inputs; ++i)
   {
     const Vector3<TestType> axis = drawn_vector(draw);
     const TestType angle = draw.drawn(0, 1) == 0 ? draw.number() : 7 * draw.share();
@@ -615,7 +614,7 @@ TEMPLATE_TEST_CASE(
 {
   WholeRange<TestType> draw;
   Worst back, there;
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < random_inputs; ++i)
   {
     Quaternion<Long> q = long_unit(drawn_quaternion(draw));
     if (draw.drawn(0, 1) == 0) // nose up or down, or nearly

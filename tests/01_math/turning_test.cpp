@@ -8,6 +8,7 @@
 #include "common/math/rational.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/random_inputs.hpp"
 #include "tests/verdicts.hpp"
 
 #include <cmath>
@@ -93,7 +94,7 @@ TEMPLATE_TEST_CASE(
   WholeRange<TestType> draw;
   const Long most = 1 / Long(std::numeric_limits<TestType>::epsilon());
   double worst = 0, relative = 0;
-  for (int i = 0; i < 100000; ++i)
+  for (int i = 0; i < random_inputs; ++i)
   {
     const bool usual = draw.drawn(0, 1) == 0;
     Vector3<TestType> turn = draw.drawn(0, 1) == 0 ? draw.even_vector() : draw.vector();
@@ -130,7 +131,7 @@ TEMPLATE_TEST_CASE(
   WholeRange<TestType> draw;
   const TestType epsilon = std::numeric_limits<TestType>::epsilon();
   double worst = 0;
-  for (int i = 0; i < 100000; ++i)
+  for (int i = 0; i < random_inputs; ++i)
   {
     const Vector3<TestType> v = draw.even_vector(), spin = draw.vector();
     Quaternion<TestType> start(v.cwiseAbs().maxCoeff() * draw.share(), v.x(), v.y(), v.z());
@@ -156,7 +157,7 @@ TEMPLATE_TEST_CASE(
 {
   WholeRange<TestType> draw;
   double worst = 0, longest = 0;
-  for (int i = 0; i < 100000; ++i)
+  for (int i = 0; i < random_inputs; ++i)
   {
     const auto drawn = [&]
     {

@@ -193,7 +193,7 @@ struct Partings
 // [parting]
 
 #ifdef COOKBOOK_FEWER_PAIRS
-constexpr int pairs = 1'000;
+constexpr int pairs = 300;
 #else
 constexpr int pairs = 20'000;
 #endif
