@@ -52,7 +52,8 @@ std::size_t width(const std::string& text)
 
 bool is_number(const std::string& text)
 {
-  return !text.empty() && text.find_first_not_of("0123456789.+-e,") == text.npos;
+  return text == "inf" || text == "-inf" || text == "nan" ||
+         (!text.empty() && text.find_first_not_of("0123456789.+-e,") == text.npos);
 }
 
 } // namespace

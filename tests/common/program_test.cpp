@@ -150,6 +150,8 @@ TEST_CASE("columns are as wide as their widest cell, numbers at the right", "[ta
   table.row({"longer", "12"});
   CHECK(table.text() == "name     n\nä        5\nlonger  12\n");
   CHECK_THROWS_AS(table.row({"one"}), std::logic_error);
+  table.row({"none", "inf"});
+  CHECK(table.text() == "name      n\nä         5\nlonger   12\nnone    inf\n");
 }
 
 TEST_CASE("a table in HTML has its first row as its head", "[table]")

@@ -104,11 +104,20 @@ Real angle(const Vector3<Real>& a, const Vector3<Real>& b)
 template <class Real>
 Real signed_angle(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& axis)
 {
-  const Vector3<double> turn = accurate_cross<double>(
-      enlarged(a.template cast<double>()), enlarged(b.template cast<double>()));
-  const Vector3<double> along = scaled<double>(axis.template cast<double>()).v;
+  const Vector3<double> p = a.template cast<double>(), q = b.template cast<double>();
+  const Vector3<double> n = axis.template cast<double>();
+  double side; // of the turn, seen along the axis
+  if constexpr (std::is_same_v<Real, float>)
+  {
+    side = n.dot(p.cross(q)); // the cross product's products are exact, and all fit
+  }
+  else
+  {
+    const Vector3<double> turn = accurate_cross<double>(enlarged(p), enlarged(q));
+    side = scaled<double>(n).v.dot(scaled<double>(turn).v);
+  }
   const Real size = angle<Real>(a, b);
-  return along.dot(scaled<double>(turn).v) < 0 ? -size : size;
+  return side < 0 ? -size : size;
 }
 // [signed_angle]
 
