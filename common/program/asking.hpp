@@ -25,7 +25,7 @@ struct Question
   std::string name;                                         ///< what --ask calls it
   std::string columns;                                      ///< of the file, such as `ax,ay,az`
   std::string answers;                                      ///< of what is printed, after `pair`
-  std::function<std::vector<Real>(const PairsRow&)> answer; ///< a number each, or none at all
+  std::function<std::vector<Real>(const PairsRow&)> answer; ///< a number each; those left out are empty
 };
 // [question]
 
@@ -51,7 +51,7 @@ std::string answers_csv(const Question<Real>& question, const std::string& file)
       text += ',';
       text += round_trip(number);
     }
-    text.append(numbers.empty() ? static_cast<std::size_t>(cells) : 0, ',').append("\n");
+    text.append(static_cast<std::size_t>(cells) - numbers.size(), ',').append("\n");
   }
   return text;
 }
