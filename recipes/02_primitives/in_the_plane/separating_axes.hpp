@@ -1,0 +1,107 @@
+#pragma once
+
+/// \file
+/// \brief Whether two convex polygons overlap, by their shadows on axes.
+
+#include "02_primitives/in_the_plane/plane_form.hpp"
+
+#include <optional>
+#include <span>
+
+namespace cookbook
+{
+
+// [shadow]
+/// From where to where the shadow of a polygon reaches on an axis [m times the axis' length].
+template <class Real>
+struct ShadowSpan
+{
+  Real least; ///< where it begins
+  Real most;  ///< where it ends
+};
+
+/// The shadow of a polygon on an axis: each corner falls at its dot product with the axis.
+template <class Real>
+ShadowSpan<Wide<Real>>
+shadow_on(std::span<const Vector<Real, 2>> polygon, const Vector<Wide<Real>, 2>& axis)
+{
+  const Wide<Real> first = axis.dot(widen(polygon[0]));
+  ShadowSpan<Wide<Real>> reach{first, first};
+  for (const Vector<Real, 2>& corner : polygon.subspan(1))
+  {
+    const Wide<Real> at = axis.dot(widen(corner));
+    reach.least = std::min(reach.least, at);
+    reach.most = std::max(reach.most, at);
+  }
+  return reach;
+}
+
+/// Whether the shadows of two polygons on an axis have a gap between them; touching ones have none.
+template <class Real>
+bool separates(
+    const Vector<Wide<Real>, 2>& axis, std::span<const Vector<Real, 2>> a,
+    std::span<const Vector<Real, 2>> b)
+{
+  const ShadowSpan<Wide<Real>> of_a = shadow_on<Real>(a, axis), of_b = shadow_on<Real>(b, axis);
+  return of_a.most < of_b.least || of_b.most < of_a.least;
+}
+// [shadow]
+
+// [separating_axis]
+/// An axis square to an edge of polygon a on which the shadows of a and b have a gap.
+template <class Real>
+std::optional<Vector<Wide<Real>, 2>> separating_edge(
+    std::span<const Vector<Real, 2>> a, std::span<const Vector<Real, 2>> b, Wide<Real> factor)
+{
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    const Vector<Wide<Real>, 2> edge = widen(a[(i + 1) % a.size()]) * factor - widen(a[i]) * factor;
+    const Vector<Wide<Real>, 2> axis = quarter_turn<Wide<Real>>(edge);
+    if (separates<Real>(axis, a, b))
+    {
+      return axis;
+    }
+  }
+  return std::nullopt;
+}
+
+/// An axis on which the shadows of two convex polygons have a gap; nothing where they overlap.
+///
+/// First x and y, then square to each edge, times `factor`, which keeps products in range.
+/// Polygons may be flat, or points; their corners are in order, either way round.
+template <class Real>
+std::optional<Vector<Wide<Real>, 2>> separating_axis(
+    std::span<const Vector<Real, 2>> a, std::span<const Vector<Real, 2>> b, Wide<Real> factor = 1)
+{
+  for (const Vector<Wide<Real>, 2>& axis :
+       {Vector<Wide<Real>, 2>(1, 0), Vector<Wide<Real>, 2>(0, 1)})
+  {
+    if (separates<Real>(axis, a, b))
+    {
+      return axis;
+    }
+  }
+  const auto of_a = separating_edge<Real>(a, b, factor);
+  return of_a ? of_a : separating_edge<Real>(b, a, factor);
+}
+// [separating_axis]
+
+// [polygons]
+/// Whether two convex polygons have a point in common; touching counts. Neither may be empty.
+template <class Real>
+bool overlaps(std::span<const Vector<Real, 2>> a, std::span<const Vector<Real, 2>> b)
+{
+  Real size = 0;
+  for (const std::span<const Vector<Real, 2>> polygon : {a, b})
+  {
+    for (const Vector<Real, 2>& corner : polygon)
+    {
+      size = std::max(size, largest(corner));
+    }
+  }
+  const int exponent = exponent_to_ordinary<Wide<Real>>(size);
+  return !separating_axis<Real>(a, b, std::ldexp(Wide<Real>(1), exponent == 0 ? 0 : exponent - 4));
+}
+// [polygons]
+
+} // namespace cookbook
