@@ -2,11 +2,13 @@
 /// What holds for a ray or a segment that is cast against a shape: formulas P8, P9, P10 and P12.
 
 #include "02_primitives/casts/casts.hpp"
+#include "02_primitives/casts/trial/casts_cases.hpp"
 #include "common/math/rational.hpp"
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
+#include "tests/verdicts.hpp"
 
 #include <cmath>
 #include <limits>
@@ -274,3 +276,49 @@ TEST_CASE("what has no size is no target: two points or lines hardly ever meet",
   STATIC_REQUIRE_FALSE(CastTarget<double, Vector3<double>>);
 }
 // [cast_targets]
+
+// [P19]
+TEST_CASE("two balls on their way touch where a ray meets one ball with both radii", "[P19]")
+{
+  // B is 3 ahead and 4 aside of where A passes; A moves by 10: they touch when 4 and 3 make 5.
+  const Sphere<double> a{{-6, 0, 0}, 2}, b{{0, 4, 0}, 3};
+  const Vector3<double> way(10, 0, 0);
+  const auto hit = cast(
+      Segment<double>{a.center, a.center + way}, Sphere<double>{b.center, a.radius + b.radius});
+  REQUIRE(hit);
+  CHECK(std::abs(hit->t - 0.3) <= 0x1p-52);
+  CHECK((hit->point - b.center).norm() == Catch::Approx(a.radius + b.radius).epsilon(1e-15));
+  // The smaller root: at the larger one, t = 0.9, they part.
+  const Vector3<double> later = a.center + 0.9 * way;
+  CHECK((later - b.center).norm() == Catch::Approx(5).epsilon(1e-15));
+}
+// [P19]
+
+// [casts_cases_test]
+TEST_CASE(
+    "each way to cast a ray holds or fails as the table says",
+    "[case:E1][case:E2][case:E3][case:E4][case:E6][case:E7][case:E9][case:X29][case:X30][case:X31]"
+    "[case:X34]")
+{
+  const std::string published = "as published", taught = "as taught", best = "recommended";
+  check_verdicts(
+      cast_verdicts(), names_of(cast_methods()),
+      {{"E1", {taught, best}},
+       {"X29", {taught, best}},
+       {"E2", {taught, best}},
+       {"X31", {taught, best}},
+       {"E3", {best}},
+       {"E4", {best}},
+       {"X30", {best}},
+       {"E6", {best}},
+       {"from inside a box", {best}},
+       {"from inside a box that is turned", {best}},
+       {"E7", {best}},
+       {"E9", {taught, best}},
+       {"X34", {taught, best}},
+       {"a direction of length 2", {taught, best}},
+       {"a ball of 1e-25 m, 3e-25 m away", {best}},
+       {"a triangle from behind", {taught, best}},
+       {"a triangle with edges of 0.5 mm", {published, best}}});
+}
+// [casts_cases_test]
