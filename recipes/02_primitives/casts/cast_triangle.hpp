@@ -1,0 +1,194 @@
+#pragma once
+
+/// \file
+/// \brief Where a path first meets a triangle or a tetrahedron, without a gap at their edges.
+
+#include "01_math/numbers/difference_of_products.hpp"
+#include "02_primitives/casts/cast_path.hpp"
+
+#include <limits>
+
+namespace cookbook
+{
+
+// [sheared_view]
+/// The view along a path: its line is the third axis, and t the third coordinate.
+template <class Real>
+struct ShearedView
+{
+  Vector3<Real> origin; ///< [m]
+  Vector3<Real> shear;  ///< [1], the direction, divided by its largest component
+  Real way;             ///< [1], that component
+  int axis;             ///< 0, 1 or 2: which component it is
+};
+
+/// The view along a path; along z if its direction is zero.
+template <class Real>
+ShearedView<Real> sheared_view(const CastPath<Real>& path)
+{
+  const bool moves = !path.direction.isZero(0);
+  const Vector3<Real> direction = moves ? path.direction : Vector3<Real>::UnitZ();
+  int axis = 0;
+  direction.cwiseAbs().maxCoeff(&axis);
+  return {path.origin, direction / direction[axis], direction[axis], axis};
+}
+
+/// A point in that view; the same for every triangle that has it as a corner.
+template <class Real>
+Vector3<Real> seen_along(const ShearedView<Real>& view, const Vector3<Real>& point)
+{
+  const Vector3<Real> p = point - view.origin;
+  const int i = (view.axis + 1) % 3, j = (view.axis + 2) % 3;
+  const Real depth = p[view.axis];
+  return {p[i] - depth * view.shear[i], p[j] - depth * view.shear[j], depth / view.way};
+}
+// [sheared_view]
+
+// [triangle_span]
+/// The part of a line that lies in a shape.
+template <class Real>
+struct LineSpan
+{
+  Real first, last; ///< t; no part if first > last
+  Real facing;      ///< > 0 where the corners turn anticlockwise in the view, 0 where edge on
+};
+
+/// The part of the line that lies in a triangle which is seen edge on: its plane holds the line.
+template <class Real>
+LineSpan<Real> span_edge_on(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& c)
+{
+  const Real infinite = std::numeric_limits<Real>::infinity();
+  const Vector3<Real> all[] = {a, b, c};
+  const Vector3<Real> widest = a.cwiseAbs().cwiseMax(b.cwiseAbs()).cwiseMax(c.cwiseAbs());
+  const int side = widest.x() >= widest.y() ? 0 : 1;
+  LineSpan<Real> span{infinite, -infinite, Real(0)};
+  const auto include = [&](const Real& t)
+  {
+    span.first = t < span.first ? t : span.first;
+    span.last = t > span.last ? t : span.last;
+  };
+  for (int i = 0; i < 3; ++i)
+  {
+    const Vector3<Real>&p = all[i], &q = all[(i + 1) % 3];
+    if (p[side] == Real(0))
+    {
+      include(p.z());
+    }
+    else if ((p[side] < Real(0)) != (q[side] < Real(0)) && q[side] != Real(0))
+    {
+      include(p.z() + (q.z() - p.z()) * (p[side] / (p[side] - q[side])));
+    }
+  }
+  return span;
+}
+
+/// The part of the line that lies in a triangle with these corners in its view.
+///
+/// Each edge gives a number whose sign tells on which side of it the line passes. The sign is right
+/// for the corners as they are seen, and triangles that share an edge agree about it: P12.
+template <class Real>
+LineSpan<Real> span_of(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& c)
+{
+  const auto turn = [](const Vector3<Real>& p, const Vector3<Real>& q)
+  { return difference_of_products(p.x(), q.y(), p.y(), q.x()); };
+  const Real u = turn(b, c), v = turn(c, a), w = turn(a, b), zero(0);
+  if ((u < zero || v < zero || w < zero) && (u > zero || v > zero || w > zero))
+  {
+    return {Real(1), zero, zero};
+  }
+  const Real sum = u + v + w;
+  if (sum == zero)
+  {
+    return span_edge_on<Real>(a, b, c);
+  }
+  const Real t = (u / sum) * a.z() + (v / sum) * b.z() + (w / sum) * c.z();
+  return {t, t, sum};
+}
+// [triangle_span]
+
+// [cast_triangle]
+/// A triangle's unit normal on the side that a path comes from; against the path if it has none.
+template <class Real>
+Vector3<Real> facing_normal(
+    const CastPath<Real>& path, const ShearedView<Real>& view, const Triangle<Real>& triangle,
+    const Real& facing)
+{
+  const Vector3<Real> back = hit_from_inside(path).normal;
+  if (facing == Real(0) || path.direction.isZero(0))
+  {
+    return back;
+  }
+  const Vector3<Real> ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
+  const bool along = (facing > Real(0)) == (view.way > Real(0));
+  return normalize<Real>(along ? ac.cross(ab) : ab.cross(ac), back).unit;
+}
+
+/// Where a path first meets a triangle, from either side.
+template <class Real>
+std::optional<Hit<Real, 3>> first_hit_on(const CastPath<Real>& path, const Triangle<Real>& triangle)
+{
+  const ShearedView<Real> view = sheared_view(path);
+  const LineSpan<Real> span = span_of<Real>(
+      seen_along(view, triangle.a), seen_along(view, triangle.b), seen_along(view, triangle.c));
+  const bool moves = !path.direction.isZero(0), holds_origin = span.first <= Real(0);
+  if (!(span.first <= span.last) || !(span.last >= Real(0)) || !(moves || holds_origin))
+  {
+    return std::nullopt;
+  }
+  const Vector3<Real> normal = facing_normal(path, view, triangle, span.facing);
+  return hit_at<Real>(path, holds_origin ? Real(0) : span.first, normal);
+}
+// [cast_triangle]
+
+// [cast_tetrahedron]
+/// Where a path first meets a tetrahedron: its line lies in it between the first and the last face.
+template <class Real>
+std::optional<Hit<Real, 3>> first_hit_on(const CastPath<Real>& path, const Tetrahedron<Real>& solid)
+{
+  const ShearedView<Real> view = sheared_view(path);
+  const Vector3<Real> a = seen_along(view, solid.a), b = seen_along(view, solid.b);
+  const Vector3<Real> c = seen_along(view, solid.c), d = seen_along(view, solid.d);
+  const LineSpan<Real> spans[] = {
+      span_of<Real>(a, b, c), span_of<Real>(a, b, d), span_of<Real>(a, c, d),
+      span_of<Real>(b, c, d)};
+  const Triangle<Real> faces[] = {
+      {solid.a, solid.b, solid.c},
+      {solid.a, solid.b, solid.d},
+      {solid.a, solid.c, solid.d},
+      {solid.b, solid.c, solid.d}};
+  const Real infinite = std::numeric_limits<Real>::infinity();
+  LineSpan<Real> whole{infinite, -infinite, Real(0)};
+  int face = 0;
+  for (int i = 0; i < 4; ++i)
+  {
+    const LineSpan<Real>& one = spans[i];
+    if (!(one.first <= one.last))
+    {
+      continue;
+    }
+    // Of faces that the line enters at once, one that it does not lie in tells the normal.
+    const bool earlier = one.first < whole.first;
+    if (earlier || (one.first == whole.first && whole.facing == Real(0)))
+    {
+      whole.first = one.first;
+      whole.facing = one.facing;
+      face = i;
+    }
+    whole.last = one.last > whole.last ? one.last : whole.last;
+  }
+  if (!(whole.first <= whole.last) || !(whole.last >= Real(0)))
+  {
+    return std::nullopt;
+  }
+  if (whole.first <= Real(0))
+  {
+    return hit_from_inside(path);
+  }
+  const bool moves = !path.direction.isZero(0);
+  return moves
+             ? hit_at<Real>(path, whole.first, facing_normal(path, view, faces[face], whole.facing))
+             : std::nullopt;
+}
+// [cast_tetrahedron]
+
+} // namespace cookbook

@@ -1,0 +1,256 @@
+#pragma once
+
+/// \file
+/// \brief Rays and shapes that break some way of casting.
+
+#include "02_primitives/casts/casts.hpp"
+#include "02_primitives/casts/trial/casts_pitfalls.hpp"
+#include "common/program/table.hpp"
+#include "common/program/verdicts.hpp"
+
+#include <array>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace cookbook
+{
+
+// [cast_methods]
+/// A way to cast at each shape, by name: t, or nothing.
+struct CastMethod
+{
+  std::string name; ///< as on the page
+  std::optional<float> (*sphere)(const Ray<float>&, const Sphere<float>&);
+  std::optional<float> (*box)(const Ray<float>&, const Aabb<float>&);
+  std::optional<float> (*triangle)(const Ray<float>&, const Triangle<float>&);
+  bool nearest; ///< of many triangles, whether the nearest counts, or the first that is met
+};
+
+/// The t of a cast.
+template <class Shape>
+std::optional<float> cast_t(const Ray<float>& ray, const Shape& shape)
+{
+  const std::optional<Hit<float, 3>> hit = cast(ray, shape);
+  return hit ? std::optional(hit->t) : std::nullopt;
+}
+
+/// The ways that compete, the recommended one last.
+inline std::array<CastMethod, 3> cast_methods()
+{
+  return {
+      {{"as published", sphere_as_published, box_as_published, triangle_as_published, false},
+       {"as taught", sphere_quadratic, box_by_inverse,
+        [](const Ray<float>& ray, const Triangle<float>& triangle)
+        { return moller_trumbore(ray, triangle); },
+        true},
+       {"recommended", cast_t<Sphere<float>>, cast_t<Aabb<float>>, cast_t<Triangle<float>>, true}}};
+}
+// [cast_methods]
+
+// [cast_answers]
+/// A ray seen from a turned box.
+inline Ray<float> seen_from_box(const Ray<float>& ray, const Obb<float>& box)
+{
+  const Matrix3<float> back = box.axes.transpose();
+  return {back * (ray.origin - box.center), back * ray.direction};
+}
+
+/// The first, or the nearest, of many triangles.
+inline std::optional<float> cast_at_many(
+    const CastMethod& method, const Ray<float>& ray, const std::vector<Triangle<float>>& triangles)
+{
+  std::optional<float> best;
+  for (const Triangle<float>& triangle : triangles)
+  {
+    const std::optional<float> t = method.triangle(ray, triangle);
+    best = t && (!best || *t < *best) ? t : best;
+    if (best && !method.nearest)
+    {
+      return best;
+    }
+  }
+  return best;
+}
+
+/// Right if the answer is as expected, to a part of a hundred thousand.
+inline Verdict cast_verdict(const std::optional<float>& t, const std::optional<double>& expected)
+{
+  if (!t || !expected)
+  {
+    return {!t && !expected, t ? "meets it at t = " + number(*t) : expected ? "misses" : "right"};
+  }
+  const bool right = std::abs(*t - *expected) <= 1e-5 * *expected * (*expected > 1000 ? 0.01 : 1);
+  return {right, right ? "right" : "t = " + number(*t)};
+}
+// [cast_answers]
+
+// [quad_diagonal]
+/// Rays from above at the diagonal that two triangles share: right if none gets through.
+inline Verdict quad_verdict(const CastMethod& method)
+{
+  const Vector3<float> corners[] = {
+      {-3.1f, 0.2f, -2.7f}, {2.9f, 0.4f, -3.3f}, {3.3f, -0.1f, 2.8f}, {-2.6f, 0.3f, 3.2f}};
+  const std::vector<Triangle<float>> quad{
+      {corners[0], corners[2], corners[1]}, {corners[0], corners[3], corners[2]}};
+  std::mt19937 random(1);
+  const auto share = [&] { return static_cast<float>(random() % 65536) / 65536; };
+  int through = 0;
+  for (int i = 0; i < 1'000'000; ++i)
+  {
+    const Vector3<float> at = corners[0] + (0.1f + 0.8f * share()) * (corners[2] - corners[0]);
+    const Vector3<float> origin(share() - 0.5f, 5 + share(), share() - 0.5f);
+    through += cast_at_many(method, {origin, at - origin}, quad) ? 0 : 1;
+  }
+  return {through == 0, through == 0 ? "right" : "some get through"};
+}
+// [quad_diagonal]
+
+// [cast_cases]
+/// A row of the table: what is set up, and what is asked of a method.
+struct CastCase
+{
+  std::string id;                             ///< in the book
+  std::string what;                           ///< in a few words
+  Verdict (*judge)(const CastMethod& method); ///< the answer, judged
+};
+
+/// From the origin, along x or z.
+inline Ray<float> along_x()
+{
+  return {{0, 0, 0}, {1, 0, 0}};
+}
+inline Ray<float> along_z()
+{
+  return {{0, 0, 0}, {0, 0, 1}};
+}
+
+/// A box along the axes.
+inline Aabb<float> box_between(const Vector3<float>& min, const Vector3<float>& max)
+{
+  return {min, max};
+}
+
+/// A floor of one triangle, square to z.
+inline Triangle<float> floor_at(float z)
+{
+  return {{-3, -3, z}, {3, -3, z}, {0, 3, z}};
+}
+
+/// The cases with boxes and balls.
+inline std::vector<CastCase> solid_cast_cases()
+{
+  using M = CastMethod;
+  return {
+      {"E1", "a ball 5 m behind",
+       [](const M& m) {
+         return cast_verdict(m.sphere(along_z(), {{0, 0, -5}, 1}), {});
+       }},
+      {"X29", "the same, off the line",
+       [](const M& m) {
+         return cast_verdict(m.sphere(along_z(), {{0, 0.5f, -3}, 1}), {});
+       }},
+      {"E2", "a plate 0.2 mm thick, seen along its plane",
+       [](const M& m) {
+         return cast_verdict(m.box(along_x(), box_between({19, -1e-4f, -1}, {21, 1e-4f, 1})), 19.0);
+       }},
+      {"X31", "the same, as a box that is turned",
+       [](const M& m)
+       {
+         Matrix3<float> axes;
+         axes << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+         const Obb<float> box{{20, 0, 0}, axes, {1e-4f, 1, 1}};
+         const Ray<float> ray = seen_from_box(along_x(), box);
+         return cast_verdict(m.box(ray, box_between(-box.half_extents, box.half_extents)), 19.0);
+       }},
+      {"E3", "a ray along the face of a box",
+       [](const M& m)
+       {
+         return cast_verdict(
+             m.box({{-1, 1, 0.5f}, {1, 0, 0}}, box_between({0, 0, 0}, {1, 1, 1})), 1.0);
+       }},
+      {"E4", "a ball 10 km away, passed at 0.9 m",
+       [](const M& m) {
+         return cast_verdict(m.sphere(along_x(), {{10000, 0.9f, 0}, 1}), 9999.56411);
+       }},
+      {"X30", "the same, passed at 1.5 m",
+       [](const M& m) {
+         return cast_verdict(m.sphere(along_x(), {{10000, 1.5f, 0}, 1}), {});
+       }},
+      {"E6", "from inside a ball",
+       [](const M& m) {
+         return cast_verdict(m.sphere(along_x(), {{0.5f, 0, 0}, 2}), 0.0);
+       }},
+      {"", "from inside a box",
+       [](const M& m) {
+         return cast_verdict(m.box(along_x(), box_between({-1, -1, -1}, {2, 1, 1})), 0.0);
+       }},
+      {"", "from inside a box that is turned",
+       [](const M& m)
+       {
+         const Obb<float> box{
+             {0.5f, 0, 0}, Eigen::AngleAxisf(1, Vector3<float>::UnitZ()).matrix(), {2, 2, 2}};
+         const Ray<float> ray = seen_from_box(along_x(), box);
+         return cast_verdict(m.box(ray, box_between(-box.half_extents, box.half_extents)), 0.0);
+       }}};
+}
+
+/// The cases with triangles, and some of size.
+inline std::vector<CastCase> other_cast_cases()
+{
+  using M = CastMethod;
+  return {
+      {"E7", "1,000,000 rays at the diagonal of a quad", quad_verdict},
+      {"E9", "two triangles, at 5 m and at 2 m",
+       [](const M& m)
+       {
+         return cast_verdict(
+             cast_at_many(m, {{0, 0, 0}, {0, 0, -1}}, {floor_at(-5), floor_at(-2)}), 2.0);
+       }},
+      {"X34", "three triangles, the nearest last",
+       [](const M& m)
+       {
+         return cast_verdict(
+             cast_at_many(m, {{0, 0, 0}, {0, 0, -1}}, {floor_at(-7), floor_at(-9), floor_at(-4)}),
+             4.0);
+       }},
+      {"", "a direction of length 2",
+       [](const M& m) {
+         return cast_verdict(m.sphere({{0, 0, 0}, {2, 0, 0}}, {{5, 0, 0}, 1}), 2.0);
+       }},
+      {"", "a ball of 1e-25 m, 3e-25 m away",
+       [](const M& m) {
+         return cast_verdict(m.sphere(along_x(), {{3e-25f, 0, 0}, 1e-25f}), 2e-25);
+       }},
+      {"", "a triangle from behind",
+       [](const M& m) { return cast_verdict(m.triangle(along_z(), floor_at(2)), 2.0); }},
+      {"", "a triangle with edges of 0.5 mm",
+       [](const M& m)
+       {
+         const Triangle<float> small{{-2e-4f, -2e-4f, -1}, {3e-4f, -2e-4f, -1}, {0, 3e-4f, -1}};
+         return cast_verdict(m.triangle({{0, 0, 0}, {0, 0, -1}}, small), 1.0);
+       }}};
+}
+// [cast_cases]
+
+/// The verdicts on all ways, case by case.
+inline std::vector<VerdictRow> cast_verdicts()
+{
+  std::vector<VerdictRow> rows;
+  std::vector<CastCase> cases = solid_cast_cases();
+  for (const CastCase& one : other_cast_cases())
+  {
+    cases.push_back(one);
+  }
+  for (const CastCase& one : cases)
+  {
+    rows.push_back({one.id, one.what, {}});
+    for (const CastMethod& method : cast_methods())
+    {
+      rows.back().verdicts.push_back(one.judge(method));
+    }
+  }
+  return rows;
+}
+
+} // namespace cookbook
