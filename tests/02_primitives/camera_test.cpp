@@ -4,6 +4,7 @@
 #include "02_primitives/camera/camera.hpp"
 #include "02_primitives/camera/trial/camera_cases.hpp"
 #include "02_primitives/camera/trial/camera_figures.hpp"
+#include "02_primitives/camera/trial/look_cases.hpp"
 #include "02_primitives/camera/trial/view_truth.hpp"
 #include "common/math/rotation.hpp"
 
@@ -318,6 +319,7 @@ TEMPLATE_TEST_CASE(
     const Matrix4<TestType> lens =
         flat ? *orthographic<TestType>(9, 6, TestType(0.5), 20)
              : *perspective<TestType>(1, TestType(1.5), TestType(0.5), 20);
+    lens(0, 2) = lens(1, 2) = TestType(i % 3) / 8; // the middle of the picture is elsewhere
     const V3 eye = draw.point(5).template cast<TestType>();
     const Camera<TestType> camera{
         look_at<TestType>(eye, draw.point(5).template cast<TestType>(), V3(0, 1, 0)),

@@ -4,6 +4,7 @@
 #include "02_primitives/camera/camera.hpp"
 #include "02_primitives/camera/trial/camera_cases.hpp"
 #include "02_primitives/camera/trial/camera_figures.hpp"
+#include "02_primitives/camera/trial/look_cases.hpp"
 #include "02_primitives/camera/trial/view_truth.hpp"
 #include "common/program/program.hpp"
 #include "common/program/table.hpp"

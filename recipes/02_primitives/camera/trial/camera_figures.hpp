@@ -31,10 +31,13 @@ inline Camera<double> figure_camera()
   return {look_at<double>({-0.5, 2, 4.5}, {0.3, 0.3, 0}, {0, 1, 0}), lens, {480, 320}};
 }
 
-inline const Eigen::AlignedBox<double, 3> figure_box{
-    Vector3<double>(-1, 0, -1), Vector3<double>(0.2, 1, 0.2)};   ///< [m]
-inline const Sphere<double> figure_sphere{{1.3, 0.5, 0.3}, 0.5}; ///< [m]
-inline const Vector<double, 2> figure_pixel{190, 165};           ///< the pixel that is picked
+/// The box of the first figure [m].
+inline const Eigen::AlignedBox<double, 3> figure_box =
+    Eigen::AlignedBox<double, 3>(Vector3<double>(-1, 0, -1), Vector3<double>(0.2, 1, 0.2));
+/// The ball of the first figure [m].
+inline const Sphere<double> figure_sphere = {{1.3, 0.5, 0.3}, 0.5};
+/// The pixel that is picked.
+inline const Vector<double, 2> figure_pixel(190, 165);
 
 /// Where the ray of the picked pixel meets the plane of the box's front face.
 inline Vector3<double> picked_point()
