@@ -316,9 +316,8 @@ TEMPLATE_TEST_CASE(
   for (int i = 0; i < random_inputs; ++i)
   {
     const bool flat = i % 2 == 0;
-    const Matrix4<TestType> lens =
-        flat ? *orthographic<TestType>(9, 6, TestType(0.5), 20)
-             : *perspective<TestType>(1, TestType(1.5), TestType(0.5), 20);
+    Matrix4<TestType> lens = flat ? *orthographic<TestType>(9, 6, TestType(0.5), 20)
+                                  : *perspective<TestType>(1, TestType(1.5), TestType(0.5), 20);
     lens(0, 2) = lens(1, 2) = TestType(i % 3) / 8; // the middle of the picture is elsewhere
     const V3 eye = draw.point(5).template cast<TestType>();
     const Camera<TestType> camera{

@@ -119,9 +119,8 @@ Ray<Real> picking_ray(const Camera<Real>& camera, const Vector<Real, 2>& pixel)
   const Isometry3<double> pose = camera.pose.template cast<double>();
   const Vector<double, 2> ndc = to_ndc(camera, pixel);
   const bool from_the_eye = camera.projection(3, 2) != Real(0);
-  const Vector3<double> at = local_at(camera, ndc, from_the_eye ? -1 : 0);
-  const Vector3<double> direction = from_the_eye ? at : Vector3<double>(0, 0, -1);
-  const Vector3<double> origin = from_the_eye ? Vector3<double>(0, 0, 0) : at;
+  const Vector3<double> origin = from_the_eye ? Vector3<double>(0, 0, 0) : local_at(camera, ndc, 0);
+  const Vector3<double> direction = local_at(camera, ndc, -1) - origin;
   const Vector3<double> unit = normalize<double>(Vector3<double>(pose.linear() * direction)).unit;
   return {(pose * origin).template cast<Real>(), unit.template cast<Real>()};
 }
