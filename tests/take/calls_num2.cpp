@@ -1,0 +1,46 @@
+// Calls what the recipes of chapter 2 on cameras and meshes offer, those whose TAKE_… is defined.
+// check_take.sh includes their headers: the house's, or one that was taken.
+
+#include "calls.hpp"
+
+using namespace cookbook;
+
+int main()
+{
+#ifdef TAKE_camera
+  print(
+      "camera",
+      [](Draw& draw, Bits& bits)
+      {
+        const double stretch = draw.scale(), near = draw.number(0.1, 1);
+        const Eigen::Vector3d eye = draw.vector(5) * stretch, target = draw.vector(5) * stretch;
+        const Matrix4<double> lens = draw.one_in(2)
+                                         ? *perspective(draw.number(0.5, 2), 1.5, near, near + 9)
+                                         : *orthographic(draw.number(1, 9), 5.0, near, near + 9);
+        const Camera<double> camera{look_at<double>(eye, target, draw.unit()), lens, {640, 480}};
+        const Eigen::Vector3d point = draw.vector(9) * stretch;
+        const Eigen::Vector2d pixel(draw.number(0, 640), draw.number(0, 480));
+        bits(camera.pose.matrix(), clip_from_world(camera));
+        if (const auto seen = to_pixel(camera, point))
+        {
+          bits(seen->pixel, seen->depth, unproject(camera, *seen));
+        }
+        const Ray<double> ray = picking_ray<double>(camera, pixel);
+        bits(ray.origin, ray.direction);
+        const Frustum<double> f =
+            frustum_planes<double>(clip_from_world(camera), DepthRange::minus_one_to_one);
+        for (const Plane<double>& plane : f.planes)
+        {
+          bits(plane.normal, plane.distance);
+        }
+        const double radius = draw.number(0, 2);
+        const Eigen::AlignedBox3d box(point, Eigen::Vector3d(point + draw.half_extents()));
+        bits(may_see(f, Sphere<double>{point, radius}), may_see(f, box));
+        bits(perspective_reversed(1.0, 1.5, near));
+        if (const auto corners = view_corners<double>(camera, -1, 1))
+        {
+          bits(may_see(f, *corners, box), (*corners)[7]);
+        }
+      });
+#endif
+}
