@@ -1,5 +1,6 @@
 #include "02_primitives/casts/casts.hpp"
 #include "02_primitives/finder/trial/finder_pairs.hpp"
+#include "02_primitives/in_the_plane/plane_casts.hpp"
 
 namespace cookbook
 {

@@ -1,5 +1,6 @@
-#include "02_primitives/closest/closest.hpp"
+#include "02_primitives/closest_points/closest_points_plane.hpp"
 #include "02_primitives/finder/trial/finder_pairs.hpp"
+#include "02_primitives/in_the_plane/in_the_plane.hpp"
 
 #include <utility>
 

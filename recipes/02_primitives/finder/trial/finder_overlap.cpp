@@ -1,5 +1,6 @@
-#include "02_primitives/closest/overlaps.hpp"
 #include "02_primitives/finder/trial/finder_pairs.hpp"
+#include "02_primitives/in_the_plane/in_the_plane.hpp"
+#include "02_primitives/overlaps/overlaps.hpp"
 
 namespace cookbook
 {
