@@ -76,7 +76,7 @@ Cells table_of(const std::vector<std::string>& shapes)
         const bool there = finder_question<double>(ask, a, b).has_value();
         cell += there ? (cell.empty() ? "" : " ") + ask.substr(0, 2) : "";
       }
-      rows.back().push_back(cell.empty() ? "-" : cell);
+      rows.back().push_back(cell);
     }
   }
   return rows;
