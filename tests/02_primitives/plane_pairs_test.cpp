@@ -184,7 +184,8 @@ void check_pair(unsigned seed, const char* name)
 
 // [pairs]
 TEMPLATE_TEST_CASE(
-    "every pair on a grid: verdict, distance and closest points are right", "[P2]", float, double)
+    "every pair on a grid: verdict, distance and closest points are right", "[pairs]", float,
+    double)
 {
   using Real = TestType;
   using Point = Vector<Real, 2>;

@@ -33,10 +33,11 @@ Circle<Real> circle_around(
     const PlaneView<Real>& view)
 {
   Circle<Real> circle{view.point(center), Real(0)};
+  PlaneView<Real> from_center = view;
+  from_center.origin = widen(circle.center) * view.factor;
   for (const Vector<Real, 2>& point : points)
   {
-    const Vector<Wide<Real>, 2> to_point = view.seen(point) - view.seen(circle.center);
-    circle.radius = std::max(circle.radius, view.length(to_point.norm()));
+    circle.radius = std::max(circle.radius, from_center.length(from_center.seen(point).norm()));
   }
   for (const Vector<Real, 2>& point : points)
   {

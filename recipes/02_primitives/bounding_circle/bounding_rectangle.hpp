@@ -21,21 +21,16 @@ Real rounded_up(const Wide<Real>& x)
                                  : nearest;
 }
 
-// [rectangle_between]
-/// The rectangle that reaches from `least` to `most`, as they are seen; rounded outwards.
+// [bounding_rectangle]
+/// Half extents that reach from zero to `least` and `most`, times 2^-exponent, rounded outwards.
 template <class Real>
-Rectangle<Real> rectangle_between(
-    const Vector<Wide<Real>, 2>& least, const Vector<Wide<Real>, 2>& most,
-    const PlaneView<Real>& view)
+Vector<Real, 2>
+half_between(const Vector<Wide<Real>, 2>& least, const Vector<Wide<Real>, 2>& most, int exponent)
 {
-  Rectangle<Real> around{view.point(least / 2 + most / 2), {0, 0}};
-  const Vector<Wide<Real>, 2> center = view.seen(around.center);
-  const Vector<Wide<Real>, 2> half = (most - center).cwiseMax(center - least);
-  for (int i = 0; i < 2; ++i)
-  {
-    around.half_extents[i] = rounded_up<Real>(std::ldexp(half[i], -view.exponent));
-  }
-  return around;
+  const Vector<Wide<Real>, 2> half = most.cwiseMax(-least);
+  return {
+      rounded_up<Real>(std::ldexp(half.x(), -exponent)),
+      rounded_up<Real>(std::ldexp(half.y(), -exponent))};
 }
 
 /// The smallest rectangle along the axes around points, of which there is at least one.
@@ -48,8 +43,13 @@ Rectangle<Real> bounding_rectangle(std::span<const Vector<Real, 2>> points)
     least = least.cwiseMin(point);
     most = most.cwiseMax(point);
   }
-  const PlaneView<Real> view(least, std::max(largest(least), largest(most)));
-  return rectangle_between<Real>(view.seen(least), view.seen(most), view);
+  const Real size = std::max(largest(least), largest(most));
+  const PlaneView<Real> view(least, size);
+  Rectangle<Real> around{view.point(view.seen(most) / 2), {0, 0}};
+  const PlaneView<Real> from_center(around.center, size);
+  around.half_extents =
+      half_between<Real>(from_center.seen(least), from_center.seen(most), from_center.exponent);
+  return around;
 }
 
 /// The smallest rectangle along the axes around a shape in the plane.
@@ -66,8 +66,12 @@ bounding_rectangle(const Shape<Real>& shape)
     most = most.cwiseMax(corner);
   }
   const Vector<Wide<Real>, 2> radius(form.radius, form.radius);
-  return rectangle_between<Real>(least - radius, most + radius, view);
+  Rectangle<Real> around{view.point(least / 2 + most / 2), {0, 0}};
+  const Vector<Wide<Real>, 2> center = view.seen(around.center);
+  around.half_extents =
+      half_between<Real>(least - radius - center, most + radius - center, view.exponent);
+  return around;
 }
-// [rectangle_between]
+// [bounding_rectangle]
 
 } // namespace cookbook

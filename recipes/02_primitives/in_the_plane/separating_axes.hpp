@@ -21,28 +21,31 @@ struct ShadowSpan
 };
 
 /// The shadow of a polygon on an axis: each corner falls at its dot product with the axis.
+///
+/// Corners are seen times `factor`, which keeps products in range.
 template <class Real>
-ShadowSpan<Wide<Real>>
-shadow_on(std::span<const Vector<Real, 2>> polygon, const Vector<Wide<Real>, 2>& axis)
+ShadowSpan<Wide<Real>> shadow_on(
+    std::span<const Vector<Real, 2>> polygon, const Vector<Wide<Real>, 2>& axis,
+    Wide<Real> factor = 1)
 {
-  const Wide<Real> first = axis.dot(widen(polygon[0]));
-  ShadowSpan<Wide<Real>> reach{first, first};
+  const Wide<Real> first = axis.dot(widen(polygon[0]) * factor);
+  ShadowSpan<Wide<Real>> span{first, first};
   for (const Vector<Real, 2>& corner : polygon.subspan(1))
   {
-    const Wide<Real> at = axis.dot(widen(corner));
-    reach.least = std::min(reach.least, at);
-    reach.most = std::max(reach.most, at);
+    const Wide<Real> at = axis.dot(widen(corner) * factor);
+    span.least = std::min(span.least, at);
+    span.most = std::max(span.most, at);
   }
-  return reach;
+  return span;
 }
 
 /// Whether the shadows of two polygons on an axis have a gap between them; touching ones have none.
 template <class Real>
 bool separates(
     const Vector<Wide<Real>, 2>& axis, std::span<const Vector<Real, 2>> a,
-    std::span<const Vector<Real, 2>> b)
+    std::span<const Vector<Real, 2>> b, Wide<Real> factor = 1)
 {
-  const ShadowSpan<Wide<Real>> of_a = shadow_on<Real>(a, axis), of_b = shadow_on<Real>(b, axis);
+  const auto of_a = shadow_on<Real>(a, axis, factor), of_b = shadow_on<Real>(b, axis, factor);
   return of_a.most < of_b.least || of_b.most < of_a.least;
 }
 // [shadow]
@@ -55,9 +58,10 @@ std::optional<Vector<Wide<Real>, 2>> separating_edge(
 {
   for (std::size_t i = 0; i < a.size(); ++i)
   {
-    const Vector<Wide<Real>, 2> edge = widen(a[(i + 1) % a.size()]) * factor - widen(a[i]) * factor;
-    const Vector<Wide<Real>, 2> axis = quarter_turn<Wide<Real>>(edge);
-    if (separates<Real>(axis, a, b))
+    const Vector<Real, 2>&start = a[i], &end = a[(i + 1) % a.size()];
+    const Vector<Wide<Real>, 2> axis =
+        quarter_turn<Wide<Real>>(widen(end) * factor - widen(start) * factor);
+    if (separates<Real>(axis, a, b, factor))
     {
       return axis;
     }
@@ -67,16 +71,16 @@ std::optional<Vector<Wide<Real>, 2>> separating_edge(
 
 /// An axis on which the shadows of two convex polygons have a gap; nothing where they overlap.
 ///
-/// First x and y, then square to each edge, times `factor`, which keeps products in range.
-/// Polygons may be flat, or points; their corners are in order, either way round.
+/// First x and y, then square to each edge. Polygons may be flat, or points; their corners are in
+/// order, either way round. The axis has any length.
 template <class Real>
 std::optional<Vector<Wide<Real>, 2>> separating_axis(
     std::span<const Vector<Real, 2>> a, std::span<const Vector<Real, 2>> b, Wide<Real> factor = 1)
 {
-  for (const Vector<Wide<Real>, 2>& axis :
-       {Vector<Wide<Real>, 2>(1, 0), Vector<Wide<Real>, 2>(0, 1)})
+  const Vector<Wide<Real>, 2> x(1, 0), y(0, 1);
+  for (const Vector<Wide<Real>, 2>& axis : {x, y})
   {
-    if (separates<Real>(axis, a, b))
+    if (separates<Real>(axis, a, b, factor))
     {
       return axis;
     }
@@ -100,7 +104,7 @@ bool overlaps(std::span<const Vector<Real, 2>> a, std::span<const Vector<Real, 2
     }
   }
   const int exponent = exponent_to_ordinary<Wide<Real>>(size);
-  return !separating_axis<Real>(a, b, std::ldexp(Wide<Real>(1), exponent == 0 ? 0 : exponent - 4));
+  return !separating_axis<Real>(a, b, std::ldexp(Wide<Real>(1), exponent));
 }
 // [polygons]
 

@@ -1,0 +1,177 @@
+/// \file
+/// What holds for shapes in the plane, by hand; polygons by separating axes; and where ways fail.
+
+#include "02_primitives/in_the_plane/in_the_plane.hpp"
+#include "02_primitives/in_the_plane/trial/plane_cases.hpp"
+#include "02_primitives/in_the_plane/trial/plane_truth.hpp"
+
+#include "tests/02_primitives/plane_inputs.hpp"
+#include "tests/catch.hpp"
+#include "tests/random_inputs.hpp"
+#include "tests/verdicts.hpp"
+
+#include <algorithm>
+#include <array>
+
+using namespace cookbook;
+
+namespace
+{
+
+using Point = Vector<double, 2>;
+
+/// A triangle of the grid, counter-clockwise; it may be flat.
+std::array<Point, 3> draw_triangle(GridDraw& draw, GridShape& grid)
+{
+  std::array<Point, 3> triangle;
+  std::array<GridShape, 3> one;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    draw(triangle[i], one[i]);
+  }
+  grid.corners = {one[0].corners[0], one[1].corners[0], one[2].corners[0]};
+  if (cross_of(grid.corners[1] - grid.corners[0], grid.corners[2] - grid.corners[0]) < 0)
+  {
+    std::swap(grid.corners[1], grid.corners[2]);
+  }
+  return triangle;
+}
+
+} // namespace
+
+// [closest_by_hand]
+TEST_CASE("a circle 10 from a corner, a segment and a turned rectangle have distances by hand")
+{
+  // The corner (3, 4) is 5 from the origin.
+  const auto corner = closest_points(Circle<double>{{0, 0}, 2}, Rectangle<double>{{5, 5}, {2, 1}});
+  CHECK(corner.distance == 3);
+  CHECK((corner.a - Point(1.2, 1.6)).norm() <= 1e-15);
+  CHECK((corner.b - Point(3, 4)).norm() <= 1e-15);
+  // Turned by 3-4-5, a square's corner points along x: (1.4, 0.2) is one of its corners.
+  const TurnedRectangle<double> turned{{0, 0}, std::atan2(3, 4), {1, 1}};
+  const auto face = closest_points(Segment2<double>{{5, -1}, {5, 9}}, turned);
+  CHECK(std::abs(face.distance - 3.6) <= 1e-14);
+  CHECK((face.b - Point(1.4, -0.2)).norm() <= 1e-14);
+}
+
+TEST_CASE("two bars that cross have no corner in each other, and a common point")
+{
+  const Rectangle<double> flat{{0, 0}, {3, 1}}, high{{0, 0}, {1, 3}};
+  const auto found = closest_points(flat, high);
+  CHECK(found.distance == 0);
+  CHECK(found.a == found.b);
+  CHECK(contains(flat, found.a));
+  CHECK(contains(high, found.a));
+}
+// [closest_by_hand]
+
+// [holds]
+TEST_CASE("a shape holds its edge, and nothing a millionth beyond it")
+{
+  const Rectangle<double> box{{1, 2}, {3, 4}};
+  CHECK(contains(box, Point(4, 6)));
+  CHECK_FALSE(contains(box, Point(4 + 1e-6, 6)));
+  const Circle<double> circle{{1, 1}, 5};
+  CHECK(contains(circle, Point(4, 5)));
+  CHECK_FALSE(contains(circle, Point(4, 5 + 1e-6)));
+  const Segment2<double> segment{{0, 0}, {2, 4}};
+  CHECK(contains(segment, Point(1, 2)));
+  CHECK_FALSE(contains(segment, Point(1, 2 + 1e-6)));
+  CHECK_FALSE(contains(segment, Point(3, 6)));
+  const TurnedRectangle<double> turned{{0, 0}, std::atan2(3, 4), {5, 1}};
+  CHECK(contains(turned, Point(3.9, 3)));
+  CHECK_FALSE(contains(turned, Point(4.1, 3.1)));
+}
+// [holds]
+
+// [shadows]
+TEST_CASE("the shadow of a unit square on (1, 1) is from 0 to 2, and of one at (2, 1) from 3 to 5")
+{
+  const std::array<Point, 4> a{Point(0, 0), Point(1, 0), Point(1, 1), Point(0, 1)};
+  const std::array<Point, 4> b{Point(2, 1), Point(3, 1), Point(3, 2), Point(2, 2)};
+  const auto of_a = shadow_on<double>(a, {1, 1}), of_b = shadow_on<double>(b, {1, 1});
+  CHECK(of_a.least == 0);
+  CHECK(of_a.most == 2);
+  CHECK(of_b.least == 3);
+  CHECK(of_b.most == 5);
+  CHECK(separates<double>({1, 1}, a, b));
+  CHECK_FALSE(separates<double>({0, 1}, a, b)); // they touch there
+}
+
+TEST_CASE("two triangles that are apart on neither x nor y are apart square to an edge")
+{
+  const std::array<Point, 3> a{Point(0, 0), Point(4, 0), Point(0, 4)};
+  const std::array<Point, 3> b{Point(4, 4), Point(1, 4), Point(4, 1)};
+  const auto axis = separating_axis<double>(a, b);
+  REQUIRE(axis);
+  CHECK(std::abs(axis->x()) == std::abs(axis->y()));
+  // Moved by (1/2, 1/2), they touch along an edge; by a hair more, they overlap.
+  std::array<Point, 3> touching = b;
+  for (Point& corner : touching)
+  {
+    corner -= Point(0.5, 0.5);
+  }
+  CHECK(overlaps<double>(a, touching));
+  CHECK(overlaps<double>(touching, a));
+}
+// [shadows]
+
+// [polygons]
+TEST_CASE("triangles of a grid, flat ones and points too: the verdict is the exact one")
+{
+  GridDraw draw(3);
+  int wrong = 0, apart = 0;
+  for (int i = 0; i < random_inputs; ++i)
+  {
+    GridShape on_a, on_b;
+    const std::array<Point, 3> a = draw_triangle(draw, on_a), b = draw_triangle(draw, on_b);
+    const bool truth = truth_of(on_a, on_b).overlap;
+    apart += truth ? 0 : 1;
+    // At both ends of the range, too.
+    const double scale = i % 3 == 0 ? 1 : i % 3 == 1 ? 0x1p-1060 : 0x1p1015;
+    std::array<Point, 3> scaled_a = a, scaled_b = b;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      scaled_a[k] *= scale;
+      scaled_b[k] *= scale;
+    }
+    wrong += overlaps<double>(scaled_a, scaled_b) == truth ? 0 : 1;
+  }
+  CHECK(wrong == 0);
+  CHECK(apart > 0);
+}
+// [polygons]
+
+// [way_apart]
+TEST_CASE("circles 3-4-5 apart leave along (3, 4) / 5; about one centre, along +y", "[case:B5]")
+{
+  const auto way = way_apart<double>({{0, 0}, 4}, {{3, 4}, 2});
+  CHECK((way.normal - Point(0.6, 0.8)).norm() <= 1e-15);
+  CHECK(way.depth == 1);
+  CHECK(way_apart<double>({{0, 0}, 1}, {{3, 4}, 2}).depth == -2);
+  const auto same = way_apart<double>({{3, 3}, 1}, {{3, 3}, 1});
+  CHECK(same.normal == Point(0, 1));
+  CHECK(same.depth == 2);
+}
+// [way_apart]
+
+// [plane_verdicts]
+TEST_CASE(
+    "each way to answer in the plane holds or fails as the table says",
+    "[case:B1][case:B2][case:B3][case:B5][case:X39]")
+{
+  const std::string published = "as published", epsilon = "with an epsilon", ours = "recommended";
+  check_verdicts(
+      verdicts_in_plane(), names_in_plane(),
+      {{"B2", {epsilon, ours}},
+       {"8 m beyond a segment's end", {epsilon, ours}},
+       {"0.05 mm above a segment", {published, ours}},
+       {"B3", {ours}},
+       {"a circle over its middle", {published, epsilon, ours}},
+       {"B1", {epsilon, ours}},
+       {"along the diagonal", {published, epsilon, ours}},
+       {"along x, a thin one 90 m away", {ours}},
+       {"B5", {epsilon, ours}},
+       {"circles of 0.2 µm, half overlapped", {published, ours}}});
+}
+// [plane_verdicts]
