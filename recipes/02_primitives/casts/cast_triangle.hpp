@@ -82,6 +82,19 @@ LineSpan<Real> span_edge_on(const Vector3<Real>& a, const Vector3<Real>& b, cons
   return span;
 }
 
+/// On which side of the edge from p to q the line passes: the sign of p x q, which is right.
+///
+/// Where rounding might decide, the products are taken exactly.
+template <class Real>
+Real edge_side(const Vector3<Real>& p, const Vector3<Real>& q)
+{
+  const Real first = p.x() * q.y(), second = p.y() * q.x(), side = first - second;
+  const Real doubt = std::numeric_limits<Real>::min() + Real(2) *
+                                                            std::numeric_limits<Real>::epsilon() *
+                                                            (std::abs(first) + std::abs(second));
+  return std::abs(side) > doubt ? side : difference_of_products(p.x(), q.y(), p.y(), q.x());
+}
+
 /// The part of the line that lies in a triangle with these corners in its view.
 ///
 /// Each edge gives a number whose sign tells on which side of it the line passes. The sign is right
@@ -89,9 +102,8 @@ LineSpan<Real> span_edge_on(const Vector3<Real>& a, const Vector3<Real>& b, cons
 template <class Real>
 LineSpan<Real> span_of(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& c)
 {
-  const auto turn = [](const Vector3<Real>& p, const Vector3<Real>& q)
-  { return difference_of_products(p.x(), q.y(), p.y(), q.x()); };
-  const Real u = turn(b, c), v = turn(c, a), w = turn(a, b), zero(0);
+  const Real u = edge_side<Real>(b, c), v = edge_side<Real>(c, a), w = edge_side<Real>(a, b);
+  const Real zero(0);
   if ((u < zero || v < zero || w < zero) && (u > zero || v > zero || w > zero))
   {
     return {Real(1), zero, zero};
@@ -113,14 +125,14 @@ Vector3<Real> facing_normal(
     const CastPath<Real>& path, const ShearedView<Real>& view, const Triangle<Real>& triangle,
     const Real& facing)
 {
-  const Vector3<Real> back = hit_from_inside(path).normal;
   if (facing == Real(0) || path.direction.isZero(0))
   {
-    return back;
+    return hit_from_inside(path).normal;
   }
   const Vector3<Real> ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
   const bool along = (facing > Real(0)) == (view.way > Real(0));
-  return normalize<Real>(along ? ac.cross(ab) : ab.cross(ac), back).unit;
+  const Vector3<Real> normal = along ? ac.cross(ab) : ab.cross(ac);
+  return normal.isZero(0) ? hit_from_inside(path).normal : normalize<Real>(normal).unit;
 }
 
 /// Where a path first meets a triangle, from either side.
