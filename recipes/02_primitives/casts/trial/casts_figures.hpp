@@ -114,9 +114,6 @@ inline plot::Figure2d sheared_figure()
       .label(a, "a", plot::Side::left)
       .label(b, "b", plot::Side::below)
       .label(c, "c", plot::Side::above)
-      .label((b + c) / 3, "u", plot::Side::centre)
-      .label((c + a) / 3, "v", plot::Side::centre)
-      .label((a + b) / 3, "w", plot::Side::centre)
       .point({0, 0}, plot::Ink::overlap, "ray", plot::Side::below_left);
   return figure;
 }
