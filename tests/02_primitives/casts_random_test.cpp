@@ -82,6 +82,8 @@ struct Known
   bool solid = true;                          ///< false for what has no inside
 };
 
+// [check_cast]
+/// Casts a path, and checks the verdict and whatever holds for a hit.
 template <class Real, class Shape>
 Lie check_cast(
     const whole::Path& path, const Known<Shape>& known, const Vec& far, int size, int speed)
@@ -148,6 +150,7 @@ Lie check_cast(
   }
   return lie;
 }
+// [check_cast]
 
 double segment_distance(const Vec& p, const Vec& a, const Vec& b)
 {

@@ -105,6 +105,7 @@ TEMPLATE_TEST_CASE(
   CHECK(up->normal == V(0, 0, -1));
   CHECK(down->normal == V(0, 0, 1));
   CHECK_FALSE(cast(Ray<TestType>{{2, 2, 0}, {0, 0, 4}}, triangle));
+  CHECK(moller_trumbore(Ray<TestType>{{1, 1, 0}, {0, 0, 4}}, triangle) == TestType(0.5));
 }
 // [P12]
 

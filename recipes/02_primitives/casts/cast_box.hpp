@@ -5,6 +5,10 @@
 
 #include "02_primitives/casts/cast_path.hpp"
 
+#include <algorithm>
+#include <limits>
+#include <optional>
+
 namespace cookbook
 {
 
@@ -15,27 +19,23 @@ namespace cookbook
 template <class Real>
 std::optional<Hit<Real, 3>> first_hit_on(const CastPath<Real>& path, const Aabb<Real>& box)
 {
-  Real enter = -std::numeric_limits<Real>::infinity(), leave = -enter;
-  int face = 0;
+  const Real infinite = std::numeric_limits<Real>::infinity();
+  Vector3<Real> in, out;
   for (int i = 0; i < 3; ++i)
   {
     const Real to_min = box.min()[i] - path.origin[i], to_max = box.max()[i] - path.origin[i];
     const Real way = path.direction[i];
-    if (way == Real(0))
+    in[i] = (way > Real(0) ? to_min : to_max) / way;
+    out[i] = (way > Real(0) ? to_max : to_min) / way;
+    if (way == Real(0)) // along the slab: always in it, or never
     {
-      if (!(to_min <= Real(0)) || !(to_max >= Real(0)))
-      {
-        return std::nullopt; // along the slab, and outside
-      }
-      continue;
+      in[i] = to_min <= Real(0) && to_max >= Real(0) ? -infinite : infinite;
+      out[i] = infinite;
     }
-    const Real in = (way > Real(0) ? to_min : to_max) / way;
-    const Real out = (way > Real(0) ? to_max : to_min) / way;
-    face = in > enter ? i : face;
-    enter = in > enter ? in : enter;
-    leave = out < leave ? out : leave;
   }
-  if (!(enter <= leave) || !(leave >= Real(0)))
+  const Real enter = std::max({in.x(), in.y(), in.z()}),
+             leave = std::min({out.x(), out.y(), out.z()});
+  if (!(enter <= leave) || !(leave >= Real(0)) || enter == infinite)
   {
     return std::nullopt;
   }
@@ -43,6 +43,7 @@ std::optional<Hit<Real, 3>> first_hit_on(const CastPath<Real>& path, const Aabb<
   {
     return hit_from_inside(path);
   }
+  const int face = in.x() == enter ? 0 : in.y() == enter ? 1 : 2;
   Vector3<Real> normal = Vector3<Real>::Zero();
   normal[face] = path.direction[face] > Real(0) ? Real(-1) : Real(1);
   const Vector3<Real> point = point_at<Real>(path, enter).cwiseMax(box.min()).cwiseMin(box.max());

@@ -44,10 +44,10 @@ Hit<Real, 3> hit_from_inside(const CastPath<Real>& path)
 template <class Real>
 Vector3<Real> point_at(const CastPath<Real>& path, const Real& t)
 {
-  Vector3<Real> point = path.origin;
-  for (int i = 0; i < 3; ++i)
+  Vector3<Real> point = path.origin + t * path.direction;
+  if (!(t <= std::numeric_limits<Real>::max()))
   {
-    point[i] += path.direction[i] == Real(0) ? Real(0) : t * path.direction[i];
+    point = (path.direction.array() == Real(0)).select(path.origin, point);
   }
   return point;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief Where a path first meets a triangle or a tetrahedron, without a gap at their edges.
+/// \brief Where a path first meets a triangle, without a gap at its edges.
 
 #include "01_math/numbers/difference_of_products.hpp"
 #include "02_primitives/casts/cast_path.hpp"
@@ -44,7 +44,7 @@ Vector3<Real> seen_along(const ShearedView<Real>& view, const Vector3<Real>& poi
 }
 // [sheared_view]
 
-// [triangle_span]
+// [line_span]
 /// The part of a line that lies in a shape.
 template <class Real>
 struct LineSpan
@@ -52,7 +52,9 @@ struct LineSpan
   Real first, last; ///< t; no part if first > last
   Real facing;      ///< > 0 where the corners turn anticlockwise in the view, 0 where edge on
 };
+// [line_span]
 
+// [edge_side]
 /// The part of the line that lies in a triangle which is seen edge on: its plane holds the line.
 template <class Real>
 LineSpan<Real> span_edge_on(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& c)
@@ -82,6 +84,21 @@ LineSpan<Real> span_edge_on(const Vector3<Real>& a, const Vector3<Real>& b, cons
   return span;
 }
 
+/// On which side of the edge from p to q the line passes: the sign of p x q, which is right.
+///
+/// Where rounding might decide, the products are taken exactly.
+template <class Real>
+Real edge_side(const Vector3<Real>& p, const Vector3<Real>& q)
+{
+  const Real first = p.x() * q.y(), second = p.y() * q.x(), side = first - second;
+  const Real doubt = std::numeric_limits<Real>::min() + Real(2) *
+                                                            std::numeric_limits<Real>::epsilon() *
+                                                            (std::abs(first) + std::abs(second));
+  return std::abs(side) > doubt ? side : difference_of_products(p.x(), q.y(), p.y(), q.x());
+}
+// [edge_side]
+
+// [span_of]
 /// The part of the line that lies in a triangle with these corners in its view.
 ///
 /// Each edge gives a number whose sign tells on which side of it the line passes. The sign is right
@@ -89,22 +106,20 @@ LineSpan<Real> span_edge_on(const Vector3<Real>& a, const Vector3<Real>& b, cons
 template <class Real>
 LineSpan<Real> span_of(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& c)
 {
-  const auto turn = [](const Vector3<Real>& p, const Vector3<Real>& q)
-  { return difference_of_products(p.x(), q.y(), p.y(), q.x()); };
-  const Real u = turn(b, c), v = turn(c, a), w = turn(a, b), zero(0);
-  if ((u < zero || v < zero || w < zero) && (u > zero || v > zero || w > zero))
+  const Real bc = edge_side<Real>(b, c), ca = edge_side<Real>(c, a), ab = edge_side<Real>(a, b);
+  const Real zero(0), sum = ab + bc + ca;
+  if ((bc < zero || ca < zero || ab < zero) && (bc > zero || ca > zero || ab > zero))
   {
     return {Real(1), zero, zero};
   }
-  const Real sum = u + v + w;
   if (sum == zero)
   {
     return span_edge_on<Real>(a, b, c);
   }
-  const Real t = (u / sum) * a.z() + (v / sum) * b.z() + (w / sum) * c.z();
+  const Real t = (bc / sum) * a.z() + (ca / sum) * b.z() + (ab / sum) * c.z();
   return {t, t, sum};
 }
-// [triangle_span]
+// [span_of]
 
 // [cast_triangle]
 /// A triangle's unit normal on the side that a path comes from; against the path if it has none.
@@ -113,14 +128,14 @@ Vector3<Real> facing_normal(
     const CastPath<Real>& path, const ShearedView<Real>& view, const Triangle<Real>& triangle,
     const Real& facing)
 {
-  const Vector3<Real> back = hit_from_inside(path).normal;
   if (facing == Real(0) || path.direction.isZero(0))
   {
-    return back;
+    return hit_from_inside(path).normal;
   }
   const Vector3<Real> ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
   const bool along = (facing > Real(0)) == (view.way > Real(0));
-  return normalize<Real>(along ? ac.cross(ab) : ab.cross(ac), back).unit;
+  const Vector3<Real> normal = along ? ac.cross(ab) : ab.cross(ac);
+  return normal.isZero(0) ? hit_from_inside(path).normal : normalize<Real>(normal).unit;
 }
 
 /// Where a path first meets a triangle, from either side.
@@ -139,56 +154,5 @@ std::optional<Hit<Real, 3>> first_hit_on(const CastPath<Real>& path, const Trian
   return hit_at<Real>(path, holds_origin ? Real(0) : span.first, normal);
 }
 // [cast_triangle]
-
-// [cast_tetrahedron]
-/// Where a path first meets a tetrahedron: its line lies in it between the first and the last face.
-template <class Real>
-std::optional<Hit<Real, 3>> first_hit_on(const CastPath<Real>& path, const Tetrahedron<Real>& solid)
-{
-  const ShearedView<Real> view = sheared_view(path);
-  const Vector3<Real> a = seen_along(view, solid.a), b = seen_along(view, solid.b);
-  const Vector3<Real> c = seen_along(view, solid.c), d = seen_along(view, solid.d);
-  const LineSpan<Real> spans[] = {
-      span_of<Real>(a, b, c), span_of<Real>(a, b, d), span_of<Real>(a, c, d),
-      span_of<Real>(b, c, d)};
-  const Triangle<Real> faces[] = {
-      {solid.a, solid.b, solid.c},
-      {solid.a, solid.b, solid.d},
-      {solid.a, solid.c, solid.d},
-      {solid.b, solid.c, solid.d}};
-  const Real infinite = std::numeric_limits<Real>::infinity();
-  LineSpan<Real> whole{infinite, -infinite, Real(0)};
-  int face = 0;
-  for (int i = 0; i < 4; ++i)
-  {
-    const LineSpan<Real>& one = spans[i];
-    if (!(one.first <= one.last))
-    {
-      continue;
-    }
-    // Of faces that the line enters at once, one that it does not lie in tells the normal.
-    const bool earlier = one.first < whole.first;
-    if (earlier || (one.first == whole.first && whole.facing == Real(0)))
-    {
-      whole.first = one.first;
-      whole.facing = one.facing;
-      face = i;
-    }
-    whole.last = one.last > whole.last ? one.last : whole.last;
-  }
-  if (!(whole.first <= whole.last) || !(whole.last >= Real(0)))
-  {
-    return std::nullopt;
-  }
-  if (whole.first <= Real(0))
-  {
-    return hit_from_inside(path);
-  }
-  const bool moves = !path.direction.isZero(0);
-  return moves
-             ? hit_at<Real>(path, whole.first, facing_normal(path, view, faces[face], whole.facing))
-             : std::nullopt;
-}
-// [cast_tetrahedron]
 
 } // namespace cookbook

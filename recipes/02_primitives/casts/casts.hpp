@@ -6,6 +6,7 @@
 #include "02_primitives/casts/cast_box.hpp"
 #include "02_primitives/casts/cast_plane.hpp"
 #include "02_primitives/casts/cast_sphere.hpp"
+#include "02_primitives/casts/cast_tetrahedron.hpp"
 #include "02_primitives/casts/cast_triangle.hpp"
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 
 #include "02_primitives/casts/casts.hpp"
 #include "02_primitives/casts/trial/casts_pitfalls.hpp"
+#include "common/math/rotation.hpp"
 #include "common/program/table.hpp"
 #include "common/program/verdicts.hpp"
 
@@ -189,7 +190,7 @@ inline std::vector<CastCase> solid_cast_cases()
        [](const M& m)
        {
          const Obb<float> box{
-             {0.5f, 0, 0}, Eigen::AngleAxisf(1, Vector3<float>::UnitZ()).matrix(), {2, 2, 2}};
+             {0.5f, 0, 0}, rational_rotation<double>(3, 0, 0, 1).cast<float>(), {2, 2, 2}};
          const Ray<float> ray = seen_from_box(along_x(), box);
          return cast_verdict(m.box(ray, box_between(-box.half_extents, box.half_extents)), 0.0);
        }}};

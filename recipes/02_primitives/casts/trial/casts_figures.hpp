@@ -7,8 +7,8 @@
 #include "common/math/rotation.hpp"
 #include "common/plot/figures/figure2d.hpp"
 
-#include <string>
-#include <vector>
+#include <cmath>
+#include <optional>
 
 namespace cookbook
 {
@@ -17,23 +17,6 @@ namespace cookbook
 inline Eigen::Vector2d flat(const Vector3<double>& p)
 {
   return p.head<2>();
-}
-
-/// Draws a ray as far as its first hit, and there the normal.
-template <class Shape>
-void draw_cast(plot::Figure2d& figure, const Ray<double>& ray, const Shape& shape, bool label)
-{
-  const auto hit = cast(ray, shape);
-  const Eigen::Vector2d from = flat(ray.origin);
-  if (!hit)
-  {
-    figure.arrow(from, flat(ray.origin + 3.1 * ray.direction), plot::Ink::muted);
-    return;
-  }
-  figure.segment(from, flat(hit->point))
-      .arrow(
-          flat(hit->point), flat(hit->point + 0.6 * hit->normal), plot::Ink::ink, label ? "n" : "")
-      .point(flat(hit->point), plot::Ink::overlap);
 }
 
 /// A fan of rays from one point: what each meets first, of all shapes.
@@ -89,7 +72,7 @@ inline plot::Figure2d chord_figure()
       .label({-half / 2, 0.6}, "r", plot::Side::below_left, plot::Ink::a)
       .label({-2.9, 0.55}, "f", plot::Side::below)
       .dimension({-5, 1.2}, {-half, 1.2}, "t |v|", 14)
-      .dimension({-half, 1.2}, {0, 1.2}, "half a chord", 14)
+      .dimension({-half, 1.2}, {0, 1.2}, "h", 14)
       .dot({0, 0}, plot::Ink::a, "c", plot::Side::below)
       .dot({-5, 1.2}, plot::Ink::ink, "o", plot::Side::below)
       .point({-half, 1.2}, plot::Ink::overlap);
@@ -104,8 +87,8 @@ inline plot::Figure2d slab_figure()
   const auto at = [&](double t) -> Eigen::Vector2d { return origin + t * way; };
   const double x_in = 2, x_out = 5, y_in = (1.1 - 0.2) / 0.55, y_out = (2.6 - 0.2) / 0.55;
   figure.describe("A ray is in the upright slab from 2 to 5, in the level one from 1.6 to 4.4.")
-      .region({{2, -0.6}, {5, -0.6}, {5, 4.2}, {2, 4.2}}, plot::Ink::a)
-      .region({{-0.5, 1.1}, {6.3, 1.1}, {6.3, 2.6}, {-0.5, 2.6}}, plot::Ink::b)
+      .polygon({{2, -0.6}, {5, -0.6}, {5, 4.2}, {2, 4.2}}, plot::Ink::a)
+      .polygon({{-0.5, 1.1}, {6.3, 1.1}, {6.3, 2.6}, {-0.5, 2.6}}, plot::Ink::b)
       .box({3.5, 1.85}, 0, {1.5, 0.75}, plot::Ink::ink, plot::Fill::none)
       .arrow(at(0), at(6.2), plot::Ink::ink)
       .segment(at(x_in), at(y_out), plot::Ink::overlap, plot::Stroke::solid, 3.2)
@@ -131,10 +114,7 @@ inline plot::Figure2d sheared_figure()
       .label(a, "a", plot::Side::left)
       .label(b, "b", plot::Side::below)
       .label(c, "c", plot::Side::above)
-      .label((b + c) / 3, "u", plot::Side::centre)
-      .label((c + a) / 3, "v", plot::Side::centre)
-      .label((a + b) / 3, "w", plot::Side::centre)
-      .point({0, 0}, plot::Ink::overlap, "the ray");
+      .point({0, 0}, plot::Ink::overlap, "ray", plot::Side::below_left);
   return figure;
 }
 
