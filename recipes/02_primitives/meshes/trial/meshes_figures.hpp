@@ -75,11 +75,11 @@ inline TriangleMesh<double> flat_heaps()
   MeshDraw draw;
   TriangleMesh<double> mesh;
   for (const Vector3<double>& heap :
-       {Vector3<double>(1, 1, 0), Vector3<double>(4, 2.5, 0), Vector3<double>(7.5, 1.2, 0)})
+       {Vector3<double>(1, 0.8, 0), Vector3<double>(4.4, 2.8, 0), Vector3<double>(8, 1.2, 0)})
   {
     for (int i = 0; i < 8; ++i)
     {
-      const Vector3<double> at = heap + Vector3<double>(draw(-1, 1), draw(-0.8, 0.8), 0);
+      const Vector3<double> at = heap + Vector3<double>(draw(-0.9, 0.9), draw(-0.8, 0.8), 0);
       const double angle = draw(0, 6);
       const int first = static_cast<int>(mesh.vertices.size());
       for (const double turn : {0.0, 2.1, 4.2})
@@ -98,9 +98,9 @@ inline plot::Figure2d tree_figure()
 {
   const TriangleMesh<double> mesh = flat_heaps();
   const BoundingVolumes<double> tree = build_volumes(mesh);
-  const Ray<double> ray{{-0.6, 1.9, 0}, {9.4, -0.9, 0}};
+  const Ray<double> ray{{-0.7, 1.1, 0}, {10, 0.75, 0}};
   const RayForBoxes<double> for_boxes = ray_for_boxes(ray, tree.nodes[0].box);
-  plot::Figure2d figure("meshes", "", {{-0.9, -0.3}, {9.2, 3.9}, 460});
+  plot::Figure2d figure("meshes", "", {{-0.9, -0.4}, {9.7, 4}, 460});
   figure.describe("Triangles in three heaps, boxes in boxes around them, and a ray across.");
   for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i)
   {
@@ -122,7 +122,8 @@ inline plot::Figure2d tree_figure()
       }
     }
   }
-  figure.arrow(ray.origin.head<2>(), (ray.origin + ray.direction).head<2>(), plot::Ink::ink, "ray");
+  figure.arrow(ray.origin.head<2>(), (ray.origin + ray.direction).head<2>(), plot::Ink::ink)
+      .label(ray.origin.head<2>(), "ray", plot::Side::above);
   return figure;
 }
 
