@@ -43,4 +43,40 @@ int main()
         }
       });
 #endif
+#ifdef TAKE_meshes
+  print(
+      "meshes",
+      [](Draw& draw, Bits& bits)
+      {
+        const double stretch = draw.one_in(8) ? std::ldexp(1.0, -100) : 1.0;
+        TriangleMesh<double> mesh;
+        for (int i = 0; i < 20; ++i)
+        {
+          for (int k = 0; k < 3; ++k)
+          {
+            mesh.vertices.push_back(draw.vector(2) * stretch);
+          }
+          mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        }
+        const BoundingVolumes<double> tree = refitted(build_volumes(mesh), mesh);
+        const Eigen::Vector3d origin = draw.vector(3) * stretch, direction = draw.unit();
+        if (const auto met = cast<double>({origin, direction}, mesh, tree))
+        {
+          bits(met->hit.t, met->hit.point, met->hit.normal, met->triangle);
+        }
+        const auto closest = closest_point_of_mesh<double>(mesh, tree, origin);
+        bits(closest->point, closest->distance, closest->triangle);
+        bits(closest_point_of_triangle(triangle_of(mesh, 3), origin));
+        const double radius = draw.number(0, 1) * stretch;
+        const Eigen::Vector3d more = origin + draw.half_extents() * stretch;
+        for (const int i : triangles_touching<double>(mesh, tree, {origin, radius}))
+        {
+          bits(i);
+        }
+        for (const int i : triangles_near<double>(mesh, tree, {origin, more}))
+        {
+          bits(i);
+        }
+      });
+#endif
 }
