@@ -59,12 +59,26 @@ struct Triangle
   Vector3<Real> c; ///< [m], world
 };
 
+/// A solid with four corners.
+template <class Real>
+struct Tetrahedron
+{
+  Vector3<Real> a; ///< [m], world
+  Vector3<Real> b; ///< [m], world
+  Vector3<Real> c; ///< [m], world
+  Vector3<Real> d; ///< [m], world
+};
+
+/// A box whose edges lie along the world's axes: Eigen's own, from its corner min() to max().
+template <class Real>
+using Aabb = Eigen::AlignedBox<Real, 3>;
+
 /// All points origin + t direction with t ≥ 0.
 template <class Real>
 struct Ray
 {
   Vector3<Real> origin;    ///< [m], world
-  Vector3<Real> direction; ///< [1], unit, world
+  Vector3<Real> direction; ///< [1], world, of any length but zero
 };
 // [shapes]
 
