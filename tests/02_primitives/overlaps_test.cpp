@@ -1,0 +1,24 @@
+/// \file
+/// What holds for the overlap of any two shapes.
+
+#include "02_primitives/overlaps/overlaps.hpp"
+
+#include "tests/02_primitives/shape_pairs.hpp"
+#include "tests/catch.hpp"
+#include "tests/random_inputs.hpp"
+
+using namespace cookbook;
+
+TEST_CASE("45 pairs of shapes in float: as good as float can write the answer", "[overlaps]")
+{
+  for (const Kinds<float>& kinds : all_kinds<float>())
+  {
+    for (const Draws draws : all_draws)
+    {
+      const Wrongs wrongs = judge_pairs(kinds, draws, random_inputs / 7);
+      INFO(kinds.names << ", draws " << int(draws) << ", overlapping " << wrongs.overlapping);
+      CHECK(wrongs.fault < 2e-6L);
+      CHECK(wrongs.contradictions == 0);
+    }
+  }
+}

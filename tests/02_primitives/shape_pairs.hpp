@@ -1,0 +1,119 @@
+/// \file
+/// Each kind of shape with each other: random pairs, and what the book answers of them.
+#pragma once
+
+#include "02_primitives/closest_points/closest_points_plane.hpp"
+#include "02_primitives/overlaps/overlaps.hpp"
+
+#include "tests/02_primitives/shape_judge.hpp"
+
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace cookbook
+{
+
+/// One pair: what the judge knows of both shapes, and what the book answers.
+struct JudgedPair
+{
+  Judged a, b;
+  ClosestPoints<Long, 3> points;
+  bool overlap;     ///< the answer of overlaps()
+  bool still_apart; ///< also after B moved towards A by the distance less a billionth
+  Long touch;       ///< their distance after B moved by the whole distance, as a share of the size
+};
+
+/// Answers a pair; where the shapes are apart, once more with B moved almost to A, and to A.
+template <class Real, class A, class B>
+JudgedPair answered(const A& a, const B& b)
+{
+  const ClosestPoints<Real, 3> points = closest_points(a, b);
+  JudgedPair pair{judged(a), judged(b), exactly(points), overlaps(a, b), true, 0};
+  if constexpr (std::is_same_v<Real, double>)
+  {
+    const double size = double(size_of_numbers(pair.a, pair.b));
+    if (points.distance > 1e-3 * size)
+    {
+      const Vector3<double> way = points.a - points.b;
+      const Vector3<double> hair = way * (1e-9 * size / points.distance);
+      pair.still_apart = !overlaps(a, moved(b, Vector3<double>(way - hair)));
+      pair.touch = Long(closest_points(a, moved(b, way)).distance / size);
+    }
+  }
+  return pair;
+}
+
+/// Two kinds of shapes, and how a pair of them is drawn and answered.
+template <class Real>
+struct Kinds
+{
+  std::string names;
+  std::function<JudgedPair(ShapeDraw<Real>&)> answer;
+};
+
+/// Each kind with itself and each that comes after it.
+template <class Real>
+std::vector<Kinds<Real>> all_kinds()
+{
+  std::vector<Kinds<Real>> kinds;
+  int first = 0;
+  const auto with_first = [&](const auto& a, const char* of_a)
+  {
+    int second = 0;
+    const auto with_second = [&](const auto& b, const char* of_b)
+    {
+      using A = std::decay_t<decltype(a)>;
+      using B = std::decay_t<decltype(b)>;
+      if (second++ >= first)
+      {
+        const auto answer = [](ShapeDraw<Real>& from)
+        {
+          const A one = drawn<A>(from);
+          const B other = drawn<B>(from);
+          return answered<Real>(one, other);
+        };
+        kinds.push_back({std::string(of_a) + " and " + of_b, answer});
+      }
+    };
+    for_each_kind<Real>(with_second);
+    ++first;
+  };
+  for_each_kind<Real>(with_first);
+  return kinds;
+}
+
+constexpr Draws all_draws[] = {Draws::any,  Draws::lattice, Draws::thin,  Draws::tiny,
+                               Draws::huge, Draws::far,     Draws::unlike};
+
+/// What was wrong with any of many pairs of two kinds.
+struct Wrongs
+{
+  Long fault = 0;         ///< as a share of the size
+  int overlapping = 0;    ///< that overlap
+  int contradictions = 0; ///< distance 0, but no overlap, or an overlap without
+  int moved_wrongly = 0;  ///< not apart after B moved less than the distance
+  Long touch = 0;         ///< the distance after B moved by the distance
+};
+
+/// Draws pairs of two kinds, and judges the answers.
+template <class Real>
+Wrongs judge_pairs(const Kinds<Real>& kinds, Draws draws, int count)
+{
+  ShapeDraw<Real> from(7);
+  from.use(draws);
+  Wrongs wrongs;
+  for (int i = 0; i < count; ++i)
+  {
+    const JudgedPair pair = kinds.answer(from);
+    wrongs.fault = std::max(wrongs.fault, fault(pair.a, pair.b, pair.points));
+    wrongs.overlapping += pair.overlap;
+    wrongs.contradictions += pair.overlap != (pair.points.distance == 0);
+    wrongs.moved_wrongly += !pair.still_apart;
+    wrongs.touch = std::max(wrongs.touch, pair.touch);
+  }
+  return wrongs;
+}
+
+} // namespace cookbook
