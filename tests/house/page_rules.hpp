@@ -15,7 +15,7 @@ inline const std::vector<std::string> closing{
 inline const std::vector<std::string> recipe_parts{"The idea", "Code", "Run it", "Proof"};
 /// The same where it is derived after it has been run.
 inline const std::vector<std::string> parts_with_why{"The idea", "Code", "Run it", "Why", "Proof"};
-/// The same in chapters 2 and 5, until they are cut anew.
+/// The same in chapter 5, until it is cut anew.
 inline const std::vector<std::string> parts_of_old{"Formula", "Code", "Run it", "Proof"};
 
 /// True if `words` all occur in `all`, in that order.
@@ -59,7 +59,7 @@ inline std::vector<TextFile> with_sub_pages(const std::vector<TextFile>& pages)
 inline bool has_recipe_parts(const std::vector<std::string>& parts, const std::string& chapter)
 {
   const bool why = std::find(parts.begin(), parts.end(), "Why") != parts.end();
-  const bool old = (chapter == "02" || chapter == "05") && in_order(parts_of_old, parts);
+  const bool old = chapter == "05" && in_order(parts_of_old, parts);
   return old || in_order(why ? parts_with_why : recipe_parts, parts);
 }
 

@@ -73,8 +73,11 @@ Cells table_of(const std::vector<std::string>& shapes)
       std::string cell;
       for (const std::string& ask : finder_asks())
       {
-        const bool there = finder_question<double>(ask, a, b).has_value();
-        cell += there ? (cell.empty() ? "" : " ") + ask.substr(0, 2) : "";
+        if (finder_question<double>(ask, a, b))
+        {
+          cell += cell.empty() ? "" : " ";
+          cell += ask.substr(0, 2);
+        }
       }
       rows.back().push_back(cell);
     }

@@ -4,7 +4,7 @@
 /// \brief From the names of two shapes to their types, and to a question about them.
 
 #include "02_primitives/finder/trial/finder.hpp"
-#include "02_primitives/finder/trial/shape_columns.hpp"
+#include "02_primitives/finder/trial/plane_columns.hpp"
 
 #include <type_traits>
 
@@ -17,11 +17,13 @@ struct ShapeList
 {
 };
 
+/// The shapes in space.
 template <class Real>
 using ShapesInSpace = ShapeList<
     Vector3<Real>, Segment<Real>, Ray<Real>, Plane<Real>, Sphere<Real>, Capsule<Real>, Aabb<Real>,
     Obb<Real>, Triangle<Real>, Tetrahedron<Real>>;
 
+/// The shapes in the plane.
 template <class Real>
 using ShapesInPlane = ShapeList<
     Vector<Real, 2>, Segment2<Real>, Ray2<Real>, Circle<Real>, Rectangle<Real>,
@@ -105,11 +107,16 @@ inline std::string point_columns(int dimensions, const std::string& prefix)
   return dimensions == 2 ? plane : plane + "," + prefix + "z";
 }
 
-// Each in a source of its own, for they take long to compile.
+/// Whether two shapes overlap; in a source of its own, as the next two, for it takes long to
+/// compile.
 template <class Real>
 std::optional<Question<Real>> overlap_question(const std::string& a, const std::string& b);
+
+/// Where two shapes are closest.
 template <class Real>
 std::optional<Question<Real>> closest_question(const std::string& a, const std::string& b);
+
+/// Where the first of two shapes, a ray or a segment, meets the other.
 template <class Real>
 std::optional<Question<Real>> cast_question(const std::string& a, const std::string& b);
 
