@@ -87,17 +87,17 @@ inline plot::Figure2d shadow_figure(bool apart)
   using plot::Side;
   const TurnedRectangle<double> a{{0, 0}, 0.6, {1.2, 0.5}};
   const TurnedRectangle<double> b{
-      apart ? Eigen::Vector2d(0.35, 1.6) : Eigen::Vector2d(0.9, 1.1),
+      apart ? Eigen::Vector2d(0.45, 2.1) : Eigen::Vector2d(0.9, 1.1),
       apart ? 0.35 : -0.5,
       {1.1, 0.4}};
   plot::Figure2d figure(
       apart ? "shadows_apart" : "shadows_overlap",
       apart ? "Apart: the shadows on u have a gap" : "Overlap: no axis shows a gap",
-      {{-3.2, -1.95}, {2.4, 2.5}, 400});
+      {{-3.3, -2.2}, {2.4, apart ? 3.0 : 2.2}, 400});
   const std::vector<Eigen::Vector2d> of_a = corners_of(a), of_b = corners_of(b);
   const Eigen::Vector2d u(-std::sin(a.angle), std::cos(a.angle)), along(u.y(), -u.x());
-  const Eigen::Vector2d foot = -2.1 * along - 0.9 * u, floor(0, -1.6);
-  figure.segment({-1.6, -1.6}, {2.2, -1.6}, Ink::muted, plot::Stroke::solid, 1)
+  const Eigen::Vector2d foot = -2.1 * along - 0.9 * u, floor(0, -1.95);
+  figure.segment({-1.6, -1.95}, {2.2, -1.95}, Ink::muted, plot::Stroke::solid, 1)
       .segment(foot - 0.2 * u, foot + 3.6 * u, Ink::muted, plot::Stroke::solid, 1);
   draw_shadow(figure, of_a, floor, {1, 0}, Ink::a);
   draw_shadow(figure, of_b, floor + Eigen::Vector2d(0, 0.12), {1, 0}, Ink::b);
@@ -105,7 +105,7 @@ inline plot::Figure2d shadow_figure(bool apart)
   draw_shadow(figure, of_b, foot - (apart ? 0 : 0.12) * along, u, Ink::b);
   figure.polygon(of_a, Ink::a)
       .polygon(of_b, Ink::b)
-      .label({2.25, -1.6}, "x", Side::right, Ink::muted)
+      .label({2.25, -1.95}, "x", Side::right, Ink::muted)
       .label(foot + 3.6 * u, "u", Side::above, Ink::muted)
       .label(a.center, "A", Side::centre, Ink::a)
       .label(b.center, "B", Side::centre, Ink::b);
@@ -133,25 +133,24 @@ inline plot::Figure2d slab_figure()
   using plot::Ink;
   using plot::Side;
   const Rectangle<double> box{{3, 1.5}, {1.25, 0.75}};
-  const Ray2<double> ray{{0, 0}, {2, 0.8}};
-  plot::Figure2d figure("in_the_plane_slabs", "", {{-0.6, -0.45}, {5.9, 3.0}, 400});
+  const Ray2<double> ray{{0, -0.35}, {2, 0.8}};
+  plot::Figure2d figure("in_the_plane_slabs", "", {{-0.6, -0.8}, {5.9, 2.7}, 400});
   figure.describe("A ray enters the slab between two upright lines, then the one between two level "
                   "ones, and with it the rectangle.");
   for (const double side : {-1.0, 1.0})
   {
     const double x = box.center.x() + side * box.half_extents.x();
     const double y = box.center.y() + side * box.half_extents.y();
-    figure.segment({x, -0.4}, {x, 2.9}, Ink::muted, plot::Stroke::dashed, 1)
+    figure.segment({x, -0.7}, {x, 2.6}, Ink::muted, plot::Stroke::dashed, 1)
         .segment({-0.5, y}, {5.7, y}, Ink::muted, plot::Stroke::dashed, 1);
   }
   const auto hit = cast(ray, box);
   figure.box(box.center, 0, box.half_extents, Ink::b)
-      .arrow(ray.origin, ray.origin + 2.8 * ray.direction, Ink::a);
+      .arrow(ray.origin, ray.origin + 2.75 * ray.direction, Ink::a);
   const double enters_x = 1.75 / 2, leaves_x = 4.25 / 2;
-  figure
-      .dot(ray.origin + enters_x * ray.direction, Ink::a, "into the upright slab", Side::above_left)
-      .dot(ray.origin + leaves_x * ray.direction, Ink::a, "out of it", Side::below_right)
-      .point(hit->point, Ink::ink, "into both", Side::above_left)
+  figure.dot(ray.origin + enters_x * ray.direction, Ink::a, "enters x", Side::above_left)
+      .dot(ray.origin + leaves_x * ray.direction, Ink::a, "leaves x", Side::below_right)
+      .point(hit->point, Ink::ink, "enters y", Side::above_left)
       .arrow(hit->point, hit->point + 0.6 * hit->normal, Ink::ink, "n", Side::right)
       .dot(ray.origin, Ink::a, "o", Side::below);
   return figure;
