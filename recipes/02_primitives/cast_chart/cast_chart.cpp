@@ -2,6 +2,7 @@
 /// \brief Times ways to cast a ray at a ball, a box and a triangle, and draws cost against error.
 
 #include "02_primitives/cast_chart/trial/cast_chart.hpp"
+#include "02_primitives/cast_chart/trial/cast_peers.hpp"
 #include "common/measure/cost_chart.hpp"
 #include "common/program/program.hpp"
 

@@ -51,6 +51,7 @@ enum class Lie
   overlapping = 1
 };
 
+/// The same from a sign.
 inline Lie lie_of(Int sign)
 {
   return sign < 0 ? Lie::apart : sign > 0 ? Lie::overlapping : Lie::touching;
