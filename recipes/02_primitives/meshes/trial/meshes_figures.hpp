@@ -79,8 +79,8 @@ inline TriangleMesh<double> flat_heaps()
   {
     for (int i = 0; i < 8; ++i)
     {
-      const Vector3<double> at = heap + Vector3<double>(draw(-0.9, 0.9), draw(-0.8, 0.8), 0);
-      const double angle = draw(0, 6);
+      const double x = draw(-0.9, 0.9), y = draw(-0.8, 0.8), angle = draw(0, 6);
+      const Vector3<double> at = heap + Vector3<double>(x, y, 0);
       const int first = static_cast<int>(mesh.vertices.size());
       for (const double turn : {0.0, 2.1, 4.2})
       {
