@@ -83,16 +83,16 @@ int points_left_out(const Circle<Real>& circle, const std::vector<Vector<Real, 2
 } // namespace
 
 // [P22]
-TEST_CASE("the smallest circle around (0,0), (4,0), (0,3) and (1,1) rests on two of them", "[P22]")
+TEST_CASE("the smallest circle around (1,0), (4,0), (0,3) and (1,1) rests on two of them", "[P22]")
 {
-  const std::vector<Point> points{{0, 0}, {4, 0}, {0, 3}, {1, 1}};
+  const std::vector<Point> points{{1, 0}, {4, 0}, {0, 3}, {1, 1}};
   const Circle<double> least = minimal_circle<double>(points);
   CHECK(least.center == Point(2, 1.5));
   CHECK(least.radius == 2.5);
-  // Their mean is (1.25, 1), from which (4, 0) is the farthest.
+  // Their mean is (1.5, 1), from which (4, 0) is the farthest.
   const Circle<double> centroid = centroid_circle<double>(points);
-  CHECK(centroid.center == Point(1.25, 1));
-  CHECK(centroid.radius == Catch::Approx(std::hypot(2.75, 1)).epsilon(1e-15));
+  CHECK(centroid.center == Point(1.5, 1));
+  CHECK(centroid.radius == Catch::Approx(std::hypot(2.5, 1)).epsilon(1e-15));
 }
 
 TEST_CASE(

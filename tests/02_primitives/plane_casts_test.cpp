@@ -4,6 +4,7 @@
 
 #include "02_primitives/in_the_plane/in_the_plane.hpp"
 
+#include "tests/02_primitives/plane_around.hpp"
 #include "tests/02_primitives/plane_inputs.hpp"
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"

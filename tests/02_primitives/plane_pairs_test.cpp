@@ -4,6 +4,7 @@
 
 #include "02_primitives/in_the_plane/in_the_plane.hpp"
 
+#include "tests/02_primitives/plane_around.hpp"
 #include "tests/02_primitives/plane_inputs.hpp"
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
@@ -91,10 +92,12 @@ Wrong on_the_grid(unsigned seed)
     const ClosestPoints<Real, 2> here{
         times_power(found.a, -k), times_power(found.b, -k), Real(distance)};
     wrong.points += !closest_are_right(here, a, b, tolerance + rounding);
-    const ClosestPoints<Real, 2> swapped = closest_points<Real>(scaled_b, scaled_a);
-    wrong.distances +=
-        std::abs(double(std::ldexp(static_cast<long double>(swapped.distance), -k)) - distance) >
-        rounding;
+    if (i % 8 == 0)
+    {
+      const Real swapped = closest_points<Real>(scaled_b, scaled_a).distance;
+      wrong.distances +=
+          std::abs(double(std::ldexp(static_cast<long double>(swapped), -k)) - distance) > rounding;
+    }
   }
   return wrong;
 }

@@ -16,8 +16,8 @@ using namespace cookbook;
 using plot::Ink;
 using plot::Side;
 
-const std::vector<Vector<double, 2>> points{{0, 0},    {4, 0},       {0, 3},    {0.5, 1.5},
-                                            {1, 0.75}, {0.75, 2.25}, {0.25, 1}, {1.25, 1.75}};
+const std::vector<Vector<double, 2>> points{{0.25, 0.5}, {4, 0},       {0, 3},    {0.5, 1.5},
+                                            {1, 0.75},   {0.75, 2.25}, {0.25, 1}, {1.25, 1.75}};
 
 std::string pair_text(const Vector<double, 2>& v)
 {

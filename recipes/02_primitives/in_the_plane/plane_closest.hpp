@@ -3,7 +3,7 @@
 /// \file
 /// \brief The closest points of two forms in the plane.
 
-#include "02_primitives/in_the_plane/plane_axes.hpp"
+#include "02_primitives/in_the_plane/plane_shadows.hpp"
 #include "02_primitives/shapes/answers.hpp"
 
 #include <optional>
