@@ -224,6 +224,17 @@ TEMPLATE_TEST_CASE("a segment reaches to its end, and no farther", "[P9]", float
 }
 // [segments]
 
+// [edge_side_test]
+TEST_CASE("(1 + u)(1 − u) is less than 1, also where its double is not", "[P12]")
+{
+  const double u = 0x1p-52;
+  const Vector3<double> p(1 + u, 1, 0), q(1, 1 - u, 0);
+  CHECK(p.x() * q.y() - p.y() * q.x() == 0);
+  CHECK(edge_side<double>(p, q) == -u * u);
+  CHECK(edge_side<double>(q, p) == u * u);
+}
+// [edge_side_test]
+
 // [in_the_plane]
 TEMPLATE_TEST_CASE(
     "a ray in a triangle's plane meets its edge, straight back", "[P12]", float, double)
