@@ -1,6 +1,7 @@
 /// \file
 /// What makes a shape: every impossible number is named, with its value.
 
+#include "02_primitives/shapes/checked_more_shapes.hpp"
 #include "02_primitives/shapes/checked_shapes.hpp"
 #include "02_primitives/shapes/shapes.hpp"
 
@@ -58,4 +59,27 @@ TEST_CASE("a capsule may have no length, but a radius of zero or more", "[shapes
   CHECK(checked(Capsule<double>{{{1, 1, 1}, {1, 1, 1}}, 2}).radius == 2);
   CHECK_THROWS_AS((checked(Capsule<double>{{{1, 1, 1}, {1, 1, 1}}, -2})), InvalidShape);
   CHECK_THROWS_AS((checked(Capsule<double>{{{1, 1, 1}, {1, not_a_number, 1}}, 2})), InvalidShape);
+}
+
+TEST_CASE("shapes of points have finite numbers; flat ones are shapes", "[shapes]")
+{
+  const Eigen::Vector3d o(0, 0, 0), bad(0, not_a_number, 0);
+  CHECK(checked(Segment<double>{o, o}).end == o);
+  CHECK(checked(Triangle<double>{o, o, o}).c == o);
+  CHECK(checked(Tetrahedron<double>{o, o, o, o}).d == o);
+  CHECK_THROWS_WITH(checked(Segment<double>{o, bad}), "end.y must be finite, got nan");
+  CHECK_THROWS_WITH(checked(Triangle<double>{o, o, bad}), "c.y must be finite, got nan");
+  CHECK_THROWS_WITH(checked(Tetrahedron<double>{o, o, o, bad}), "d.y must be finite, got nan");
+}
+
+TEST_CASE("a box along the axes has its corners in order, a ray points somewhere", "[shapes]")
+{
+  const Eigen::Vector3d o(0, 0, 0), one(1, 1, 1);
+  CHECK(checked(Aabb<double>(o, one)).max() == one);
+  CHECK(checked(Aabb<double>(o, o)).max() == o);
+  CHECK_THROWS_WITH(
+      checked(Aabb<double>(one, Eigen::Vector3d(1, 0, 1))), "max.y must be min or more, 1, got 0");
+  CHECK(checked(Ray<double>{o, 2 * one}).direction == 2 * one);
+  CHECK_THROWS_WITH(checked(Ray<double>{o, o}), "direction must be other than zero, got 0, 0, 0");
+  CHECK_THROWS_AS((checked(Ray<double>{o, infinite * one})), InvalidShape);
 }

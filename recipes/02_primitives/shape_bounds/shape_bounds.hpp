@@ -1,0 +1,123 @@
+#pragma once
+
+/// \file
+/// \brief How far a shape reaches: its farthest point, its box along the world's axes, a sphere
+/// around it, and whether it holds a point.
+
+#include "02_primitives/overlaps/overlaps.hpp"
+
+namespace cookbook
+{
+
+// [box_radius]
+/// How far [m] a box reaches from its centre along a unit vector, half its shadow; P6.
+template <class Real>
+Real box_radius(const Obb<Real>& box, const Vector3<Real>& n)
+{
+  return box.half_extents.dot((box.axes.transpose() * n).cwiseAbs());
+}
+
+/// The box along the world's axes around a turned one; P7.
+template <class Real>
+Aabb<Real> bounds_of(const Obb<Real>& box)
+{
+  const Vector3<Real> half = box.axes.cwiseAbs() * box.half_extents;
+  return Aabb<Real>(Vector3<Real>(box.center - half), Vector3<Real>(box.center + half));
+}
+// [box_radius]
+
+// [farthest_point]
+/// The point of a shape farthest along a direction of any length; of the zero vector, any point.
+template <BoundedShape Shape>
+Vector3<NumberOf<Shape>>
+farthest_point(const Shape& shape, const Vector3<NumberOf<Shape>>& direction)
+{
+  using Real = NumberOf<Shape>;
+  using W = Wide<Real>;
+  const PairFrame<W> frame = pair_frame<Real>(shape, shape);
+  const auto hull = rounded_hull(shape, frame);
+  const Vector3<W> unit = normalize<W>(widen(direction)).unit;
+  const std::size_t i = farthest_along<W>(Corners<W>(hull.corners), unit);
+  const Vector3<W> farthest = hull.corners[i] + hull.radius * unit;
+  return frame.out(farthest).template cast<Real>();
+}
+
+/// The box along the world's axes around a shape.
+template <BoundedShape Shape>
+Aabb<NumberOf<Shape>> bounds_of(const Shape& shape)
+{
+  using Real = NumberOf<Shape>;
+  const PairFrame<Wide<Real>> frame = pair_frame<Real>(shape, shape);
+  const auto hull = rounded_hull(shape, frame);
+  Aabb<Wide<Real>> box;
+  for (const Vector3<Wide<Real>>& corner : hull.corners)
+  {
+    box.extend(corner);
+  }
+  const Vector3<Wide<Real>> around = Vector3<Wide<Real>>::Constant(hull.radius);
+  const Vector3<Wide<Real>> least = box.min() - around, most = box.max() + around;
+  return {frame.out(least).template cast<Real>(), frame.out(most).template cast<Real>()};
+}
+
+/// A sphere around a shape: its centre is that of the box around the shape's corners.
+template <BoundedShape Shape>
+Sphere<NumberOf<Shape>> bounding_sphere(const Shape& shape)
+{
+  using Real = NumberOf<Shape>;
+  const PairFrame<Wide<Real>> frame = pair_frame<Real>(shape, shape);
+  const auto hull = rounded_hull(shape, frame);
+  Aabb<Wide<Real>> box;
+  for (const Vector3<Wide<Real>>& corner : hull.corners)
+  {
+    box.extend(corner);
+  }
+  const Vector3<Wide<Real>> center = box.center();
+  Wide<Real> farthest(0);
+  for (const Vector3<Wide<Real>>& corner : hull.corners)
+  {
+    farthest = std::max(farthest, (corner - center).norm());
+  }
+  return {
+      frame.out(center).template cast<Real>(),
+      static_cast<Real>((farthest + hull.radius) / frame.scale)};
+}
+// [farthest_point]
+
+// [contains_shape]
+/// Whether a sphere holds a point; its surface belongs to it.
+template <class Real>
+bool contains(const Sphere<Real>& sphere, const Vector3<Real>& point)
+{
+  return overlaps(sphere, point);
+}
+
+/// Whether a capsule does.
+template <class Real>
+bool contains(const Capsule<Real>& capsule, const Vector3<Real>& point)
+{
+  return overlaps(capsule, point);
+}
+
+/// Whether the half-space below a plane does.
+template <class Real>
+bool contains(const Plane<Real>& plane, const Vector3<Real>& point)
+{
+  return overlaps(plane, point);
+}
+
+/// Whether a box along the world's axes does: exactly.
+template <class Real>
+bool contains(const Aabb<Real>& box, const Vector3<Real>& point)
+{
+  return box.contains(point);
+}
+
+/// Whether a tetrahedron does.
+template <class Real>
+bool contains(const Tetrahedron<Real>& solid, const Vector3<Real>& point)
+{
+  return overlaps(solid, point);
+}
+// [contains_shape]
+
+} // namespace cookbook

@@ -1,0 +1,102 @@
+/// \file
+/// What holds for the closest point of a triangle and of two segments: formulas P11, P13 and P14.
+
+#include "02_primitives/closest_point_triangle/trial/point_triangle_cases.hpp"
+#include "02_primitives/closest_segments/closest_segments.hpp"
+
+#include "tests/02_primitives/shape_judge.hpp"
+#include "tests/catch.hpp"
+#include "tests/random_inputs.hpp"
+#include "tests/verdicts.hpp"
+
+using namespace cookbook;
+
+// [P11]
+TEST_CASE("shares are 0 or more, their sum is 1, and they make the closest point", "[P11]")
+{
+  ShapeDraw<double> from(1);
+  for (const Draws draws : {Draws::any, Draws::lattice, Draws::thin})
+  {
+    from.use(draws);
+    for (int i = 0; i < random_inputs / 3; ++i)
+    {
+      const Triangle<double> t = drawn<Triangle<double>>(from);
+      const Eigen::Vector3d corners[] = {t.a, t.b, t.c};
+      const Nearest<double> nearest = nearest_on_triangle(corners, 0, 1, 2);
+      const Eigen::Vector3d mixed =
+          nearest.shares[0] * t.a + nearest.shares[1] * t.b + nearest.shares[2] * t.c;
+      REQUIRE(nearest.shares.minCoeff() >= 0);
+      REQUIRE(std::abs(nearest.shares.sum() - 1) < 1e-15);
+      REQUIRE((mixed - nearest.point).norm() < (draws == Draws::thin ? 1e-9 : 1e-13));
+    }
+  }
+}
+// [P11]
+
+// [P13]
+TEST_CASE("no corner lies on the origin's side of the plane through the closest point", "[P13]")
+{
+  ShapeDraw<double> from(2);
+  for (const Draws draws : {Draws::any, Draws::lattice, Draws::thin})
+  {
+    from.use(draws);
+    for (int i = 0; i < random_inputs / 3; ++i)
+    {
+      const Triangle<double> t = drawn<Triangle<double>>(from);
+      const Eigen::Vector3d corners[] = {t.a, t.b, t.c};
+      const Eigen::Vector3d c = nearest_on_triangle(corners, 0, 1, 2).point;
+      for (const Eigen::Vector3d& x : corners)
+      {
+        REQUIRE(-c.dot(x - c) <= 2e-14);
+      }
+    }
+  }
+}
+// [P13]
+
+// [P14]
+TEST_CASE("at the closest shares, neither segment leads on towards the other", "[P14]")
+{
+  ShapeDraw<double> from(4);
+  for (const Draws draws : {Draws::any, Draws::lattice, Draws::thin})
+  {
+    from.use(draws);
+    for (int i = 0; i < random_inputs / 3; ++i)
+    {
+      const Segment<double> a = drawn<Segment<double>>(from), b = drawn<Segment<double>>(from);
+      const ClosestShares<double> at = closest_shares(a, b);
+      const Eigen::Vector3d on_a = a.start + at.on_a * (a.end - a.start);
+      const Eigen::Vector3d on_b = b.start + at.on_b * (b.end - b.start);
+      REQUIRE((on_a - on_b - at.way).norm() < 1e-9);
+      REQUIRE(at.way.dot(a.start - on_a) >= -2e-14);
+      REQUIRE(at.way.dot(a.end - on_a) >= -2e-14);
+      REQUIRE(at.way.dot(b.start - on_b) <= 2e-14);
+      REQUIRE(at.way.dot(b.end - on_b) <= 2e-14);
+    }
+  }
+}
+// [P14]
+
+TEST_CASE(
+    "parallel segments: the first end that is closest; crossing ones: where they cross", "[P14]")
+{
+  const Segment<double> a{{0, 0, 0}, {4, 0, 0}};
+  CHECK(closest_shares<double>(a, {{1, 3, 0}, {9, 3, 0}}).on_a == 1);
+  CHECK(closest_shares<double>(a, {{1, 3, 0}, {9, 3, 0}}).on_b == 0.375);
+  CHECK(closest_shares<double>(a, {{-3, 3, 0}, {9, 3, 0}}).on_b == 0.25);
+  CHECK(closest_shares<double>(a, {{1, -3, 2}, {1, 1, 2}}).on_a == 0.25);
+  CHECK(closest_shares<double>(a, {{1, -3, 2}, {1, 1, 2}}).on_b == 0.75);
+  CHECK(closest_shares<double>({{2, 2, 2}, {2, 2, 2}}, {{2, 2, 5}, {2, 2, 5}}).way.norm() == 3);
+}
+
+// [point_triangle_verdicts]
+TEST_CASE("which way to find the closest point of a triangle holds in which case", "[case:D10]")
+{
+  check_verdicts(
+      point_triangle_verdicts(), names_of(point_triangle_methods()),
+      {{"D10", {"clamped shares", "face, then edges"}},
+       {"above the middle", {"signs of normals", "clamped shares", "face, then edges"}},
+       {"beyond a corner of 20°", {"signs of normals", "face, then edges"}},
+       {"beside a triangle that is a line", {"signs of normals", "face, then edges"}}});
+}
+// [point_triangle_verdicts]
