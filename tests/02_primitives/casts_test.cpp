@@ -132,9 +132,9 @@ TEST_CASE(
     const Vector3<float> origin(drawn(), drawn() / 2, drawn() / 2);
     const Ray<float> ray{origin, seam - origin};
     bool met = false;
-    for (int face = 0; face < 8 && !met; ++face)
+    for (std::size_t face = 0; face < 8 && !met; ++face)
     {
-      const std::size_t x = face & 1, y = 2 + (face >> 1 & 1), z = 4 + (face >> 2);
+      const std::size_t x = face % 2, y = 2 + face / 2 % 2, z = 4 + face / 4;
       met = cast(ray, Triangle<float>{corners[x], corners[y], corners[z]}).has_value();
     }
     misses += met ? 0 : 1;

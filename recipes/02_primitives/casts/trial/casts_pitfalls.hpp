@@ -107,23 +107,23 @@ triangle_as_published(const Ray<float>& ray, const Triangle<float>& triangle)
 // [triangle_as_published]
 
 // [moller_trumbore]
-/// Möller and Trumbore's way with the threshold of the paper: three unknowns t, u, v by Cramer's
+/// Möller and Trumbore's way with the threshold of the paper: three unknowns t, u, w by Cramer's
 /// rule; P12.
 template <class Real>
 std::optional<Real>
 moller_trumbore(const Ray<Real>& ray, const Triangle<Real>& triangle, Real threshold = Real(1e-6))
 {
   const Vector3<Real> e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a;
-  const Vector3<Real> p = ray.direction.cross(e2);
-  const Real determinant = e1.dot(p);
+  const Vector3<Real> m = ray.direction.cross(e2);
+  const Real determinant = e1.dot(m);
   if (std::abs(determinant) < threshold)
   {
     return std::nullopt;
   }
-  const Vector3<Real> s = ray.origin - triangle.a, q = s.cross(e1);
-  const Real u = s.dot(p) / determinant, v = ray.direction.dot(q) / determinant;
-  const Real t = e2.dot(q) / determinant;
-  const bool inside = u >= Real(0) && v >= Real(0) && u + v <= Real(1) && t >= Real(0);
+  const Vector3<Real> s = ray.origin - triangle.a, k = s.cross(e1);
+  const Real u = s.dot(m) / determinant, w = ray.direction.dot(k) / determinant;
+  const Real t = e2.dot(k) / determinant;
+  const bool inside = u >= Real(0) && w >= Real(0) && u + w <= Real(1) && t >= Real(0);
   return inside ? std::optional(t) : std::nullopt;
 }
 // [moller_trumbore]
