@@ -7,6 +7,7 @@
 #include "common/program/verdicts.hpp"
 
 #include <array>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -80,6 +81,13 @@ inline std::vector<VerdictRow> depth_verdicts()
     }
   }
   return all;
+}
+
+/// The chapter's camera: 3 m up and 4 m back, looking at the origin; a right angle high.
+inline Camera<double> scene_camera()
+{
+  const Matrix4<double> lens = *perspective(std::numbers::pi / 2, 1.5, 1.0, 9.0);
+  return {look_at<double>({0, 3, 4}, {0, 0, 0}, {0, 1, 0}), lens, {600, 400}};
 }
 
 /// The camera of the table of boxes: at the origin, looking along −z, a right angle wide and high.

@@ -17,13 +17,6 @@
 namespace cookbook
 {
 
-/// The chapter's camera: 3 m up and 4 m back, looking at the origin; a right angle high.
-inline Camera<double> scene_camera()
-{
-  const Matrix4<double> lens = *perspective(std::numbers::pi / 2, 1.5, 1.0, 9.0);
-  return {look_at<double>({0, 3, 4}, {0, 0, 0}, {0, 1, 0}), lens, {600, 400}};
-}
-
 /// The camera of the first figure: it sees less, so that what it sees is large.
 inline Camera<double> figure_camera()
 {

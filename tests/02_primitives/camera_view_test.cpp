@@ -1,0 +1,187 @@
+/// \file
+/// What is in view of a camera: formula P18, and which boxes and spheres are left out.
+
+#include "02_primitives/camera/camera.hpp"
+#include "02_primitives/camera/trial/camera_cases.hpp"
+#include "02_primitives/camera/trial/view_truth.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/random_inputs.hpp"
+#include "tests/verdicts.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+using namespace cookbook;
+
+namespace
+{
+
+using V = Vector3<double>;
+
+/// A number from a fixed seed, within bounds.
+struct CameraDraw
+{
+  std::mt19937 random{7};
+  double operator()(double least, double most)
+  {
+    return least + (most - least) * static_cast<double>(random()) * 0x1p-32;
+  }
+  V point(double most)
+  {
+    const double x = (*this)(-most, most), y = (*this)(-most, most);
+    return {x, y, (*this)(-most, most)};
+  }
+};
+
+} // namespace
+
+// [P18]
+TEST_CASE("a right angle from the origin: the planes are |x| = -z, |y| = -z, z = -1, -9", "[P18]")
+{
+  const Matrix4<double> m = *perspective(std::numbers::pi / 2, 1.0, 1.0, 9.0);
+  const Frustum<double> f = frustum_planes<double>(m, DepthRange::minus_one_to_one);
+  const double h = std::sqrt(0.5);
+  const std::array<Plane<double>, 6> expected{
+      {{{-h, 0, h}, 0},
+       {{h, 0, h}, 0},
+       {{0, -h, h}, 0},
+       {{0, h, h}, 0},
+       {{0, 0, 1}, -1},
+       {{0, 0, -1}, 9}}};
+  for (unsigned i = 0; i < 6; ++i)
+  {
+    INFO(i);
+    CHECK((f.planes[i].normal - expected[i].normal).norm() <= 1e-15);
+    CHECK(std::abs(f.planes[i].distance - expected[i].distance) <= 1e-14);
+  }
+}
+// [P18]
+
+// [P18_any]
+TEST_CASE("a point is behind all six planes exactly where its pixel and depth say so", "[P18]")
+{
+  CameraDraw draw;
+  int inside = 0, wrong = 0;
+  for (int i = 0; i < random_inputs; ++i)
+  {
+    const bool flat = i % 2 == 0, reversed = i % 3 == 0;
+    const double near = draw(0.1, 2), far = near + draw(1, 20);
+    const Matrix4<double> lens = flat       ? *orthographic(draw(1, 9), draw(1, 9), near, far)
+                                 : reversed ? *perspective_reversed(draw(0.2, 2), 1.5, near)
+                                            : *perspective(draw(0.2, 2), 1.5, near, far);
+    const Camera<double> camera{
+        look_at<double>(draw.point(5), draw.point(5), draw.point(1)), lens, {640, 480}};
+    const bool whole = flat || !reversed;
+    const Frustum<double> f = frustum_planes<double>(
+        clip_from_world(camera), whole ? DepthRange::minus_one_to_one : DepthRange::zero_to_one);
+    const V point = draw.point(9);
+    const std::optional<PixelDepth<double>> seen = to_pixel(camera, point);
+    // How far inside of the picture and the depths the point is, at the least.
+    const double least = whole ? -1 : 0;
+    const double margin = !seen
+                              ? -1
+                              : std::min(
+                                    {seen->pixel.x(), 640 - seen->pixel.x(), seen->pixel.y(),
+                                     480 - seen->pixel.y(), seen->depth - least, 1 - seen->depth});
+    if (std::abs(margin) < 1e-6)
+    {
+      continue; // within rounding of an edge
+    }
+    inside += margin > 0;
+    wrong += may_see(f, Sphere<double>{point, 0}) != (margin > 0);
+    wrong += may_see(f, Eigen::AlignedBox<double, 3>(point, point)) != (margin > 0);
+  }
+  CHECK(wrong == 0);
+  CHECK(inside > random_inputs / 50);
+}
+
+TEST_CASE("the far plane of a reversed perspective is infinitely far and keeps all", "[P18]")
+{
+  const Matrix4<float> m = *perspective_reversed(1.0f, 1.0f, 0.1f);
+  const Frustum<float> f = frustum_planes<float>(m, DepthRange::zero_to_one);
+  CHECK(f.planes[4].distance == std::numeric_limits<float>::max());
+  // Row 4 less row 3 is (0, 0, -1, -near): depths up to 1 are those from near on.
+  CHECK(std::abs(f.planes[5].distance + 0.1f) <= 0x1p-24f);
+  CHECK(may_see(f, Sphere<float>{{0, 0, -1e30f}, 0}));
+  CHECK_FALSE(may_see(f, Sphere<float>{{0, 0, 1}, 0.5f}));
+  // A matrix of zeros and one that keeps nothing.
+  const Matrix4<float> nothing = Matrix4<float>::Zero();
+  CHECK(may_see(
+      frustum_planes<float>(nothing, DepthRange::zero_to_one), Sphere<float>{{1, 2, 3}, 0}));
+  Matrix4<float> negative = nothing;
+  negative(3, 3) = -1;
+  CHECK_FALSE(may_see(
+      frustum_planes<float>(negative, DepthRange::zero_to_one), Sphere<float>{{1, 2, 3}, 9}));
+}
+// [P18_any]
+
+// [conservative]
+TEST_CASE("a box or sphere of which anything is in view is never left out", "[P18]")
+{
+  CameraDraw draw;
+  const Camera<double> camera = scene_camera();
+  const Frustum<double> f =
+      frustum_planes<double>(clip_from_world(camera), DepthRange::minus_one_to_one);
+  const std::array<V, 8> corners = *view_corners<double>(camera, -1, 1);
+  int lost = 0;
+  for (int i = 0; i < random_inputs; ++i)
+  {
+    // A point in view, and shapes that hold it.
+    const Vector<double, 2> pixel(draw(1, 599), draw(1, 399));
+    const V in_view = *unproject<double>(camera, {pixel, draw(-0.99, 0.99)});
+    const V less = draw.point(9).cwiseAbs(), more = draw.point(9).cwiseAbs();
+    const Eigen::AlignedBox<double, 3> box(in_view - less, in_view + more);
+    const V center = in_view + draw.point(9);
+    const Sphere<double> sphere{center, (center - in_view).norm() * (1 + 1e-12)};
+    lost += !may_see(f, box) + !may_see(f, corners, box) + !may_see(f, sphere);
+  }
+  CHECK(lost == 0);
+}
+
+TEST_CASE("touching the view's edge is in view, and an empty box is not", "[P18]")
+{
+  const Camera<double> camera = square_camera();
+  const Frustum<double> f =
+      frustum_planes<double>(clip_from_world(camera), DepthRange::zero_to_one);
+  const Frustum<double> exact{
+      {{{{0, 0, 1}, -1},
+        {{0, 0, -1}, 9},
+        {{1, 0, 0}, 2},
+        {{-1, 0, 0}, 2},
+        {{0, 1, 0}, 2},
+        {{0, -1, 0}, 2}}}};
+  CHECK(may_see(exact, Sphere<double>{{0, 3, -4}, 1}));
+  CHECK_FALSE(may_see(exact, Sphere<double>{{0, 3, -4}, 0.999}));
+  CHECK(may_see(exact, Eigen::AlignedBox<double, 3>(V(2, 0, -4), V(3, 1, -3))));
+  CHECK_FALSE(may_see(exact, Eigen::AlignedBox<double, 3>(V(2.001, 0, -4), V(3, 1, -3))));
+  CHECK_FALSE(may_see(f, Eigen::AlignedBox<double, 3>()));
+  CHECK_FALSE(may_see(exact, Eigen::AlignedBox<double, 3>()));
+}
+
+TEST_CASE("corners leave out boxes that the planes keep, and lose none", "[P18]")
+{
+  const DrawnBoxes large = drawn_boxes(random_inputs / 10, 32);
+  CHECK(large.lost == 0);
+  CHECK(large.seen < large.by_corners);
+  CHECK(large.by_corners < large.by_planes);
+}
+// [conservative]
+
+// [view_verdicts]
+TEST_CASE("each way to leave out boxes holds or fails as the table says", "[P18]")
+{
+  const std::string planes = "six planes", both = "planes and corners";
+  check_verdicts(
+      view_verdicts(), view_method_names(),
+      {{"a box ahead", {planes, both}},
+       {"the camera is in the box", {planes, both}},
+       {"a floor under all of it", {planes, both}},
+       {"behind the camera", {planes, both}},
+       {"to the left, as far back as ahead", {planes, both}},
+       {"a wall just beyond a far corner", {both}},
+       {"across a slanted edge", {planes, both}}});
+}
+// [view_verdicts]
