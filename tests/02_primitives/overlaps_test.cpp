@@ -9,6 +9,7 @@
 
 using namespace cookbook;
 
+// [overlaps_in_float]
 TEST_CASE("45 pairs of shapes in float: as good as float can write the answer", "[overlaps]")
 {
   for (const Kinds<float>& kinds : all_kinds<float>())
@@ -22,3 +23,4 @@ TEST_CASE("45 pairs of shapes in float: as good as float can write the answer", 
     }
   }
 }
+// [overlaps_in_float]

@@ -6,6 +6,7 @@
 #include "02_primitives/overlaps/overlaps.hpp"
 
 #include "tests/02_primitives/shape_judge.hpp"
+#include "tests/02_primitives/shapes_moved.hpp"
 
 #include <functional>
 #include <string>

@@ -59,7 +59,17 @@ struct Triangle
   Vector3<Real> c; ///< [m], world
 };
 
-/// The solid between four corners, in any order.
+/// All points origin + t direction with t ≥ 0.
+template <class Real>
+struct Ray
+{
+  Vector3<Real> origin;    ///< [m], world
+  Vector3<Real> direction; ///< [1], world, of any length but zero
+};
+// [shapes]
+
+// [more_shapes]
+/// A solid with four corners.
 template <class Real>
 struct Tetrahedron
 {
@@ -69,17 +79,9 @@ struct Tetrahedron
   Vector3<Real> d; ///< [m], world
 };
 
-/// A box along the world's axes, from min() to max(): Eigen's own type.
+/// A box whose edges lie along the world's axes: Eigen's own, from its corner min() to max().
 template <class Real>
 using Aabb = Eigen::AlignedBox<Real, 3>;
-
-/// All points origin + t direction with t ≥ 0.
-template <class Real>
-struct Ray
-{
-  Vector3<Real> origin;    ///< [m], world
-  Vector3<Real> direction; ///< [1], world, of any length but zero
-};
-// [shapes]
+// [more_shapes]
 
 } // namespace cookbook
