@@ -2,7 +2,7 @@
 /// What holds for the closest points of any two shapes, judged by what lies in the shapes and on
 /// which side of a plane they lie.
 
-#include "02_primitives/closest_points/closest_points_plane.hpp"
+#include "02_primitives/closest_points/closest_points.hpp"
 
 #include "tests/02_primitives/shape_pairs.hpp"
 #include "tests/catch.hpp"

@@ -2,7 +2,7 @@
 /// Each kind of shape with each other: random pairs, and what the book answers of them.
 #pragma once
 
-#include "02_primitives/closest_points/closest_points_plane.hpp"
+#include "02_primitives/closest_points/closest_points.hpp"
 #include "02_primitives/overlaps/overlaps.hpp"
 
 #include "tests/02_primitives/shape_judge.hpp"

@@ -2,7 +2,7 @@
 /// \brief Finds where shapes of each kind are closest, and draws two of them.
 
 #include "02_primitives/closest_point_triangle/trial/point_triangle_cases.hpp"
-#include "02_primitives/closest_points/closest_points_plane.hpp"
+#include "02_primitives/closest_points/closest_points.hpp"
 #include "common/math/rotation.hpp"
 #include "common/plot/figures/figure2d.hpp"
 #include "common/plot/figures/figure3d.hpp"

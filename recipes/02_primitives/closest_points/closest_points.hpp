@@ -3,118 +3,14 @@
 /// \file
 /// \brief Where any two shapes are closest.
 
-#include "02_primitives/closest_points/gjk_distance.hpp"
-#include "02_primitives/closest_points/rounded_hull.hpp"
-#include "02_primitives/shapes/answers.hpp"
-#include "common/math/norm.hpp"
+#include "02_primitives/closest_points/closest_on_hulls.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <limits>
+#include <cmath>
 #include <utility>
 
 namespace cookbook
 {
-
-// [closest_on_cores]
-/// A point of each of two cores, the way from B's to A's, and what they are apart at least.
-template <class Real>
-struct CoresApart
-{
-  Vector3<Real> a;   ///< [m]
-  Vector3<Real> b;   ///< [m]
-  Vector3<Real> way; ///< [m], a − b, more exact than their difference
-  Real least;        ///< [m], no two points are closer
-};
-
-/// Any two cores: GJK.
-template <class Real, std::size_t SizeA, std::size_t SizeB>
-CoresApart<Real>
-cores_apart(const std::array<Vector3<Real>, SizeA>& a, const std::array<Vector3<Real>, SizeB>& b)
-{
-  const GjkDistance<Real> gjk = gjk_distance<Real>(Corners<Real>(a), Corners<Real>(b));
-  CoresApart<Real> apart{Vector3<Real>::Zero(), Vector3<Real>::Zero(), gjk.way, gjk.least};
-  for (std::size_t k = 0; k < gjk.pairs.size; ++k)
-  {
-    apart.a += gjk.shares[Eigen::Index(k)] * a[gjk.pairs.of_a[k]];
-    apart.b += gjk.shares[Eigen::Index(k)] * b[gjk.pairs.of_b[k]];
-  }
-  return apart;
-}
-
-/// Two points.
-template <class Real>
-CoresApart<Real>
-cores_apart(const std::array<Vector3<Real>, 1>& a, const std::array<Vector3<Real>, 1>& b)
-{
-  const Vector3<Real> way = a[0] - b[0];
-  return {a[0], b[0], way, way.norm()};
-}
-
-/// A point and a segment or a triangle.
-template <class Real, std::size_t Size>
-requires(Size == 2 || Size == 3) CoresApart<Real> cores_apart(
-    const std::array<Vector3<Real>, 1>& a, const std::array<Vector3<Real>, Size>& b)
-{
-  std::array<Vector3<Real>, Size> from_a;
-  for (std::size_t i = 0; i < Size; ++i)
-  {
-    from_a[i] = b[i] - a[0];
-  }
-  const Nearest<Real> nearest = nearest_on_simplex(from_a.data(), int(Size));
-  return {a[0], a[0] + nearest.point, -nearest.point, nearest.point.norm()};
-}
-
-/// Two segments.
-template <class Real>
-CoresApart<Real>
-cores_apart(const std::array<Vector3<Real>, 2>& a, const std::array<Vector3<Real>, 2>& b)
-{
-  const ClosestShares<Real> at = closest_shares<Real>({a[0], a[1]}, {b[0], b[1]});
-  const Vector3<Real> on_a = a[0] + at.on_a * (a[1] - a[0]);
-  return {on_a, on_a - at.way, at.way, at.way.norm()};
-}
-// [closest_on_cores]
-
-// [closest_on_hulls]
-/// The largest of a hull's numbers [m], without sign.
-template <class Real, int Size>
-Real largest_of(const RoundedHull<Real, Size>& hull)
-{
-  Real size = hull.radius;
-  for (const Vector3<Real>& corner : hull.corners)
-  {
-    size = std::max(size, corner.cwiseAbs().maxCoeff());
-  }
-  return size;
-}
-
-/// Shapes that are closer than this share of their largest number may touch, but for rounding.
-template <class Real>
-inline const Real touching = Real(8) * std::numeric_limits<Real>::epsilon();
-
-/// Where two hulls are closest. Touching to rounding is touching.
-template <class Real, int SizeA, int SizeB>
-ClosestPoints<Real, 3>
-closest_on_hulls(const RoundedHull<Real, SizeA>& a, const RoundedHull<Real, SizeB>& b)
-{
-  const CoresApart<Real> cores = cores_apart(a.corners, b.corners);
-  const Real radii = a.radius + b.radius;
-  const Real contact = radii + touching<Real> * std::max(largest_of(a), largest_of(b));
-  const Direction<Real> to_a = normalize<Real>(cores.way);
-  // Apart only with a direction that separates.
-  if (to_a.length > contact &&
-      (cores.least > contact || widest_gap<Real>(a.corners, b.corners) > contact))
-  {
-    return {cores.a - a.radius * to_a.unit, cores.b + b.radius * to_a.unit, to_a.length - radii};
-  }
-  // Midway through what lies in both, on the way between the cores.
-  const Real first = std::max(to_a.length - b.radius, Real(0));
-  const Real last = std::min(a.radius, to_a.length);
-  const Vector3<Real> both = cores.a - (first + last) / Real(2) * to_a.unit;
-  return {both, both, Real(0)};
-}
-// [closest_on_hulls]
 
 // [closest_points]
 /// A shape that rounded_hull() knows.
@@ -150,5 +46,94 @@ ClosestPoints<NumberOf<A>, 3> closest_points(const A& a, const B& b)
   return in_world<Real>(points, frame);
 }
 // [closest_points]
+
+// [lowest]
+/// The point of a hull that reaches farthest below a plane, and its height [m] above it; P1.
+template <class Real>
+struct LowestPoint
+{
+  Vector3<Real> point; ///< [m]
+  Real height;         ///< [m], below zero inside the half-space
+};
+
+/// The lowest corner, lower by the radius.
+template <class Real, int Size>
+LowestPoint<Real>
+lowest_point(const RoundedHull<Real, Size>& hull, const Vector3<Real>& normal, Real distance)
+{
+  const Vector3<Real>* lowest = &hull.corners[0];
+  for (const Vector3<Real>& corner : hull.corners)
+  {
+    lowest = corner.dot(normal) < lowest->dot(normal) ? &corner : lowest;
+  }
+  return {*lowest - hull.radius * normal, lowest->dot(normal) - distance - hull.radius};
+}
+// [lowest]
+
+// [closest_to_plane]
+/// A point of the half-space and a point of a shape, none closer.
+///
+/// The plane's normal may have any length; the zero normal stands for +y.
+template <class Real, BoundedShape Shape>
+ClosestPoints<Real, 3> closest_points(const Plane<Real>& plane, const Shape& shape)
+{
+  using W = Wide<Real>;
+  const Vector3<Real> plane_size = Vector3<Real>::Constant(plane.distance);
+  const PairFrame<W> frame = pair_frame<Real>(shape, plane_size);
+  const Direction<W> normal = normalize<W>(widen(plane.normal));
+  const W length = normal.length > W(0) ? normal.length : W(1);
+  const W distance = (W(plane.distance) * frame.scale) / length - normal.unit.dot(frame.origin);
+  const auto hull = rounded_hull(shape, frame);
+  const LowestPoint<W> lowest = lowest_point<W>(hull, normal.unit, distance);
+  const W size = std::max(largest_of(hull), frame.origin.cwiseAbs().maxCoeff());
+  const W rounding = touching<W> * std::max(size, std::abs(distance));
+  const W apart = lowest.height > rounding ? lowest.height : W(0);
+  return in_world<Real>({lowest.point - apart * normal.unit, lowest.point, apart}, frame);
+}
+
+/// The same in the other order.
+template <BoundedShape Shape, class Real>
+ClosestPoints<Real, 3> closest_points(const Shape& shape, const Plane<Real>& plane)
+{
+  const ClosestPoints<Real, 3> swapped = closest_points(plane, shape);
+  return {swapped.b, swapped.a, swapped.distance};
+}
+// [closest_to_plane]
+
+// [closest_planes]
+/// A point of each of two half-spaces, none closer. Only opposite ones can be apart.
+///
+/// Where they overlap: the foot of one of them below the origin, or the point of both planes that
+/// is closest to the origin.
+template <class Real>
+ClosestPoints<Real, 3> closest_points(const Plane<Real>& a, const Plane<Real>& b)
+{
+  using W = Wide<Real>;
+  const W scale = ordinary_scale<W>(std::max(std::abs(W(a.distance)), std::abs(W(b.distance))));
+  const PairFrame<W> frame{Vector3<W>::Zero(), scale};
+  const Direction<W> n_a = normalize<W>(widen(a.normal)), n_b = normalize<W>(widen(b.normal));
+  const W d_a = W(a.distance) * scale / (n_a.length > W(0) ? n_a.length : W(1));
+  const W d_b = W(b.distance) * scale / (n_b.length > W(0) ? n_b.length : W(1));
+  const Vector3<W> foot_a = d_a * n_a.unit, foot_b = d_b * n_b.unit;
+  const W cosine = n_a.unit.dot(n_b.unit);
+  const W squared_sine = n_a.unit.cross(n_b.unit).squaredNorm();
+  const bool parallel = widen(a.normal).cross(widen(b.normal)).isZero(0);
+  if (parallel && cosine < W(0) &&
+      -d_a - d_b > touching<W> * std::max(std::abs(d_a), std::abs(d_b)))
+  {
+    return in_world<Real>({foot_a, -d_b * n_a.unit, -d_a - d_b}, frame);
+  }
+  Vector3<W> both = foot_b;
+  if (parallel ? cosine < W(0) || d_a <= d_b : foot_a.dot(n_b.unit) <= d_b)
+  {
+    both = foot_a;
+  }
+  else if (!parallel && foot_b.dot(n_a.unit) > d_a)
+  {
+    both = ((d_a - cosine * d_b) * n_a.unit + (d_b - cosine * d_a) * n_b.unit) / squared_sine;
+  }
+  return in_world<Real>({both, both, W(0)}, frame);
+}
+// [closest_planes]
 
 } // namespace cookbook

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Whether any two shapes overlap; touching counts.
 
-#include "02_primitives/closest_points/closest_points_plane.hpp"
+#include "02_primitives/closest_points/closest_points.hpp"
 
 namespace cookbook
 {
