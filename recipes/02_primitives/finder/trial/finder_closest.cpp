@@ -1,4 +1,4 @@
-#include "02_primitives/closest_points/closest_points_plane.hpp"
+#include "02_primitives/closest_points/closest_points.hpp"
 #include "02_primitives/finder/trial/finder_pairs.hpp"
 #include "02_primitives/in_the_plane/in_the_plane.hpp"
 
