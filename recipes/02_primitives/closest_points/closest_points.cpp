@@ -1,8 +1,8 @@
 /// \file
 /// \brief Finds where shapes of each kind are closest, and draws two of them.
 
-#include "02_primitives/closest_point_triangle/trial/point_triangle_cases.hpp"
 #include "02_primitives/closest_points/closest_points.hpp"
+#include "02_primitives/closest_point_triangle/trial/point_triangle_cases.hpp"
 #include "common/math/rotation.hpp"
 #include "common/plot/figures/figure2d.hpp"
 #include "common/plot/figures/figure3d.hpp"
