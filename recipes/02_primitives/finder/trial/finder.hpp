@@ -30,7 +30,4 @@ finder_question(const std::string& ask, const std::string& a, const std::string&
 /// The shapes that a question about `a` and another may name.
 std::vector<std::string> finder_partners(const std::string& ask, const std::string& a);
 
-/// The columns `x,y` of a shape as `ax,ay`.
-std::string prefixed(const std::string& columns, char prefix);
-
 } // namespace cookbook

@@ -66,6 +66,21 @@ inline std::size_t count_columns(const std::string& columns)
   return static_cast<std::size_t>(std::count(columns.begin(), columns.end(), ',')) + 1;
 }
 
+/// The columns `x,y` of a shape as `ax,ay`.
+inline std::string prefixed(const std::string& columns, char prefix)
+{
+  std::string text(1, prefix);
+  for (const char c : columns)
+  {
+    text += c;
+    if (c == ',')
+    {
+      text += prefix;
+    }
+  }
+  return text;
+}
+
 /// A question about two shapes, which `answer(a, b)` answers with a list of numbers.
 template <class Real, class A, class B, class Answer>
 Question<Real> question_about(const std::string& ask, const std::string& answers, Answer answer)

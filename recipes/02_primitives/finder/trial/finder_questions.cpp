@@ -1,8 +1,6 @@
 #include "02_primitives/finder/trial/finder.hpp"
 #include "02_primitives/finder/trial/finder_pairs.hpp"
 
-#include <cctype>
-
 namespace cookbook
 {
 
@@ -51,20 +49,6 @@ std::vector<std::string> finder_partners(const std::string& ask, const std::stri
     }
   }
   return partners;
-}
-
-std::string prefixed(const std::string& columns, char prefix)
-{
-  std::string text(1, prefix);
-  for (const char c : columns)
-  {
-    text += c;
-    if (c == ',')
-    {
-      text += prefix;
-    }
-  }
-  return text;
 }
 
 } // namespace cookbook
