@@ -80,10 +80,9 @@ public:
   template <class Call>
   void add(const std::string& what, const std::string& whose, Call call)
   {
-    const std::vector<Ordinary>& all = inputs_;
-    const auto run = [&all, call]
+    const auto run = [call]
     {
-      for (const Ordinary& one : all)
+      for (const Ordinary& one : inputs_)
       {
         measure::keep(call(one));
       }
@@ -92,7 +91,7 @@ public:
         {what,
          whose,
          {whose.empty() ? what : what + ", " + whose, run, double(priced_inputs)},
-         [&all, call](std::size_t i) { return numbers_of(call(all[i])); }});
+         [call](std::size_t i) { return numbers_of(call(inputs_[i])); }});
   }
 
   const std::vector<PricedCall>& all() const { return calls_; }
