@@ -2,7 +2,7 @@
 /// What a judge of answers knows of each kind of shape: corners, radius, sides, in long double.
 #pragma once
 
-#include "02_primitives/shapes/shapes.hpp"
+#include "02_primitives/shapes/more_shapes.hpp"
 
 #include <array>
 #include <cstddef>

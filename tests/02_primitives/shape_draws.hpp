@@ -2,7 +2,7 @@
 /// Random shapes of every kind.
 #pragma once
 
-#include "02_primitives/shapes/shapes.hpp"
+#include "02_primitives/shapes/more_shapes.hpp"
 
 #include <array>
 #include <cmath>

@@ -2,7 +2,7 @@
 /// Shapes of every kind, moved.
 #pragma once
 
-#include "02_primitives/shapes/shapes.hpp"
+#include "02_primitives/shapes/more_shapes.hpp"
 
 namespace cookbook
 {

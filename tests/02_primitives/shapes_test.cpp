@@ -3,7 +3,7 @@
 
 #include "02_primitives/shapes/checked_more_shapes.hpp"
 #include "02_primitives/shapes/checked_shapes.hpp"
-#include "02_primitives/shapes/shapes.hpp"
+#include "02_primitives/shapes/more_shapes.hpp"
 
 #include "tests/catch.hpp"
 

@@ -4,6 +4,7 @@
 /// \brief Where a path first meets a box, along the axes or turned.
 
 #include "02_primitives/casts/cast_path.hpp"
+#include "02_primitives/shapes/more_shapes.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -4,6 +4,7 @@
 /// \brief Where a path first meets a tetrahedron.
 
 #include "02_primitives/casts/cast_triangle.hpp"
+#include "02_primitives/shapes/more_shapes.hpp"
 
 #include <limits>
 #include <optional>

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Where a pair of shapes is computed, so that no number is too large or too small.
 
-#include "02_primitives/shapes/shapes.hpp"
+#include "02_primitives/shapes/more_shapes.hpp"
 #include "common/math/wide.hpp"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 /// \brief The checks of shapes that are made of points alone.
 
 #include "02_primitives/shapes/checked_shapes.hpp"
+#include "02_primitives/shapes/more_shapes.hpp"
 
 namespace cookbook
 {

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Bullet's casts at a box and at a triangle, to be timed beside ours.
 
-#include "02_primitives/shapes/shapes.hpp"
+#include "02_primitives/shapes/more_shapes.hpp"
 
 #ifdef COOKBOOK_HAS_BULLET
 #include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>

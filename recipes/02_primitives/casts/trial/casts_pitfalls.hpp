@@ -3,7 +3,7 @@
 /// \file
 /// \brief Ways to cast a ray as they are published and taught, in our own words.
 
-#include "02_primitives/shapes/shapes.hpp"
+#include "02_primitives/shapes/more_shapes.hpp"
 
 #include <algorithm>
 #include <cmath>

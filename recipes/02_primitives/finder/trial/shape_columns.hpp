@@ -4,6 +4,7 @@
 /// \brief Shapes in space from the columns of a reader's file.
 
 #include "02_primitives/finder/trial/shape_row.hpp"
+#include "02_primitives/shapes/more_shapes.hpp"
 
 namespace cookbook
 {
