@@ -27,7 +27,7 @@ TEST_CASE("shares are 0 or more, their sum is 1, and they make the closest point
           nearest.shares[0] * t.a + nearest.shares[1] * t.b + nearest.shares[2] * t.c;
       REQUIRE(nearest.shares.minCoeff() >= 0);
       REQUIRE(std::abs(nearest.shares.sum() - 1) < 1e-15);
-      REQUIRE((mixed - nearest.point).norm() < (draws == Draws::thin ? 1e-9 : 1e-13));
+      REQUIRE((mixed - nearest.point).norm() < 1e-14);
     }
   }
 }
@@ -67,7 +67,7 @@ TEST_CASE("at the closest shares, neither segment leads on towards the other", "
       const ClosestShares<double> at = closest_shares(a, b);
       const Eigen::Vector3d on_a = a.start + at.on_a * (a.end - a.start);
       const Eigen::Vector3d on_b = b.start + at.on_b * (b.end - b.start);
-      REQUIRE((on_a - on_b - at.way).norm() < 1e-9);
+      REQUIRE((on_a - on_b - at.way).norm() < 1e-14);
       REQUIRE(at.way.dot(a.start - on_a) >= -2e-14);
       REQUIRE(at.way.dot(a.end - on_a) >= -2e-14);
       REQUIRE(at.way.dot(b.start - on_b) <= 2e-14);

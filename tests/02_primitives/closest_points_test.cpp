@@ -24,7 +24,7 @@ TEST_CASE("45 pairs of shapes: closest points are in them, and no others are clo
       CHECK(wrongs.fault < 4e-12L);
       CHECK(wrongs.contradictions == 0);
       CHECK(wrongs.moved_wrongly == 0);
-      CHECK(wrongs.touch < (draws == Draws::thin ? 2e-7L : 4e-12L));
+      CHECK(wrongs.touch < (draws == Draws::thin ? 1e-8L : 4e-12L));
     }
   }
 }

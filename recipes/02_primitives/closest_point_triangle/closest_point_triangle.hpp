@@ -87,12 +87,13 @@ Nearest<Real> nearest_on_triangle(const Vector3<Real>* corners, int i, int j, in
     nearest.shares[i] = shares.x();
     nearest.shares[j] = shares.y();
     nearest.shares[k] = shares.z();
+    nearest.point = shares.x() * a + shares.y() * b + shares.z() * c;
     if (!is_thin)
     {
-      nearest.point = normal.dot(a) / squared * normal;
+      // Once more, for a short way: rounding has left some of it along the face.
+      nearest.point = normal.dot(nearest.point) / squared * normal;
       return nearest;
     }
-    nearest.point = shares.x() * a + shares.y() * b + shares.z() * c;
   }
   Nearest<Real> edge = nearest_on_segment(corners, i, j);
   edge = closer_of(edge, nearest_on_segment(corners, j, k));

@@ -69,7 +69,8 @@ ClosestShares<Real> closest_shares(const Segment<Real>& a, const Segment<Real>& 
     inside.way = inside.on_a * along_a - between - inside.on_b * along_b;
     if (!is_thin)
     {
-      inside.way = -between.dot(normal) / squared * normal;
+      // Once more, for a short way: rounding has left some of it along the segments.
+      inside.way = inside.way.dot(normal) / squared * normal;
       return inside;
     }
   }
