@@ -7,12 +7,12 @@
 
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
+#include "tests/random_numbers.hpp"
 #include "tests/verdicts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 
 using namespace cookbook;
 
@@ -20,21 +20,6 @@ namespace
 {
 
 using V = Vector3<double>;
-
-/// A number from a fixed seed, within bounds.
-struct CameraDraw
-{
-  std::mt19937 random{7};
-  double operator()(double least, double most)
-  {
-    return least + (most - least) * static_cast<double>(random()) * 0x1p-32;
-  }
-  V point(double most)
-  {
-    const double x = (*this)(-most, most), y = (*this)(-most, most);
-    return {x, y, (*this)(-most, most)};
-  }
-};
 
 } // namespace
 
@@ -72,18 +57,18 @@ TEMPLATE_TEST_CASE(
     double)
 {
   using V3 = Vector3<TestType>;
-  CameraDraw draw;
+  Random draw(7);
   const TestType u = std::numeric_limits<TestType>::epsilon();
   TestType worst = 0, aside = 0, below = 0;
   for (int i = 0; i < random_inputs; ++i)
   {
     // Every size from 1e-30 to 1e30, and ups that are nearly parallel to the view.
-    const auto size = [&] { return std::pow(10.0, std::round(draw(-30, 30))); };
-    const double of_eye = size(), of_up = size(), tilt = std::pow(10.0, draw(-12, 0));
-    const V3 eye = (draw.point(1) * of_eye).template cast<TestType>();
-    const V3 target = (draw.point(1) * of_eye).template cast<TestType>();
+    const auto size = [&] { return std::pow(10.0, std::round(draw.between(-30, 30))); };
+    const double of_eye = size(), of_up = size(), tilt = std::pow(10.0, draw.between(-12, 0));
+    const V3 eye = (draw.in_cube(1) * of_eye).template cast<TestType>();
+    const V3 target = (draw.in_cube(1) * of_eye).template cast<TestType>();
     const V ahead = (target.template cast<double>() - eye.template cast<double>()) / of_eye;
-    const V3 up = ((ahead + tilt * draw.point(1)) * of_up).template cast<TestType>();
+    const V3 up = ((ahead + tilt * draw.in_cube(1)) * of_up).template cast<TestType>();
     const Matrix3<TestType> axes = look_at<TestType>(eye, target, up).linear();
     REQUIRE(axes.allFinite());
     worst = std::max(worst, rotation_error(axes));

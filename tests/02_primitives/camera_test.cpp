@@ -6,12 +6,12 @@
 
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
+#include "tests/random_numbers.hpp"
 #include "tests/verdicts.hpp"
 
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <random>
 
 using namespace cookbook;
 
@@ -27,21 +27,6 @@ Vector3<Real> ndc_of(const Matrix4<Real>& matrix, const Vector3<Real>& point)
   const Vector<Real, 4> clip = matrix * point.homogeneous();
   return clip.template head<3>() / clip[3];
 }
-
-/// A number from a fixed seed, within bounds.
-struct CameraDraw
-{
-  std::mt19937 random{7};
-  double operator()(double least, double most)
-  {
-    return least + (most - least) * static_cast<double>(random()) * 0x1p-32;
-  }
-  V point(double most)
-  {
-    const double x = (*this)(-most, most), y = (*this)(-most, most);
-    return {x, y, (*this)(-most, most)};
-  }
-};
 
 } // namespace
 
@@ -114,7 +99,7 @@ TEMPLATE_TEST_CASE(
     "to a pixel and back, and the ray of the pixel passes the point", "[camera]", float, double)
 {
   using V3 = Vector3<TestType>;
-  CameraDraw draw;
+  Random draw(7);
   double worst = 0, off_ray = 0;
   for (int i = 0; i < random_inputs; ++i)
   {
@@ -122,12 +107,12 @@ TEMPLATE_TEST_CASE(
     Matrix4<TestType> lens = flat ? *orthographic<TestType>(9, 6, TestType(0.5), 20)
                                   : *perspective<TestType>(1, TestType(1.5), TestType(0.5), 20);
     lens(0, 2) = lens(1, 2) = TestType(i % 3) / 8; // the middle of the picture is elsewhere
-    const V3 eye = draw.point(5).template cast<TestType>();
+    const V3 eye = draw.in_cube(5).template cast<TestType>();
     const Camera<TestType> camera{
-        look_at<TestType>(eye, draw.point(5).template cast<TestType>(), V3(0, 1, 0)),
+        look_at<TestType>(eye, draw.in_cube(5).template cast<TestType>(), V3(0, 1, 0)),
         lens,
         {600, 400}};
-    const V3 point = draw.point(9).template cast<TestType>();
+    const V3 point = draw.in_cube(9).template cast<TestType>();
     const auto seen = to_pixel(camera, point);
     const V inside =
         to_local<double>(camera.pose.template cast<double>(), point.template cast<double>());

@@ -7,12 +7,12 @@
 
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
+#include "tests/random_numbers.hpp"
 #include "tests/verdicts.hpp"
 
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <random>
 
 using namespace cookbook;
 
@@ -20,21 +20,6 @@ namespace
 {
 
 using V = Vector3<double>;
-
-/// A number from a fixed seed, within bounds.
-struct CameraDraw
-{
-  std::mt19937 random{7};
-  double operator()(double least, double most)
-  {
-    return least + (most - least) * static_cast<double>(random()) * 0x1p-32;
-  }
-  V point(double most)
-  {
-    const double x = (*this)(-most, most), y = (*this)(-most, most);
-    return {x, y, (*this)(-most, most)};
-  }
-};
 
 } // namespace
 
@@ -63,21 +48,22 @@ TEST_CASE("a right angle from the origin: the planes are |x| = -z, |y| = -z, z =
 // [P18_any]
 TEST_CASE("a point is behind all six planes exactly where its pixel and depth say so", "[P18]")
 {
-  CameraDraw draw;
+  Random draw(7);
   int inside = 0, wrong = 0;
   for (int i = 0; i < random_inputs; ++i)
   {
     const bool flat = i % 2 == 0, reversed = i % 3 == 0;
-    const double near = draw(0.1, 2), far = near + draw(1, 20);
-    const Matrix4<double> lens = flat       ? *orthographic(draw(1, 9), draw(1, 9), near, far)
-                                 : reversed ? *perspective_reversed(draw(0.2, 2), 1.5, near)
-                                            : *perspective(draw(0.2, 2), 1.5, near, far);
+    const double near = draw.between(0.1, 2), far = near + draw.between(1, 20);
+    const Matrix4<double> lens =
+        flat       ? *orthographic(draw.between(1, 9), draw.between(1, 9), near, far)
+        : reversed ? *perspective_reversed(draw.between(0.2, 2), 1.5, near)
+                   : *perspective(draw.between(0.2, 2), 1.5, near, far);
     const Camera<double> camera{
-        look_at<double>(draw.point(5), draw.point(5), draw.point(1)), lens, {640, 480}};
+        look_at<double>(draw.in_cube(5), draw.in_cube(5), draw.in_cube(1)), lens, {640, 480}};
     const bool whole = flat || !reversed;
     const Frustum<double> f = frustum_planes<double>(
         clip_from_world(camera), whole ? DepthRange::minus_one_to_one : DepthRange::zero_to_one);
-    const V point = draw.point(9);
+    const V point = draw.in_cube(9);
     const std::optional<PixelDepth<double>> seen = to_pixel(camera, point);
     // How far inside of the picture and the depths the point is, at the least.
     const double least = whole ? -1 : 0;
@@ -121,7 +107,7 @@ TEST_CASE("the far plane of a reversed perspective is infinitely far and keeps a
 // [conservative]
 TEST_CASE("a box or sphere of which anything is in view is never left out", "[P18]")
 {
-  CameraDraw draw;
+  Random draw(7);
   const Camera<double> camera = scene_camera();
   const Frustum<double> f =
       frustum_planes<double>(clip_from_world(camera), DepthRange::minus_one_to_one);
@@ -130,11 +116,11 @@ TEST_CASE("a box or sphere of which anything is in view is never left out", "[P1
   for (int i = 0; i < random_inputs; ++i)
   {
     // A point in view, and shapes that hold it.
-    const Vector<double, 2> pixel(draw(1, 599), draw(1, 399));
-    const V in_view = *unproject<double>(camera, {pixel, draw(-0.99, 0.99)});
-    const V less = draw.point(9).cwiseAbs(), more = draw.point(9).cwiseAbs();
+    const Vector<double, 2> pixel(draw.between(1, 599), draw.between(1, 399));
+    const V in_view = *unproject<double>(camera, {pixel, draw.between(-0.99, 0.99)});
+    const V less = draw.in_cube(9).cwiseAbs(), more = draw.in_cube(9).cwiseAbs();
     const Eigen::AlignedBox<double, 3> box(in_view - less, in_view + more);
-    const V center = in_view + draw.point(9);
+    const V center = in_view + draw.in_cube(9);
     const Sphere<double> sphere{center, (center - in_view).norm() * (1 + 1e-12)};
     lost += !may_see(f, box) + !may_see(f, corners, box) + !may_see(f, sphere);
   }

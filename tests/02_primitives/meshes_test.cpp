@@ -212,7 +212,7 @@ TEST_CASE(
       std::vector<int> touching, near;
       for (int k = 0; k < static_cast<int>(mesh.triangles.size()); ++k)
       {
-        if (way_to_triangle(mesh, k, sphere.center).norm() <= sphere.radius)
+        if (way_to_triangle<double>(triangle_of(mesh, k), sphere.center).norm() <= sphere.radius)
         {
           touching.push_back(k);
         }
@@ -296,7 +296,7 @@ TEST_CASE("a ray meets a triangle where fractions say so, whatever the direction
     Ray<double> ray{whole(), whole()};
     // A direction whose longest part is a power of two, so that shearing is exact.
     ray.direction[draw.below(3)] = draw.below(2) == 0 ? 4 : -4;
-    const auto hit = ray_triangle_watertight(ray_view(ray), t);
+    const auto hit = ray_triangle_watertight(view_along(ray), t);
     const auto product = [](const V& a, const V& b, const V& c) { return a.dot(b.cross(c)); };
     const V a = t.a - ray.origin, b = t.b - ray.origin, c = t.c - ray.origin, d = ray.direction;
     const double of_a = product(d, b, c), of_b = product(d, c, a), of_c = product(d, a, b);
@@ -390,8 +390,7 @@ TEST_CASE("seen from the closest point, no corner of a triangle is on the point'
       // How far the corner is on the point's side, as a length.
       worst = std::max(worst, way.dot(corner - closest) / std::max(way.norm(), 1e-9));
     }
-    apart =
-        std::max(apart, way_to_triangle<double>({{t.a, t.b, t.c}, {{0, 1, 2}}}, 0, closest).norm());
+    apart = std::max(apart, way_to_triangle<double>(t, closest).norm());
   }
   CHECK(worst <= 1e-7);
   CHECK(apart <= 1e-15 * 8);

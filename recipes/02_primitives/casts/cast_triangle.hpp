@@ -116,7 +116,7 @@ LineSpan<Real> span_of(const Vector3<Real>& a, const Vector3<Real>& b, const Vec
   {
     return span_edge_on<Real>(a, b, c);
   }
-  const Real t = (bc / sum) * a.z() + (ca / sum) * b.z() + (ab / sum) * c.z();
+  const Real t = (bc * a.z() + ca * b.z() + ab * c.z()) / sum;
   return {t, t, sum};
 }
 // [span_of]

@@ -2,7 +2,6 @@
 /// \brief Which questions about two shapes the chapter answers; and the answers to a reader's own.
 
 #include "02_primitives/finder/trial/finder.hpp"
-#include "common/files/closest_name.hpp"
 #include "common/program/program.hpp"
 #include "common/program/table.hpp"
 

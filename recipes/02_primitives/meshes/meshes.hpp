@@ -42,7 +42,7 @@ cast(const Ray<Real>& ray, const TriangleMesh<Real>& mesh, const BoundingVolumes
   {
     return std::nullopt;
   }
-  const RayView<Real> view = ray_view(ray);
+  const ShearedView<W> view = view_along(ray);
   const RayForBoxes<Real> for_boxes = ray_for_boxes(ray, tree.nodes[0].box);
   walk_volumes(
       tree, [&](const Eigen::AlignedBox<Real, 3>& box) { return ray_enters_box(for_boxes, box); },
@@ -75,15 +75,6 @@ Wide<Real> box_distance(const Eigen::AlignedBox<Real, 3>& box, const Vector3<Rea
   const Vector3<Wide<Real>> away = (widen(box.min()) - p).cwiseMax(p - widen(box.max()));
   return away.cwiseMax(Vector3<Wide<Real>>::Zero()).norm();
 }
-
-/// The way from a point to the closest point of a triangle of a mesh.
-template <class Real>
-Vector3<Wide<Real>>
-way_to_triangle(const TriangleMesh<Real>& mesh, int triangle, const Vector3<Wide<Real>>& p)
-{
-  const Triangle<Real> t = triangle_of(mesh, triangle);
-  return toward_triangle<Wide<Real>>(widen(t.a) - p, widen(t.b) - p, widen(t.c) - p);
-}
 // [box_distance]
 
 // [closest_point_mesh]
@@ -101,10 +92,8 @@ template <class Real>
 std::optional<MeshPoint<Real>> closest_point_of_mesh(
     const TriangleMesh<Real>& mesh, const BoundingVolumes<Real>& tree, const Vector3<Real>& point)
 {
-  using V = Vector3<Wide<Real>>;
-  const V p = widen(point);
+  const Vector3<Wide<Real>> p = widen(point);
   Wide<Real> nearest = std::numeric_limits<Wide<Real>>::infinity();
-  V way = V::Zero();
   int closest = -1;
   const Wide<Real> little = tree.nodes.empty() ? 0 : walk_rounding(tree.nodes[0].box, point);
   walk_volumes(
@@ -113,13 +102,10 @@ std::optional<MeshPoint<Real>> closest_point_of_mesh(
       [&] { return nearest; },
       [&](int triangle)
       {
-        const Triangle<Real> t = triangle_of(mesh, triangle);
-        const V there = toward_triangle<Wide<Real>>(widen(t.a) - p, widen(t.b) - p, widen(t.c) - p);
-        const Wide<Real> distance = there.norm();
+        const Wide<Real> distance = way_to_triangle<Real>(triangle_of(mesh, triangle), p).norm();
         if (distance < nearest || (distance == nearest && triangle < closest))
         {
           nearest = distance;
-          way = there;
           closest = triangle;
         }
       });
@@ -127,7 +113,8 @@ std::optional<MeshPoint<Real>> closest_point_of_mesh(
   {
     return std::nullopt;
   }
-  return MeshPoint<Real>{V(p + way).template cast<Real>(), static_cast<Real>(nearest), closest};
+  const Vector3<Real> there = closest_point_of_triangle(triangle_of(mesh, closest), point);
+  return MeshPoint<Real>{there, static_cast<Real>(nearest), closest};
 }
 // [closest_point_mesh]
 
@@ -150,7 +137,7 @@ std::vector<int> triangles_touching(
       [&] { return radius; },
       [&](int triangle)
       {
-        if (way_to_triangle(mesh, triangle, p).norm() <= radius)
+        if (way_to_triangle<Real>(triangle_of(mesh, triangle), p).norm() <= radius)
         {
           touching.push_back(triangle);
         }

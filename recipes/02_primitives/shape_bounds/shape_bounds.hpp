@@ -42,6 +42,18 @@ farthest_point(const Shape& shape, const Vector3<NumberOf<Shape>>& direction)
   return frame.out(farthest).template cast<Real>();
 }
 
+/// The box along the axes around a hull's corners, without its radius.
+template <class Real, int Size>
+Aabb<Real> box_of_corners(const RoundedHull<Real, Size>& hull)
+{
+  Aabb<Real> box;
+  for (const Vector3<Real>& corner : hull.corners)
+  {
+    box.extend(corner);
+  }
+  return box;
+}
+
 /// The box along the world's axes around a shape.
 template <BoundedShape Shape>
 Aabb<NumberOf<Shape>> bounds_of(const Shape& shape)
@@ -49,11 +61,7 @@ Aabb<NumberOf<Shape>> bounds_of(const Shape& shape)
   using Real = NumberOf<Shape>;
   const PairFrame<Wide<Real>> frame = pair_frame<Real>(shape, shape);
   const auto hull = rounded_hull(shape, frame);
-  Aabb<Wide<Real>> box;
-  for (const Vector3<Wide<Real>>& corner : hull.corners)
-  {
-    box.extend(corner);
-  }
+  const Aabb<Wide<Real>> box = box_of_corners(hull);
   const Vector3<Wide<Real>> around = Vector3<Wide<Real>>::Constant(hull.radius);
   const Vector3<Wide<Real>> least = box.min() - around, most = box.max() + around;
   return {frame.out(least).template cast<Real>(), frame.out(most).template cast<Real>()};
@@ -66,12 +74,7 @@ Sphere<NumberOf<Shape>> bounding_sphere(const Shape& shape)
   using Real = NumberOf<Shape>;
   const PairFrame<Wide<Real>> frame = pair_frame<Real>(shape, shape);
   const auto hull = rounded_hull(shape, frame);
-  Aabb<Wide<Real>> box;
-  for (const Vector3<Wide<Real>>& corner : hull.corners)
-  {
-    box.extend(corner);
-  }
-  const Vector3<Wide<Real>> center = box.center();
+  const Vector3<Wide<Real>> center = box_of_corners(hull).center();
   Wide<Real> farthest(0);
   for (const Vector3<Wide<Real>>& corner : hull.corners)
   {

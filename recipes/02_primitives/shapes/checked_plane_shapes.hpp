@@ -9,14 +9,6 @@
 namespace cookbook
 {
 
-/// Throws InvalidShape unless both components are finite.
-template <class Real>
-void check_finite(const std::string& member, const Vector<Real, 2>& value)
-{
-  check_finite(member + ".x", value.x());
-  check_finite(member + ".y", value.y());
-}
-
 /// Throws InvalidShape unless both half extents are finite and not negative.
 template <class Real>
 void check_extents_in_plane(const Vector<Real, 2>& half_extents)

@@ -51,13 +51,15 @@ void check_finite(const std::string& member, Real value)
   }
 }
 
-/// Throws InvalidShape unless all three components are finite.
-template <class Real>
-void check_finite(const std::string& member, const Vector3<Real>& value)
+/// Throws InvalidShape unless all components, two or three, are finite.
+template <class Real, int Size>
+void check_finite(const std::string& member, const Vector<Real, Size>& value)
 {
-  check_finite(member + ".x", value.x());
-  check_finite(member + ".y", value.y());
-  check_finite(member + ".z", value.z());
+  const char* const names[] = {".x", ".y", ".z"};
+  for (int i = 0; i < Size; ++i)
+  {
+    check_finite(member + names[i], value[i]);
+  }
 }
 
 /// Throws InvalidShape unless the radius is finite and not negative.

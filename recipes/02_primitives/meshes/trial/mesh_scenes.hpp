@@ -113,7 +113,7 @@ std::optional<std::pair<Wide<Real>, int>>
 cast_without_tree(const Ray<Real>& ray, const TriangleMesh<Real>& mesh)
 {
   std::optional<std::pair<Wide<Real>, int>> nearest;
-  const RayView<Real> view = ray_view(ray);
+  const ShearedView<Wide<Real>> view = view_along(ray);
   for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i)
   {
     const auto t = ray_triangle_watertight(view, triangle_of(mesh, i));
@@ -133,7 +133,7 @@ closest_without_tree(const TriangleMesh<Real>& mesh, const Vector3<Real>& point)
   std::pair<Wide<Real>, int> closest{std::numeric_limits<Wide<Real>>::infinity(), -1};
   for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i)
   {
-    const Wide<Real> distance = way_to_triangle(mesh, i, widen(point)).norm();
+    const Wide<Real> distance = way_to_triangle<Real>(triangle_of(mesh, i), widen(point)).norm();
     closest = distance < closest.first ? std::pair(distance, i) : closest;
   }
   return closest;

@@ -28,7 +28,7 @@ inline Asked asked_by(
 {
   Asked asked;
   double nearest = std::numeric_limits<double>::infinity();
-  const RayView<double> view = ray_view(ray);
+  const ShearedView<double> view = view_along(ray);
   const RayForBoxes<double> for_boxes = ray_for_boxes(ray, tree.nodes[0].box);
   walk_volumes(
       tree,
