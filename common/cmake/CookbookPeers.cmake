@@ -1,7 +1,7 @@
 # Other libraries to time beside the recipes; charts leave out what is not installed.
 #
 # cookbook_peers links to whatever was found and defines COOKBOOK_HAS_ODE, COOKBOOK_HAS_BULLET,
-# COOKBOOK_HAS_FCL.
+# COOKBOOK_HAS_FCL, COOKBOOK_HAS_EMBREE.
 
 add_library(cookbook_peers INTERFACE)
 if(COOKBOOK_PEERS)
@@ -24,6 +24,11 @@ if(COOKBOOK_PEERS)
     set_target_properties(PkgConfig::FCL PROPERTIES INTERFACE_COMPILE_OPTIONS "")
     target_link_libraries(cookbook_peers INTERFACE PkgConfig::FCL)
     target_compile_definitions(cookbook_peers INTERFACE COOKBOOK_HAS_FCL)
+  endif()
+  find_package(embree QUIET)
+  if(TARGET embree)
+    target_link_libraries(cookbook_peers INTERFACE embree)
+    target_compile_definitions(cookbook_peers INTERFACE COOKBOOK_HAS_EMBREE)
   endif()
 endif()
 

@@ -40,14 +40,14 @@ std::array<Point, 3> draw_triangle(GridDraw& draw, GridShape& grid)
 } // namespace
 
 // [closest_by_hand]
-TEST_CASE("a circle 10 from a corner, a segment and a turned rectangle have distances by hand")
+TEST_CASE("a circle 3 from a corner, a segment and a turned rectangle have distances by hand")
 {
   // The corner (3, 4) is 5 from the origin.
   const auto corner = closest_points(Circle<double>{{0, 0}, 2}, Rectangle<double>{{5, 5}, {2, 1}});
   CHECK(corner.distance == 3);
   CHECK((corner.a - Point(1.2, 1.6)).norm() <= 1e-15);
   CHECK((corner.b - Point(3, 4)).norm() <= 1e-15);
-  // Turned by 3-4-5, a square's corner points along x: (1.4, 0.2) is one of its corners.
+  // Turned by 3-4-5, a square's corner points along x: (1.4, -0.2) is one of its corners.
   const TurnedRectangle<double> turned{{0, 0}, std::atan2(3, 4), {1, 1}};
   const auto face = closest_points(Segment2<double>{{5, -1}, {5, 9}}, turned);
   CHECK(std::abs(face.distance - 3.6) <= 1e-14);

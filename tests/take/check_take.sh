@@ -26,13 +26,16 @@ among() { # among WORD LIST
   case " $2 " in *" $1 "*) return 0 ;; *) return 1 ;; esac
 }
 
-two_at_a_time() { # each line is a function and its arguments
-  while read -r call what more; do
-    "$call" "$what" "$more" &
-    other=$!
-    if read -r call what more; then "$call" "$what" "$more"; fi
-    wait "$other"
-  done
+one_by_one() { # each line is a function and its arguments
+  while read -r call what more; do "$call" "$what" "$more"; done
+}
+
+two_at_a_time() { # every other line each
+  cat >"$work/lines"
+  awk 'NR % 2 == 0' "$work/lines" | one_by_one &
+  other=$!
+  awk 'NR % 2' "$work/lines" | one_by_one
+  wait "$other"
 }
 
 compile() { # compile NAME WHAT OPTIONS...: one sentence, and the compiler's, where it fails

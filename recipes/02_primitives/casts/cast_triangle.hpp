@@ -17,9 +17,9 @@ template <class Real>
 struct ShearedView
 {
   Vector3<Real> origin; ///< [m]
-  Vector3<Real> shear;  ///< [1], the direction, divided by its largest component
-  Real way;             ///< [1], that component
-  int axis;             ///< 0, 1 or 2: which component it is
+  int x, y, z;          ///< axes of the world; the direction's largest component is along z
+  Real per_x, per_y;    ///< [1], how far the path goes along x and y, for each metre along z
+  Real way;             ///< [1], the direction's component along z
 };
 
 /// The view along a path; along z if its direction is zero.
@@ -27,10 +27,11 @@ template <class Real>
 ShearedView<Real> sheared_view(const CastPath<Real>& path)
 {
   const bool moves = !path.direction.isZero(0);
-  const Vector3<Real> direction = moves ? path.direction : Vector3<Real>::UnitZ();
-  int axis = 0;
-  direction.cwiseAbs().maxCoeff(&axis);
-  return {path.origin, direction / direction[axis], direction[axis], axis};
+  const Vector3<Real> d = moves ? path.direction : Vector3<Real>::UnitZ();
+  int z = 0;
+  d.cwiseAbs().maxCoeff(&z);
+  const int x = (z + 1) % 3, y = (z + 2) % 3;
+  return {path.origin, x, y, z, d[x] / d[z], d[y] / d[z], d[z]};
 }
 
 /// A point in that view; the same for every triangle that has it as a corner.
@@ -38,9 +39,8 @@ template <class Real>
 Vector3<Real> seen_along(const ShearedView<Real>& view, const Vector3<Real>& point)
 {
   const Vector3<Real> p = point - view.origin;
-  const int i = (view.axis + 1) % 3, j = (view.axis + 2) % 3;
-  const Real depth = p[view.axis];
-  return {p[i] - depth * view.shear[i], p[j] - depth * view.shear[j], depth / view.way};
+  const Real depth = p[view.z];
+  return {p[view.x] - depth * view.per_x, p[view.y] - depth * view.per_y, depth / view.way};
 }
 // [sheared_view]
 

@@ -46,7 +46,7 @@ cast(const Ray<Real>& ray, const TriangleMesh<Real>& mesh, const BoundingVolumes
   const RayForBoxes<Real> for_boxes = ray_for_boxes(ray, tree.nodes[0].box);
   walk_volumes(
       tree, [&](const Eigen::AlignedBox<Real, 3>& box) { return ray_enters_box(for_boxes, box); },
-      [&] { return nearest; },
+      [&] { return nearest * std::abs(view.way); },
       [&](int triangle)
       {
         const std::optional<W> t = ray_triangle_watertight(view, triangle_of(mesh, triangle));
@@ -95,7 +95,8 @@ std::optional<MeshPoint<Real>> closest_point_of_mesh(
   const Vector3<Wide<Real>> p = widen(point);
   Wide<Real> nearest = std::numeric_limits<Wide<Real>>::infinity();
   int closest = -1;
-  const Wide<Real> little = tree.nodes.empty() ? 0 : walk_rounding(tree.nodes[0].box, point);
+  const Wide<Real> little =
+      tree.nodes.empty() ? 0 : walk_rounding<Wide<Real>>(tree.nodes[0].box, point);
   walk_volumes(
       tree,
       [&](const Eigen::AlignedBox<Real, 3>& box) { return box_distance(box, point) - little; },
@@ -129,7 +130,7 @@ std::vector<int> triangles_touching(
   const Wide<Real> radius = sphere.radius;
   std::vector<int> touching;
   const Wide<Real> little =
-      tree.nodes.empty() ? 0 : walk_rounding(tree.nodes[0].box, sphere.center);
+      tree.nodes.empty() ? 0 : walk_rounding<Wide<Real>>(tree.nodes[0].box, sphere.center);
   walk_volumes(
       tree,
       [&](const Eigen::AlignedBox<Real, 3>& box)

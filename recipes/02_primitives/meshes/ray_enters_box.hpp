@@ -19,46 +19,52 @@ namespace cookbook
 template <class Real>
 struct RayForBoxes
 {
-  Vector3<Wide<Real>> origin; ///< [m], world
-  Vector3<Wide<Real>>
-      inverse;              ///< [1], of the direction; infinite along an axis that it is square to
-  std::array<bool, 3> back; ///< whether the direction goes down an axis
-  Wide<Real> little;        ///< [m], by which boxes are larger, so that rounding loses no triangle
+  Vector3<Real> origin;     ///< [m], world
+  Vector3<Real> inverse;    ///< [1], of the direction with its longest component taken as 1;
+                            ///< infinite along an axis that it is square to
+  Vector3<Real> little;     ///< [m], by which boxes are larger, so that rounding loses no triangle;
+                            ///< negative along an axis that the direction goes down
+  std::array<bool, 3> back; ///< whether it goes down an axis
 };
 
 /// Prepares a ray for boxes inside of `whole`.
 template <class Real>
 RayForBoxes<Real> ray_for_boxes(const Ray<Real>& ray, const Eigen::AlignedBox<Real, 3>& whole)
 {
-  const Vector3<Wide<Real>> d = widen(ray.direction);
-  return {
-      widen(ray.origin),
-      d.cwiseInverse(),
-      {std::signbit(d.x()), std::signbit(d.y()), std::signbit(d.z())},
-      walk_rounding(whole, ray.origin)};
+  const Real longest = ray.direction.cwiseAbs().maxCoeff();
+  RayForBoxes<Real> prepared{ray.origin, longest / ray.direction.array(), {}, {}};
+  const Real little = walk_rounding<Real>(whole, ray.origin);
+  for (int i = 0; i < 3; ++i)
+  {
+    const bool back = std::signbit(ray.direction[i]);
+    prepared.back[static_cast<std::size_t>(i)] = back;
+    prepared.little[i] = back ? -little : little;
+  }
+  return prepared;
 }
 // [ray_for_boxes]
 
 // [ray_enters_box]
-/// The t at which a ray enters a box, 0 from inside; infinite if it misses the box.
+/// How far [m] along its longest axis a ray goes until it enters a box, 0 from inside; infinite if
+/// it misses the box.
 ///
 /// Along an axis that the ray is square to, the quotients are infinite, with the right signs. On
 /// the very edge they are no numbers, and no comparison takes them: that axis is not asked.
 template <class Real>
-Wide<Real> ray_enters_box(const RayForBoxes<Real>& ray, const Eigen::AlignedBox<Real, 3>& box)
+Real ray_enters_box(const RayForBoxes<Real>& ray, const Eigen::AlignedBox<Real, 3>& box)
 {
-  using W = Wide<Real>;
-  W enter = 0, leave = std::numeric_limits<W>::infinity();
+  Real enter = 0, leave = std::numeric_limits<Real>::infinity();
   for (int i = 0; i < 3; ++i)
   {
-    const W low = (W(box.min()[i]) - ray.origin[i] - ray.little) * ray.inverse[i];
-    const W high = (W(box.max()[i]) - ray.origin[i] + ray.little) * ray.inverse[i];
     const bool back = ray.back[static_cast<std::size_t>(i)];
-    const W near = back ? high : low, far = back ? low : high;
+    const Real near_side = back ? box.max()[i] : box.min()[i];
+    const Real far_side = back ? box.min()[i] : box.max()[i];
+    const Real near = (near_side - ray.origin[i] - ray.little[i]) * ray.inverse[i];
+    const Real far = (far_side - ray.origin[i] + ray.little[i]) * ray.inverse[i];
     enter = near > enter ? near : enter;
     leave = far < leave ? far : leave;
   }
-  return enter <= leave ? enter : std::numeric_limits<W>::infinity();
+  return enter <= leave ? enter : std::numeric_limits<Real>::infinity();
 }
 // [ray_enters_box]
 

@@ -6,8 +6,10 @@
 
 #include "02_primitives/meshes/bounding_volumes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 namespace cookbook
 {
@@ -37,15 +39,17 @@ BoundingVolumes<Real> refitted(BoundingVolumes<Real> tree, const TriangleMesh<Re
 // [refit]
 
 // [walk_rounding]
-/// What rounding may make of places inside of `whole` [m], seen from a point: 16 roundings of the
-/// greatest distance along an axis.
-template <class Real>
-Wide<Real> walk_rounding(const Eigen::AlignedBox<Real, 3>& whole, const Vector3<Real>& point)
+/// What rounding in the number type W may make of places inside of `whole` [m], seen from a point:
+/// 16 roundings of the greatest distance along an axis.
+template <class W, class Real>
+W walk_rounding(const Eigen::AlignedBox<Real, 3>& whole, const Vector3<Real>& point)
 {
-  using V = Vector3<Wide<Real>>;
-  const V low = widen(whole.min()) - widen(point), high = widen(whole.max()) - widen(point);
-  const Wide<Real> far = low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff();
-  return 16 * std::numeric_limits<Wide<Real>>::epsilon() * far;
+  const Vector3<W> p = point.template cast<W>();
+  const Vector3<W> low = whole.min().template cast<W>() - p;
+  const Vector3<W> high = whole.max().template cast<W>() - p;
+  const W far = low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff();
+  using Limits = std::numeric_limits<W>;
+  return W(16) * std::max(Limits::epsilon() * far, Limits::denorm_min());
 }
 // [walk_rounding]
 
@@ -65,36 +69,46 @@ void walk_volumes(const BoundingVolumes<Real>& tree, Key key, Bound bound, Visit
   };
   std::array<Waiting, 96> stack;
   std::size_t waiting = 0;
-  const auto push = [&](std::size_t node, W far)
+  const auto matters = [&](W far)
+  { return far < std::numeric_limits<W>::infinity() && far <= bound(); };
+  if (tree.nodes.empty() || !matters(key(tree.nodes[0].box)))
   {
-    if (far < std::numeric_limits<W>::infinity() && far <= bound())
-    {
-      stack[waiting++] = {node, far};
-    }
-  };
-  if (!tree.nodes.empty())
-  {
-    push(0, key(tree.nodes[0].box));
+    return;
   }
-  while (waiting > 0)
+  for (std::size_t here = 0;;)
   {
-    const Waiting next = stack[--waiting];
-    const VolumeNode<Real>& node = tree.nodes[next.node];
+    const VolumeNode<Real>& node = tree.nodes[here];
     const auto first = static_cast<std::size_t>(node.first);
-    if (!(next.key <= bound()))
-    {
-      continue;
-    }
     for (std::size_t i = first; i < first + static_cast<std::size_t>(node.count); ++i)
     {
       visit(tree.order[i]);
     }
     if (node.count == 0)
     {
-      const W one = key(tree.nodes[first].box), other = key(tree.nodes[first + 1].box);
-      push(one < other ? first + 1 : first, one < other ? other : one);
-      push(one < other ? first : first + 1, one < other ? one : other);
+      Waiting near{first, key(tree.nodes[first].box)};
+      Waiting far{first + 1, key(tree.nodes[first + 1].box)};
+      if (far.key < near.key)
+      {
+        std::swap(near, far);
+      }
+      if (matters(far.key))
+      {
+        stack[waiting++] = far;
+      }
+      if (matters(near.key))
+      {
+        here = near.node;
+        continue;
+      }
     }
+    do
+    {
+      if (waiting == 0)
+      {
+        return;
+      }
+    } while (!(stack[--waiting].key <= bound()));
+    here = stack[waiting].node;
   }
 }
 // [walk_volumes]

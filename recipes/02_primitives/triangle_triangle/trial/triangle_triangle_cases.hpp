@@ -80,7 +80,7 @@ inline std::vector<TrianglesCase> triangle_triangle_cases()
   const Vector3<double> shared(76.582, 54.6752, 14.7879);
   return {
       {"F1",
-       "one plane, 5 m apart",
+       "one plane, 6 m apart",
        {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
        {{5, 5, 0}, {6, 5.3, 0}, {5.2, 6, 0}},
        false},

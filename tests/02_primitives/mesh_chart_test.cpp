@@ -1,0 +1,57 @@
+/// \file
+/// What holds for the meshes that are timed: all libraries find the same.
+
+#include "02_primitives/mesh_chart/trial/mesh_chart.hpp"
+
+#include "tests/catch.hpp"
+
+#include <cmath>
+
+using namespace cookbook;
+
+// [mesh_chart_agree]
+TEST_CASE("rays and closest points are those of other libraries, to a float's rounding", "[meshes]")
+{
+  const MeshWorkload work = mesh_workload(4, 500);
+  for (const Ray<float>& ray : work.rays)
+  {
+    const auto ours = cast(ray, work.mesh, work.tree);
+    REQUIRE(ours.has_value());
+    CHECK(cast_without_tree(ray, work.mesh)->second == ours->triangle);
+#ifdef COOKBOOK_HAS_EMBREE
+    static const EmbreeMesh embree(work.mesh);
+    CHECK(std::abs(embree.cast(ray).value_or(9) - ours->hit.t) < 1e-5f);
+#endif
+#ifdef COOKBOOK_HAS_BULLET
+    static const BulletMesh bullet(work.mesh);
+    CHECK(std::abs(bullet.cast(ray).value_or(9) - ours->hit.t) < 1e-5f);
+#endif
+#ifdef COOKBOOK_HAS_FCL
+    static const FclMesh fcl(work.mesh);
+    CHECK(fcl.is_met(ray));
+#endif
+  }
+#ifdef COOKBOOK_HAS_FCL
+  const FclMesh fcl(work.mesh);
+  for (const Vector3<float>& point : work.points)
+  {
+    const float ours = closest_point_of_mesh(work.mesh, work.tree, point)->distance;
+    CHECK(std::abs(fcl.distance(point) - ours) < 1e-5f);
+  }
+#endif
+}
+// [mesh_chart_agree]
+
+// [mesh_growth]
+TEST_CASE("four times the triangles cost a ray at most seven more boxes", "[meshes]")
+{
+  const int rays = 2000;
+  double before = 1e9;
+  for (const int times : {3, 4, 5, 6, 7})
+  {
+    const auto boxes = static_cast<double>(asked_in_all(ball_mesh(times), rays).boxes) / rays;
+    CHECK(boxes < before + 7);
+    before = boxes;
+  }
+}
+// [mesh_growth]
