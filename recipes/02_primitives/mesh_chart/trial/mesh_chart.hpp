@@ -12,6 +12,7 @@
 namespace cookbook
 {
 
+// [mesh_workload]
 /// A closed ball of radius 1, its tree, and what it is asked.
 struct MeshWorkload
 {
@@ -35,5 +36,6 @@ inline MeshWorkload mesh_workload(int times, int count)
   }
   return work;
 }
+// [mesh_workload]
 
 } // namespace cookbook
