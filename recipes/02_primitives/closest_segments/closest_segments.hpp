@@ -42,13 +42,28 @@ ClosestShares<Real> from_end_of_b(Real on_b, const Vector3<Real>& b, const Segme
   const Nearest<Real> nearest = nearest_on_segment(ends, 0, 1);
   return {nearest.shares[1], on_b, nearest.point};
 }
+
+/// From where the lines of two segments are closest, beyond an end of A or B: the closest point of
+/// B to that of A, and where it is an end, the closest of A to it.
+template <class Real>
+ClosestShares<Real>
+from_line_of_a(const Real& share, const Segment<Real>& a, const Segment<Real>& b)
+{
+  const Real zero(0), one(1), on_a = share > zero ? (share < one ? share : one) : zero;
+  const Vector3<Real> there = on_a < one ? a.start + on_a * (a.end - a.start) : a.end;
+  const ClosestShares<Real> nearest = from_end_of_a<Real>(on_a, there, b);
+  const bool is_end = nearest.on_b == zero || nearest.on_b == one;
+  return is_end ? from_end_of_b<Real>(nearest.on_b, nearest.on_b == zero ? b.start : b.end, a)
+                : nearest;
+}
 // [closest_shares]
 
 // [closest_segments]
 /// Where two segments are closest, of any length and direction; P14.
 ///
-/// Inside both where the lines cross there, or from one of the four ends. Parallel segments have
-/// many closest points: the answer is the first of A's start, A's end, B's start and B's end.
+/// Inside both where the lines cross there, or at an end. Of segments that are parallel, or nearly
+/// so, all four ends are asked. Parallel ones have many closest points: the answer is the first of
+/// A's start, A's end, B's start and B's end.
 template <class Real>
 ClosestShares<Real> closest_shares(const Segment<Real>& a, const Segment<Real>& b)
 {
@@ -61,6 +76,10 @@ ClosestShares<Real> closest_shares(const Segment<Real>& a, const Segment<Real>& 
       !(squared > thin_squared_sine<Real> * along_a.squaredNorm() * along_b.squaredNorm());
   const bool cross =
       squared > Real(0) && on_a > Real(0) && on_a < squared && on_b > Real(0) && on_b < squared;
+  if (!is_thin && !cross)
+  {
+    return from_line_of_a(on_a / squared, a, b);
+  }
   ClosestShares<Real> inside{Real(0), Real(0), -between};
   if (cross)
   {

@@ -5,26 +5,10 @@
 /// around it, and whether it holds a point.
 
 #include "02_primitives/overlaps/overlaps.hpp"
+#include "02_primitives/shape_bounds/box_shadow.hpp"
 
 namespace cookbook
 {
-
-// [box_radius]
-/// How far [m] a box reaches from its centre along a unit vector, half its shadow; P6.
-template <class Real>
-Real box_radius(const Obb<Real>& box, const Vector3<Real>& n)
-{
-  return box.half_extents.dot((box.axes.transpose() * n).cwiseAbs());
-}
-
-/// The box along the world's axes around a turned one; P7.
-template <class Real>
-Aabb<Real> bounds_of(const Obb<Real>& box)
-{
-  const Vector3<Real> half = box.axes.cwiseAbs() * box.half_extents;
-  return Aabb<Real>(Vector3<Real>(box.center - half), Vector3<Real>(box.center + half));
-}
-// [box_radius]
 
 // [farthest_point]
 /// The point of a shape farthest along a direction of any length; of the zero vector, any point.

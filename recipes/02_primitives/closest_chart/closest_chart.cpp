@@ -1,0 +1,112 @@
+/// \file
+/// \brief Times closest points of a triangle and of two segments, and draws cost against error.
+
+#include "02_primitives/closest_chart/trial/closest_chart.hpp"
+#include "02_primitives/closest_chart/trial/closest_peers.hpp"
+#include "common/measure/cost_chart.hpp"
+#include "common/program/program.hpp"
+
+namespace
+{
+
+using namespace cookbook;
+
+/// A way by its name: timed, and asked for its errors.
+template <class Known, class Way>
+measure::ChartedMethod timed_way(const std::string& name, const std::vector<Known>& all, Way way)
+{
+  const auto run = [&all, way]
+  {
+    for (const Known& one : all)
+    {
+      measure::keep(way(one.a, one.b));
+    }
+  };
+  return {{name, run, static_cast<double>(all.size())}, distance_errors(way, all)};
+}
+
+plot::Chart chart_of(
+    const std::string& name, const std::string& title,
+    const std::vector<measure::ChartedMethod>& ways, const measure::Effort& effort)
+{
+  plot::Chart chart(
+      name, title, {"time of a call [ns]", plot::Scale::log},
+      {"error of the distance [m]", plot::Scale::log});
+  measure::add_methods(chart, ways, effort);
+  chart.size(400, 330);
+  return chart;
+}
+
+plot::Chart triangle_chart(const measure::Effort& effort)
+{
+  using P = Vector3<float>;
+  using T = Triangle<float>;
+  const auto all = known_triangles_and_points(1000);
+  std::vector<measure::ChartedMethod> ways{
+      timed_way(
+          "seven regions", all,
+          [](const P& p, const T& t) { return (closest_by_regions(p, t) - p).norm(); }),
+      timed_way(
+          "shares, float", all,
+          [](const P& p, const T& t)
+          {
+            const P corners[] = {t.a - p, t.b - p, t.c - p};
+            return nearest_on_triangle(corners, 0, 1, 2).point.norm();
+          }),
+      timed_way(
+          "shares", all,
+          [](const P& p, const T& t)
+          { return static_cast<float>(way_to_triangle<float>(t, widen(p)).norm()); }),
+      timed_way(
+          "any shapes", all, [](const P& p, const T& t) { return closest_points(p, t).distance; })};
+#ifdef COOKBOOK_HAS_BULLET
+  ways.push_back(timed_way("Bullet", all, bullet_distance));
+#endif
+  return chart_of("triangle", "A point and a triangle", ways, effort);
+}
+
+plot::Chart segment_chart(const measure::Effort& effort)
+{
+  using S = Segment<float>;
+  const auto all = known_segments(1000);
+  std::vector<measure::ChartedMethod> ways{
+      timed_way("five dot products", all, distance_by_dot_products),
+      timed_way(
+          "cross product, float", all,
+          [](const S& a, const S& b) { return closest_shares(a, b).way.norm(); }),
+      timed_way(
+          "cross product", all,
+          [](const S& a, const S& b)
+          {
+            const Segment<double> one{widen(a.start), widen(a.end)};
+            const Segment<double> other{widen(b.start), widen(b.end)};
+            return static_cast<float>(closest_shares(one, other).way.norm());
+          }),
+      timed_way(
+          "any shapes", all, [](const S& a, const S& b) { return closest_points(a, b).distance; })};
+#ifdef COOKBOOK_HAS_ODE
+  ways.push_back(timed_way("ODE", all, ode_distance));
+#endif
+  return chart_of("segments", "Two segments", ways, effort);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const Arguments arguments{
+      .name = "closest_chart",
+      .summary = "Times closest points of a triangle and of two segments; cost against error.",
+      .options = {effort_option()}};
+  return run_program(
+      argc, argv, arguments,
+      [](const Arguments& given)
+      {
+        const measure::Effort effort = measure::effort_named(given.value("effort"));
+        plot::Grid grid("closest_chart", "", 1);
+        grid.describe("Cost against error of closest points; " + measure::machine_line())
+            .add(triangle_chart(effort))
+            .add(segment_chart(effort).note(measure::machine_line()).size(400, 390));
+        save_figure(given, "closest_chart.svg", grid.svg());
+      });
+}

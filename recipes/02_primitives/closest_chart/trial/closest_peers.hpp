@@ -1,0 +1,50 @@
+#pragma once
+
+/// \file
+/// \brief Bullet's closest point of a triangle and ODE's of two segments, to be timed beside ours.
+
+#include "02_primitives/shapes/shapes.hpp"
+
+#ifdef COOKBOOK_HAS_BULLET
+#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
+#endif
+#ifdef COOKBOOK_HAS_ODE
+#include <ode/ode.h>
+#endif
+
+#include <cmath>
+
+namespace cookbook
+{
+
+#ifdef COOKBOOK_HAS_BULLET
+/// How far a point is from a triangle, by the function that Bullet's own walk calls.
+inline float bullet_distance(const Vector3<float>& point, const Triangle<float>& t)
+{
+  const auto vector = [](const Vector3<float>& v) { return btVector3(v.x(), v.y(), v.z()); };
+  static btVoronoiSimplexSolver solver;
+  btSubSimplexClosestResult result;
+  const btVector3 p = vector(point);
+  solver.closestPtPointTriangle(p, vector(t.a), vector(t.b), vector(t.c), result);
+  return (result.m_closestPointOnSimplex - p).length();
+}
+#endif
+
+#ifdef COOKBOOK_HAS_ODE
+/// How far two segments are apart by ODE, which computes in double.
+inline float ode_distance(const Segment<float>& a, const Segment<float>& b)
+{
+  struct OdeVector
+  {
+    explicit OdeVector(const Vector3<float>& v) : numbers{v.x(), v.y(), v.z(), 0} {}
+    dVector3 numbers;
+  };
+  const OdeVector a1(a.start), a2(a.end), b1(b.start), b2(b.end);
+  dVector3 on_a, on_b;
+  dClosestLineSegmentPoints(a1.numbers, a2.numbers, b1.numbers, b2.numbers, on_a, on_b);
+  const double x = on_a[0] - on_b[0], y = on_a[1] - on_b[1], z = on_a[2] - on_b[2];
+  return static_cast<float>(std::sqrt(x * x + y * y + z * z));
+}
+#endif
+
+} // namespace cookbook

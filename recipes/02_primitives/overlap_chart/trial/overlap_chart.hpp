@@ -1,0 +1,109 @@
+#pragma once
+
+/// \file
+/// \brief Pairs of boxes, whether exactly they overlap, and ways to find out.
+
+#include "02_primitives/boxes_overlap/boxes_overlap.hpp"
+#include "02_primitives/overlaps/overlaps.hpp"
+#include "02_primitives/shape_bounds/shape_bounds.hpp"
+#include "common/math/rational.hpp"
+
+#ifdef COOKBOOK_HAS_FCL
+#include <fcl/math/bv/OBB.h>
+#endif
+
+#include <random>
+#include <vector>
+
+namespace cookbook
+{
+
+// [box_pairs]
+/// Two boxes, and whether they overlap.
+struct KnownBoxes
+{
+  Obb<float> a, b;
+  bool overlap; ///< in fractions
+};
+
+/// The exact box of floats: its axes are a little skew, as floats are.
+inline Obb<Rational> in_fractions(const Obb<float>& box)
+{
+  Obb<Rational> exactly;
+  exactly.center = exact<Rational>(box.center);
+  exactly.half_extents = exact<Rational>(box.half_extents);
+  for (int i = 0; i < 3; ++i)
+  {
+    exactly.axes.col(i) = exact<Rational>(Vector3<float>(box.axes.col(i)));
+  }
+  return exactly;
+}
+
+/// Boxes of half extents from 0.2 to 1.4 m, with centres up to `most` m apart along each axis.
+/// Every eighth pair is turned alike but for a millionth.
+inline std::vector<KnownBoxes> known_boxes_in_pairs(int count, float most)
+{
+  std::mt19937 engine(20261122);
+  const auto number = [&](float low, float high)
+  { return low + (high - low) * static_cast<float>(engine() >> 8) * 0x1p-24f; };
+  const auto vector = [&](float low, float high)
+  {
+    const float x = number(low, high), y = number(low, high);
+    return Vector3<float>(x, y, number(low, high));
+  };
+  const auto turn = [&](float most_turn)
+  {
+    const Vector3<float> half = vector(-most_turn, most_turn);
+    return Quaternion<float>(1, half.x(), half.y(), half.z()).normalized().toRotationMatrix();
+  };
+  std::vector<KnownBoxes> pairs;
+  for (int i = 0; i < count; ++i)
+  {
+    Obb<float> a{vector(-1, 1), turn(2), vector(0.2f, 1.4f)};
+    Obb<float> b{a.center + vector(-most, most), turn(2), vector(0.2f, 1.4f)};
+    if (i % 8 == 0)
+    {
+      b.axes = turn(1e-6f) * a.axes;
+    }
+    pairs.push_back({a, b, boxes_overlap(in_fractions(a), in_fractions(b))});
+  }
+  return pairs;
+}
+// [box_pairs]
+
+// [overlap_ways]
+/// Spheres first, which is soon done for boxes that are far apart.
+inline bool overlap_spheres_first(const Obb<float>& a, const Obb<float>& b)
+{
+  return spheres_around_overlap(a, b) && boxes_overlap(a, b);
+}
+
+/// The boxes along the world's axes around both.
+inline bool bounds_overlap(const Obb<float>& a, const Obb<float>& b)
+{
+  return bounds_of(a).intersects(bounds_of(b));
+}
+
+#ifdef COOKBOOK_HAS_FCL
+/// FCL's boxes, made for each question as ours are given.
+inline bool fcl_overlap(const Obb<float>& a, const Obb<float>& b)
+{
+  const fcl::OBB<float> one(a.axes, a.center, a.half_extents);
+  return one.overlap(fcl::OBB<float>(b.axes, b.center, b.half_extents));
+}
+#endif
+
+/// The share [%] of pairs for which a way gives another answer than fractions do.
+template <class Way>
+double wrong_share(const Way& way, const std::vector<KnownBoxes>& pairs)
+{
+  int wrong = 0;
+  for (const KnownBoxes& pair : pairs)
+  {
+    wrong += way(pair.a, pair.b) != pair.overlap;
+  }
+  return 100.0 * wrong / static_cast<double>(pairs.size());
+}
+// [overlap_ways]
+
+} // namespace cookbook

@@ -1,0 +1,132 @@
+/// \file
+/// What holds for two turned boxes, asked by their axes: against fractions, and against the walk
+/// that serves all shapes.
+
+#include "02_primitives/overlap_chart/trial/overlap_chart.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/random_inputs.hpp"
+#include "tests/random_numbers.hpp"
+
+#include <cmath>
+
+using namespace cookbook;
+
+namespace
+{
+
+/// How far apart two boxes are as far as 15 axes tell, in double: negative where they overlap.
+double gap_of(const Obb<double>& a, const Obb<double>& b)
+{
+  double gap = -1e300;
+  const auto ask = [&](const Vector3<double>& axis)
+  {
+    if (axis.norm() > 1e-3)
+    {
+      const Vector3<double> n = axis.normalized();
+      gap =
+          std::max(gap, std::abs(n.dot(b.center - a.center)) - box_radius(a, n) - box_radius(b, n));
+    }
+  };
+  for (int i = 0; i < 3; ++i)
+  {
+    ask(a.axes.col(i));
+    ask(b.axes.col(i));
+    for (int k = 0; k < 3; ++k)
+    {
+      ask(a.axes.col(i).cross(b.axes.col(k)));
+    }
+  }
+  return gap;
+}
+
+} // namespace
+
+// [boxes_overlap_exact]
+TEST_CASE("15 axes are right where fractions are; 6 never miss an overlap", "[boxes_overlap]")
+{
+  int too_many = 0;
+  for (const float most : {2.0f, 10.0f})
+  {
+    int overlapping = 0, wrong = 0, missed = 0;
+    for (const KnownBoxes& pair : known_boxes_in_pairs(random_inputs / 100, most))
+    {
+      overlapping += pair.overlap;
+      wrong += boxes_overlap(pair.a, pair.b) != pair.overlap;
+      missed += pair.overlap &&
+                (!faces_overlap(pair.a, pair.b) || !spheres_around_overlap(pair.a, pair.b) ||
+                 !bounds_overlap(pair.a, pair.b));
+      too_many += !pair.overlap && faces_overlap(pair.a, pair.b);
+    }
+    CHECK(overlapping > 0);
+    CHECK(wrong == 0);
+    CHECK(missed == 0);
+  }
+  CHECK(too_many > 0);
+}
+// [boxes_overlap_exact]
+
+// [boxes_overlap_random]
+TEMPLATE_TEST_CASE(
+    "boxes of all sizes: never wrong beyond rounding, whichever is first", "[boxes_overlap]", float,
+    double)
+{
+  Random draw(11);
+  const double roundings = 32.0 * static_cast<double>(std::numeric_limits<TestType>::epsilon());
+  int wrong = 0, other_order = 0;
+  for (int i = 0; i < random_inputs; ++i)
+  {
+    const double size = std::pow(10.0, draw.whole(-15, 15));
+    const auto box = [&](double apart)
+    {
+      const Vector3<double> v = draw.in_cube(1), half = draw.in_cube(1).cwiseAbs();
+      const Quaternion<double> turn = Quaternion<double>(draw.between(-1, 1), v.x(), v.y(), v.z());
+      return Obb<TestType>{
+          (size * draw.in_cube(apart)).template cast<TestType>(),
+          turn.normalized().toRotationMatrix().template cast<TestType>(),
+          (size * (half + Vector3<double>::Constant(1e-3))).template cast<TestType>()};
+    };
+    const Obb<TestType> a = box(1.2);
+    Obb<TestType> b = box(1.2);
+    b.axes = i % 4 == 0 ? a.axes : b.axes;
+    const auto wide = [](const Obb<TestType>& o)
+    {
+      return Obb<double>{
+          o.center.template cast<double>(), o.axes.template cast<double>(),
+          o.half_extents.template cast<double>()};
+    };
+    const double gap = gap_of(wide(a), wide(b)) / size;
+    const bool says = boxes_overlap(a, b);
+    wrong += std::abs(gap) > 10 * roundings && says != (gap < 0);
+    other_order += says != boxes_overlap(b, a);
+  }
+  CHECK(wrong == 0);
+  CHECK(other_order <= random_inputs / 1000); // only where boxes touch to rounding
+}
+// [boxes_overlap_random]
+
+// [boxes_overlap_degenerate]
+TEST_CASE("boxes that are equal, touch, lie in each other, are turned by a hair", "[boxes_overlap]")
+{
+  const Obb<double> box{{1, 2, 3}, Matrix3<double>::Identity(), {1, 2, 3}};
+  Obb<double> other = box;
+  CHECK(boxes_overlap(box, box));
+  other.center.x() += 2; // face on face
+  CHECK(boxes_overlap(box, other));
+  other.center.x() += 1e-14;
+  CHECK_FALSE(boxes_overlap(box, Obb<double>{{3 + 1e-12, 2, 3}, box.axes, box.half_extents}));
+  other = box;
+  other.half_extents /= 1000; // inside
+  CHECK(boxes_overlap(box, other));
+  // Turned by so little that the cross product of edges is nothing but rounding.
+  for (const double hair : {1e-16, 1e-15, 1e-12, 1e-9})
+  {
+    other = box;
+    other.axes = Eigen::AngleAxisd(hair, Eigen::Vector3d(1, 2, 2) / 3).toRotationMatrix();
+    other.center.y() += 3.999;
+    CHECK(boxes_overlap(box, other));
+    other.center.y() += 0.002;
+    CHECK_FALSE(boxes_overlap(box, other));
+  }
+}
+// [boxes_overlap_degenerate]
