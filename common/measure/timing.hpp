@@ -48,6 +48,22 @@ void keep(const Value& value)
   asm volatile("" : : "m"(value) : "memory");
 }
 
+// [timed_over]
+/// A call for each of some inputs, of which it keeps a copy.
+template <class Input, class Call>
+Timed timed_over(const std::string& name, const std::vector<Input>& inputs, Call call)
+{
+  const auto run = [inputs, call]
+  {
+    for (const Input& input : inputs)
+    {
+      keep(call(input));
+    }
+  };
+  return {name, run, static_cast<double>(inputs.size())};
+}
+// [timed_over]
+
 /// Machine, compiler and flags in one line, for the caption of a chart.
 std::string machine_line();
 

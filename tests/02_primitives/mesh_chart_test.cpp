@@ -13,26 +13,31 @@ using namespace cookbook;
 TEST_CASE("rays and closest points are those of other libraries, to a float's rounding", "[meshes]")
 {
   const MeshWorkload work = mesh_workload(4, 500);
+#ifdef COOKBOOK_HAS_EMBREE
+  const EmbreeMesh embree(work.mesh);
+#endif
+#ifdef COOKBOOK_HAS_BULLET
+  const BulletMesh bullet(work.mesh);
+#endif
+#ifdef COOKBOOK_HAS_FCL
+  const FclMesh fcl(work.mesh);
+#endif
   for (const Ray<float>& ray : work.rays)
   {
     const auto ours = cast(ray, work.mesh, work.tree);
     REQUIRE(ours.has_value());
     CHECK(cast_without_tree(ray, work.mesh)->second == ours->triangle);
 #ifdef COOKBOOK_HAS_EMBREE
-    static const EmbreeMesh embree(work.mesh);
     CHECK(std::abs(embree.cast(ray).value_or(9) - ours->hit.t) < 1e-5f);
 #endif
 #ifdef COOKBOOK_HAS_BULLET
-    static const BulletMesh bullet(work.mesh);
     CHECK(std::abs(bullet.cast(ray).value_or(9) - ours->hit.t) < 1e-5f);
 #endif
 #ifdef COOKBOOK_HAS_FCL
-    static const FclMesh fcl(work.mesh);
     CHECK(fcl.is_met(ray));
 #endif
   }
 #ifdef COOKBOOK_HAS_FCL
-  const FclMesh fcl(work.mesh);
   for (const Vector3<float>& point : work.points)
   {
     const float ours = closest_point_of_mesh(work.mesh, work.tree, point)->distance;

@@ -26,14 +26,9 @@ using Pairs = std::vector<VectorPair<Real>>;
 template <class Real, class Formula>
 measure::Timed timed(const std::string& name, const Pairs<Real>& pairs, Formula formula)
 {
-  const auto run = [&pairs, formula]
-  {
-    for (const VectorPair<Real>& pair : pairs)
-    {
-      measure::keep(formula(pair.first, pair.second));
-    }
-  };
-  return {name, run, static_cast<double>(pairs.size())};
+  return measure::timed_over(
+      name, pairs,
+      [formula](const VectorPair<Real>& pair) { return formula(pair.first, pair.second); });
 }
 
 #ifdef COOKBOOK_HAS_GLM

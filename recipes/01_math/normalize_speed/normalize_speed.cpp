@@ -17,20 +17,6 @@ using namespace cookbook;
 
 using Vectors = std::vector<Vector3<float>>;
 
-// [timed]
-template <class Normalize>
-measure::Timed timed(const std::string& name, const Vectors& vectors, Normalize normalize_one)
-{
-  const auto run = [&vectors, normalize_one]
-  {
-    for (const Vector3<float>& v : vectors)
-    {
-      measure::keep(normalize_one(v));
-    }
-  };
-  return {name, run, static_cast<double>(vectors.size())};
-}
-
 #ifdef COOKBOOK_HAS_GLM
 Vector3<float> normalized_glm(const Vector3<float>& v)
 {
@@ -51,28 +37,36 @@ std::vector<measure::ChartedMethod> contenders(const Vectors& vectors)
   };
   std::vector<measure::ChartedMethod> all{
       judged(
-          timed("naive", vectors, [](const auto& v) { return normalize_naive<float>(v); }),
+          measure::timed_over(
+              "naive", vectors, [](const auto& v) { return normalize_naive<float>(v); }),
           ours[0]),
       judged(
-          timed("threshold", vectors, [](const auto& v) { return normalize_threshold<float>(v); }),
+          measure::timed_over(
+              "threshold", vectors, [](const auto& v) { return normalize_threshold<float>(v); }),
           ours[1]),
       judged(
-          timed("wider", vectors, [](const auto& v) { return normalize_wide<float>(v); }), ours[2]),
-      judged(timed("scaled", vectors, [](const auto& v) { return normalize<float>(v); }), ours[3]),
+          measure::timed_over(
+              "wider", vectors, [](const auto& v) { return normalize_wide<float>(v); }),
+          ours[2]),
       judged(
-          timed("Eigen", vectors, [](const auto& v) { return Vector3<float>(v.normalized()); }),
+          measure::timed_over("scaled", vectors, [](const auto& v) { return normalize<float>(v); }),
+          ours[3]),
+      judged(
+          measure::timed_over(
+              "Eigen", vectors, [](const auto& v) { return Vector3<float>(v.normalized()); }),
           libraries[0]),
       judged(
-          timed(
+          measure::timed_over(
               "stable", vectors,
               [](const auto& v) { return Vector3<float>(v.stableNormalized()); }),
           libraries[1]),
       judged(
-          timed("hypot", vectors, [](const auto& v) { return normalize_hypot<float>(v); }),
+          measure::timed_over(
+              "hypot", vectors, [](const auto& v) { return normalize_hypot<float>(v); }),
           libraries[2])};
 #ifdef COOKBOOK_HAS_GLM
   all.push_back(judged(
-      timed("GLM", vectors, normalized_glm),
+      measure::timed_over("GLM", vectors, normalized_glm),
       {"GLM", [](const Vector3<float>& v) {
          return Direction<float>{normalized_glm(v), normalize_naive<float>(v).length};
        }}));

@@ -50,14 +50,8 @@ using Difference = double (*)(double, double, double, double);
 template <class Way>
 measure::Timed timed(const std::string& name, const std::vector<Products>& all, Way way)
 {
-  const auto run = [&all, way]
-  {
-    for (const Products& one : all)
-    {
-      measure::keep(way(one.a, one.d, one.b, one.c));
-    }
-  };
-  return {name, run, static_cast<double>(all.size())};
+  return measure::timed_over(
+      name, all, [way](const Products& one) { return way(one.a, one.d, one.b, one.c); });
 }
 
 #if defined(__x86_64__) && defined(__GNUC__)
@@ -128,22 +122,11 @@ plot::Chart wraps(
     const std::string& name, const std::string& title, const std::vector<float>& all, bool asked,
     const measure::Effort& effort)
 {
-  const auto each = [&all](auto wrap)
-  {
-    return [&all, wrap]
-    {
-      for (const float angle : all)
-      {
-        measure::keep(wrap(angle));
-      }
-    };
-  };
-  const double calls = static_cast<double>(all.size());
   std::vector<measure::Timed> ways{
-      {"loop, as published", each([](float x) { return wrap_loop(x); }), calls},
-      {"floor", each([](float x) { return wrap_floor(x); }), calls},
-      {"remainder", each([](float x) { return std::remainder(x, 360.0f); }), calls},
-      {"wrap_degrees", each([](float x) { return wrap_degrees(x); }), calls}};
+      measure::timed_over("loop, as published", all, [](float x) { return wrap_loop(x); }),
+      measure::timed_over("floor", all, [](float x) { return wrap_floor(x); }),
+      measure::timed_over("remainder", all, [](float x) { return std::remainder(x, 360.0f); }),
+      measure::timed_over("wrap_degrees", all, [](float x) { return wrap_degrees(x); })};
   const std::size_t first = asked ? 0 : 1;
   ways.erase(ways.begin(), ways.begin() + static_cast<std::ptrdiff_t>(first));
   std::vector<measure::ChartedMethod> charted;

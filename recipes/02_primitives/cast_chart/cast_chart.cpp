@@ -18,14 +18,8 @@ using Casts = std::vector<KnownCast<Shape>>;
 template <class Shape, class Way>
 measure::ChartedMethod timed_way(const std::string& name, const Casts<Shape>& casts, Way way)
 {
-  const auto run = [&casts, way]
-  {
-    for (const KnownCast<Shape>& one : casts)
-    {
-      measure::keep(way(one.ray, one.shape));
-    }
-  };
-  return {{name, run, static_cast<double>(casts.size())}, cast_errors<Shape>(way, casts)};
+  const auto call = [way](const KnownCast<Shape>& one) { return way(one.ray, one.shape); };
+  return {measure::timed_over(name, casts, call), cast_errors<Shape>(way, casts)};
 }
 
 /// The way that is recommended, as float and in double inside.

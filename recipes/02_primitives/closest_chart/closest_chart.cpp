@@ -15,14 +15,8 @@ using namespace cookbook;
 template <class Known, class Way>
 measure::ChartedMethod timed_way(const std::string& name, const std::vector<Known>& all, Way way)
 {
-  const auto run = [&all, way]
-  {
-    for (const Known& one : all)
-    {
-      measure::keep(way(one.a, one.b));
-    }
-  };
-  return {{name, run, static_cast<double>(all.size())}, distance_errors(way, all)};
+  const auto call = [way](const Known& one) { return way(one.a, one.b); };
+  return {measure::timed_over(name, all, call), distance_errors(way, all)};
 }
 
 plot::Chart chart_of(

@@ -8,43 +8,25 @@
 
 #include <functional>
 #include <map>
-#include <memory>
 
 namespace
 {
 
 using namespace cookbook;
 
-/// Methods that answer once for each of a workload's rays or points.
-struct Methods
+using Methods = std::vector<measure::Timed>;
+
+/// Adds a method that asks all triangles: for few inputs, and for meshes that are not too large.
+template <class Input, class Call>
+void add_slow(
+    Methods& methods, const std::vector<Input>& inputs, const MeshWorkload& work, Call call)
 {
-  std::vector<measure::Timed> timed;
-
-  template <class Input, class Method>
-  void add(const std::string& name, const std::vector<Input>& inputs, Method method)
+  if (work.mesh.triangles.size() <= 10'000)
   {
-    const auto run = [inputs, method]
-    {
-      for (const Input& input : inputs)
-      {
-        measure::keep(method(input));
-      }
-    };
-    timed.push_back({name, run, static_cast<double>(inputs.size())});
+    const std::vector<Input> few(inputs.begin(), inputs.begin() + 20);
+    methods.push_back(measure::timed_over("without a tree", few, call));
   }
-
-  /// The same for a method that asks all triangles: for few inputs, and not too many triangles.
-  template <class Input, class Method>
-  void add_slow(
-      const std::string& name, const std::vector<Input>& inputs, std::size_t triangles,
-      Method method)
-  {
-    if (triangles <= 10'000)
-    {
-      add(name, std::vector<Input>(inputs.begin(), inputs.begin() + 20), method);
-    }
-  }
-};
+}
 
 /// One chart: the methods' lines over the number of triangles.
 class Curves
@@ -55,9 +37,10 @@ public:
   {
   }
 
-  void measure(double triangles, const Methods& methods, const measure::Effort& effort)
+  void measure(const MeshWorkload& work, const Methods& methods, const measure::Effort& effort)
   {
-    for (const measure::Timing& timing : measure::time_interleaved(methods.timed, effort))
+    const auto triangles = static_cast<double>(work.mesh.triangles.size());
+    for (const measure::Timing& timing : measure::time_interleaved(methods, effort))
     {
       if (!lines_.contains(timing.name))
       {
@@ -82,46 +65,39 @@ private:
   std::map<std::string, std::vector<Eigen::Vector2d>> lines_;
 };
 
-void measure_rays(Curves& curves, const MeshWorkload& work, const measure::Effort& effort)
+void measure_asking(
+    Curves& rays, Curves& points, const MeshWorkload& work, const measure::Effort& effort)
 {
   using R = Ray<float>;
-  const TriangleMesh<float>& mesh = work.mesh;
-  Methods methods;
-  methods.add("tree of boxes", work.rays, [&](const R& r) { return cast(r, mesh, work.tree); });
-  methods.add_slow(
-      "without a tree", work.rays, mesh.triangles.size(),
-      [&](const R& r) { return cast_without_tree(r, mesh); });
-#ifdef COOKBOOK_HAS_EMBREE
-  const auto embree = std::make_shared<EmbreeMesh>(mesh);
-  methods.add("Embree", work.rays, [embree](const R& r) { return embree->cast(r); });
-#endif
-#ifdef COOKBOOK_HAS_BULLET
-  const auto bullet = std::make_shared<BulletMesh>(mesh);
-  methods.add("Bullet", work.rays, [bullet](const R& r) { return bullet->cast(r); });
-#endif
-#ifdef COOKBOOK_HAS_FCL
-  const auto fcl = std::make_shared<FclMesh>(mesh);
-  methods.add("FCL", work.rays, [fcl](const R& r) { return fcl->is_met(r); });
-#endif
-  curves.measure(static_cast<double>(mesh.triangles.size()), methods, effort);
-}
-
-void measure_points(Curves& curves, const MeshWorkload& work, const measure::Effort& effort)
-{
   using V = Vector3<float>;
   const TriangleMesh<float>& mesh = work.mesh;
-  Methods methods;
-  methods.add(
+  Methods of_rays, of_points;
+  of_rays.push_back(measure::timed_over(
+      "tree of boxes", work.rays, [&](const R& r) { return cast(r, mesh, work.tree); }));
+  add_slow(of_rays, work.rays, work, [&](const R& r) { return cast_without_tree(r, mesh); });
+  of_points.push_back(measure::timed_over(
       "tree of boxes", work.points,
-      [&](const V& p) { return closest_point_of_mesh(mesh, work.tree, p); });
-  methods.add_slow(
-      "without a tree", work.points, mesh.triangles.size(),
-      [&](const V& p) { return closest_without_tree(mesh, p); });
-#ifdef COOKBOOK_HAS_FCL
-  const auto fcl = std::make_shared<FclMesh>(mesh);
-  methods.add("FCL", work.points, [fcl](const V& p) { return fcl->distance(p); });
+      [&](const V& p) { return closest_point_of_mesh(mesh, work.tree, p); }));
+  add_slow(of_points, work.points, work, [&](const V& p) { return closest_without_tree(mesh, p); });
+#ifdef COOKBOOK_HAS_EMBREE
+  const EmbreeMesh embree(mesh);
+  of_rays.push_back(
+      measure::timed_over("Embree", work.rays, [&](const R& r) { return embree.cast(r); }));
 #endif
-  curves.measure(static_cast<double>(mesh.triangles.size()), methods, effort);
+#ifdef COOKBOOK_HAS_BULLET
+  const BulletMesh bullet(mesh);
+  of_rays.push_back(
+      measure::timed_over("Bullet", work.rays, [&](const R& r) { return bullet.cast(r); }));
+#endif
+#ifdef COOKBOOK_HAS_FCL
+  const FclMesh fcl(mesh);
+  of_rays.push_back(
+      measure::timed_over("FCL", work.rays, [&](const R& r) { return fcl.is_met(r); }));
+  of_points.push_back(
+      measure::timed_over("FCL", work.points, [&](const V& p) { return fcl.distance(p); }));
+#endif
+  rays.measure(work, of_rays, effort);
+  points.measure(work, of_points, effort);
 }
 
 void measure_building(Curves& curves, const MeshWorkload& work, const measure::Effort& effort)
@@ -129,7 +105,7 @@ void measure_building(Curves& curves, const MeshWorkload& work, const measure::E
   Methods methods;
   const auto triangles = static_cast<double>(work.mesh.triangles.size());
   const auto add = [&](const std::string& name, const std::function<void()>& build) {
-    methods.timed.push_back({name, build, triangles});
+    methods.push_back({name, build, triangles});
   };
   add("tree of boxes", [&work] { measure::keep(build_volumes(work.mesh)); });
   add("refitted", [&work] { measure::keep(refitted(work.tree, work.mesh)); });
@@ -142,7 +118,7 @@ void measure_building(Curves& curves, const MeshWorkload& work, const measure::E
 #ifdef COOKBOOK_HAS_FCL
   add("FCL", [&work] { measure::keep(FclMesh(work.mesh)); });
 #endif
-  curves.measure(triangles, methods, effort);
+  curves.measure(work, methods, effort);
 }
 
 } // namespace
@@ -168,8 +144,7 @@ int main(int argc, char** argv)
         {
           progress.at(static_cast<std::size_t>(times - least));
           const MeshWorkload work = mesh_workload(times, 1000);
-          measure_rays(rays, work, effort);
-          measure_points(points, work, effort);
+          measure_asking(rays, points, work, effort);
           measure_building(building, work, effort);
         }
         plot::Grid grid("mesh_chart", "", 1);

@@ -5,6 +5,7 @@
 
 #include "02_primitives/casts/casts.hpp"
 #include "02_primitives/casts/trial/casts_pitfalls.hpp"
+#include "02_primitives/shapes/trial/float_draw.hpp"
 #include "common/math/rational.hpp"
 #include "common/measure/statistics.hpp"
 
@@ -12,7 +13,6 @@
 #include <functional>
 #include <limits>
 #include <optional>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -30,23 +30,13 @@ struct KnownCast
 };
 
 /// Draws rays and shapes.
-class CastDraw
+class CastDraw : public FloatDraw
 {
 public:
-  float number(float low, float high)
-  {
-    return low + (high - low) * static_cast<float>(engine_() >> 8) * 0x1p-24f;
-  }
-  Vector3<float> vector(float most)
-  {
-    const float x = number(-most, most), y = number(-most, most);
-    return {x, y, number(-most, most)};
-  }
+  CastDraw() : FloatDraw(20260501) {}
+
   Vector3<float> unit() { return (vector(1) + Vector3<float>(2, 0, 0)).normalized(); }
   float distance() { return std::pow(10.0f, number(0.5f, 4)); } ///< from 3 m to 10 km
-
-private:
-  std::mt19937 engine_{20260501};
 };
 // [cast_workload]
 

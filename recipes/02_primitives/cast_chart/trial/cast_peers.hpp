@@ -4,9 +4,9 @@
 /// \brief Bullet's casts at a box and at a triangle, to be timed beside ours.
 
 #include "02_primitives/shapes/more_shapes.hpp"
+#include "02_primitives/shapes/trial/bullet_shapes.hpp"
 
 #ifdef COOKBOOK_HAS_BULLET
-#include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 #include <LinearMath/btAabbUtil2.h>
 #endif
 
@@ -17,12 +17,6 @@ namespace cookbook
 {
 
 #ifdef COOKBOOK_HAS_BULLET
-/// A vector of ours as one of Bullet's.
-inline btVector3 of_bullet(const Vector3<float>& v)
-{
-  return {v.x(), v.y(), v.z()};
-}
-
 /// Bullet's slabs, with the inverse that it asks for.
 inline std::optional<float> bullet_box(const Ray<float>& ray, const Aabb<float>& box)
 {
@@ -39,16 +33,10 @@ inline std::optional<float> bullet_box(const Ray<float>& ray, const Aabb<float>&
 /// Bullet's triangles, which it meets on a way from 0 to 1: a ray of 20 km here.
 inline std::optional<float> bullet_triangle(const Ray<float>& ray, const Triangle<float>& triangle)
 {
-  struct Found : btTriangleRaycastCallback
-  {
-    using btTriangleRaycastCallback::btTriangleRaycastCallback;
-    btScalar reportHit(const btVector3&, btScalar share, int, int) override { return share; }
-  };
-  constexpr float reach = 20000;
-  Found found(of_bullet(ray.origin), of_bullet(ray.origin + reach * ray.direction));
+  BulletRay met(ray, 20000);
   btVector3 corners[] = {of_bullet(triangle.a), of_bullet(triangle.b), of_bullet(triangle.c)};
-  found.processTriangle(corners, 0, 0);
-  return found.m_hitFraction < 1 ? std::optional(reach * found.m_hitFraction) : std::nullopt;
+  met.processTriangle(corners, 0, 0);
+  return met.t();
 }
 #endif
 

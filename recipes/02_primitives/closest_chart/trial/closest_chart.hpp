@@ -6,12 +6,12 @@
 #include "02_primitives/closest_points/closest_points.hpp"
 #include "02_primitives/closest_segments/closest_segments.hpp"
 #include "02_primitives/meshes/triangle_closest.hpp"
+#include "02_primitives/shapes/trial/float_draw.hpp"
 #include "common/math/rational.hpp"
 #include "common/measure/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <vector>
 
 namespace cookbook
@@ -30,34 +30,19 @@ struct KnownDistance
 using PointTriangle = KnownDistance<Vector3<float>, Triangle<float>>;
 using TwoSegments = KnownDistance<Segment<float>, Segment<float>>;
 
-/// Draws points in a cube of 2 m.
-class DistanceDraw
-{
-public:
-  Vector3<float> point()
-  {
-    const float x = number(), y = number();
-    return {x, y, number()};
-  }
-
-private:
-  float number() { return static_cast<float>(engine_() >> 8) * 0x1p-23f - 1; }
-  std::mt19937 engine_{20261122};
-};
-
 /// Points and triangles; every eighth triangle is thinner than a ten-thousandth of its length.
 inline std::vector<PointTriangle> known_triangles_and_points(int count)
 {
-  DistanceDraw draw;
+  FloatDraw draw(20261122);
   std::vector<PointTriangle> all;
   for (int i = 0; i < count; ++i)
   {
-    const Vector3<float> p = draw.point(), a = draw.point(), b = draw.point(), c = draw.point();
+    const Vector3<float> p = draw.vector(1), a = draw.vector(1), b = draw.vector(1),
+                         c = draw.vector(1);
     const Triangle<float> t{a, b, i % 8 == 0 ? Vector3<float>((a + b) / 2 + 1e-4f * c) : c};
-    const Vector3<Reference> o = exact<Reference>(p);
-    const Vector3<Reference> corners[] = {
-        exact<Reference>(t.a) - o, exact<Reference>(t.b) - o, exact<Reference>(t.c) - o};
-    const Reference squared = nearest_on_triangle(corners, 0, 1, 2).point.squaredNorm();
+    const Triangle<Reference> exactly{
+        exact<Reference>(t.a), exact<Reference>(t.b), exact<Reference>(t.c)};
+    const Reference squared = way_to_triangle(exactly, exact<Reference>(p)).squaredNorm();
     all.push_back({p, t, static_cast<double>(Reference(sqrt(squared)))});
   }
   return all;
@@ -66,12 +51,12 @@ inline std::vector<PointTriangle> known_triangles_and_points(int count)
 /// Pairs of segments; every eighth are parallel but for a ten-thousandth.
 inline std::vector<TwoSegments> known_segments(int count)
 {
-  DistanceDraw draw;
+  FloatDraw draw(20261122);
   std::vector<TwoSegments> all;
   for (int i = 0; i < count; ++i)
   {
-    const Segment<float> a{draw.point(), draw.point()};
-    const Vector3<float> start = draw.point(), end = draw.point();
+    const Segment<float> a{draw.vector(1), draw.vector(1)};
+    const Vector3<float> start = draw.vector(1), end = draw.vector(1);
     const Vector3<float> along = a.end - a.start + 1e-4f * end;
     const Segment<float> b{start, i % 8 == 0 ? Vector3<float>(start + along) : end};
     const auto exactly = [](const Segment<float>& s) {

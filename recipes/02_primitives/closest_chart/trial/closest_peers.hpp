@@ -4,6 +4,7 @@
 /// \brief Bullet's closest point of a triangle and ODE's of two segments, to be timed beside ours.
 
 #include "02_primitives/shapes/shapes.hpp"
+#include "02_primitives/shapes/trial/bullet_shapes.hpp"
 
 #ifdef COOKBOOK_HAS_BULLET
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
@@ -21,11 +22,10 @@ namespace cookbook
 /// How far a point is from a triangle, by the function that Bullet's own walk calls.
 inline float bullet_distance(const Vector3<float>& point, const Triangle<float>& t)
 {
-  const auto vector = [](const Vector3<float>& v) { return btVector3(v.x(), v.y(), v.z()); };
   static btVoronoiSimplexSolver solver;
   btSubSimplexClosestResult result;
-  const btVector3 p = vector(point);
-  solver.closestPtPointTriangle(p, vector(t.a), vector(t.b), vector(t.c), result);
+  const btVector3 p = of_bullet(point);
+  solver.closestPtPointTriangle(p, of_bullet(t.a), of_bullet(t.b), of_bullet(t.c), result);
   return (result.m_closestPointOnSimplex - p).length();
 }
 #endif

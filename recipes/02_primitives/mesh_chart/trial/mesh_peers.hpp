@@ -5,11 +5,11 @@
 
 #include "02_primitives/meshes/triangle_mesh.hpp"
 #include "02_primitives/shapes/shapes.hpp"
+#include "02_primitives/shapes/trial/bullet_shapes.hpp"
 
 #ifdef COOKBOOK_HAS_BULLET
 #include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleMesh.h>
-#include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 #endif
 #ifdef COOKBOOK_HAS_EMBREE
 #if __has_include(<embree4/rtcore.h>)
@@ -105,7 +105,7 @@ public:
     for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i)
     {
       const Triangle<float> t = triangle_of(mesh, i);
-      triangles_.addTriangle(vector(t.a), vector(t.b), vector(t.c));
+      triangles_.addTriangle(of_bullet(t.a), of_bullet(t.b), of_bullet(t.c));
     }
     shape_ = std::make_unique<btBvhTriangleMeshShape>(&triangles_, true);
   }
@@ -113,21 +113,12 @@ public:
   /// The t of a ray's nearest hit, up to 4.
   std::optional<float> cast(const Ray<float>& ray) const
   {
-    struct Nearest : btTriangleRaycastCallback
-    {
-      using btTriangleRaycastCallback::btTriangleRaycastCallback;
-      btScalar reportHit(const btVector3&, btScalar share, int, int) override { return share; }
-    };
-    constexpr float reach = 4;
-    const btVector3 from = vector(ray.origin), to = vector(ray.origin + reach * ray.direction);
-    Nearest nearest(from, to);
-    shape_->performRaycast(&nearest, from, to);
-    return nearest.m_hitFraction < 1 ? std::optional(reach * nearest.m_hitFraction) : std::nullopt;
+    BulletRay met(ray, 4);
+    shape_->performRaycast(&met, met.m_from, met.m_to);
+    return met.t();
   }
 
 private:
-  static btVector3 vector(const Vector3<float>& v) { return {v.x(), v.y(), v.z()}; }
-
   btTriangleMesh triangles_;
   std::unique_ptr<btBvhTriangleMeshShape> shape_;
 };

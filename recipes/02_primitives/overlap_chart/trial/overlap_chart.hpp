@@ -6,13 +6,13 @@
 #include "02_primitives/boxes_overlap/boxes_overlap.hpp"
 #include "02_primitives/overlaps/overlaps.hpp"
 #include "02_primitives/shape_bounds/shape_bounds.hpp"
+#include "02_primitives/shapes/trial/float_draw.hpp"
 #include "common/math/rational.hpp"
 
 #ifdef COOKBOOK_HAS_FCL
 #include <fcl/math/bv/OBB.h>
 #endif
 
-#include <random>
 #include <vector>
 
 namespace cookbook
@@ -43,24 +43,17 @@ inline Obb<Rational> in_fractions(const Obb<float>& box)
 /// Every eighth pair is turned alike but for a millionth.
 inline std::vector<KnownBoxes> known_boxes_in_pairs(int count, float most)
 {
-  std::mt19937 engine(20261122);
-  const auto number = [&](float low, float high)
-  { return low + (high - low) * static_cast<float>(engine() >> 8) * 0x1p-24f; };
-  const auto vector = [&](float low, float high)
-  {
-    const float x = number(low, high), y = number(low, high);
-    return Vector3<float>(x, y, number(low, high));
-  };
+  FloatDraw draw(20261122);
   const auto turn = [&](float most_turn)
   {
-    const Vector3<float> half = vector(-most_turn, most_turn);
+    const Vector3<float> half = draw.vector(-most_turn, most_turn);
     return Quaternion<float>(1, half.x(), half.y(), half.z()).normalized().toRotationMatrix();
   };
   std::vector<KnownBoxes> pairs;
   for (int i = 0; i < count; ++i)
   {
-    Obb<float> a{vector(-1, 1), turn(2), vector(0.2f, 1.4f)};
-    Obb<float> b{a.center + vector(-most, most), turn(2), vector(0.2f, 1.4f)};
+    Obb<float> a{draw.vector(-1, 1), turn(2), draw.vector(0.2f, 1.4f)};
+    Obb<float> b{a.center + draw.vector(-most, most), turn(2), draw.vector(0.2f, 1.4f)};
     if (i % 8 == 0)
     {
       b.axes = turn(1e-6f) * a.axes;
