@@ -5,11 +5,19 @@
 namespace cookbook
 {
 
-/// A hundred thousand; fewer where every step is watched by sanitizers.
-#ifdef COOKBOOK_FEWER_PAIRS
-constexpr int random_inputs = 3'000;
+/// `all`, or only `watched` where sanitizers watch every step.
+template <class Number>
+constexpr Number inputs(Number all, Number watched)
+{
+#ifdef COOKBOOK_SANITIZE
+  constexpr bool is_watched = true;
 #else
-constexpr int random_inputs = 100'000;
+  constexpr bool is_watched = false;
 #endif
+  return is_watched ? watched : all;
+}
+
+/// What is enough for most.
+constexpr int random_inputs = inputs(100'000, 1'500);
 
 } // namespace cookbook

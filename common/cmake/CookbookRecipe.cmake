@@ -22,7 +22,7 @@ function(cookbook_warnings target)
       target_compile_options(${target} PRIVATE
         -fsanitize-address-outline-instrumentation "SHELL:-mllvm -fast-isel")
     endif()
-    target_compile_definitions(${target} PRIVATE COOKBOOK_FEWER_PAIRS)
+    target_compile_definitions(${target} PRIVATE COOKBOOK_SANITIZE)
     target_link_options(${target} PRIVATE -fsanitize=address,undefined)
   endif()
 endfunction()
@@ -32,7 +32,7 @@ endfunction()
 # a little as not at all, g++ as long.
 function(cookbook_lightly target)
   target_compile_options(${target} PRIVATE
-    $<$<CONFIG:Release>:$<IF:$<CXX_COMPILER_ID:Clang>,-O0,-O1>>)
+    $<$<OR:$<CONFIG:Release>,$<BOOL:${COOKBOOK_SANITIZE}>>:$<IF:$<CXX_COMPILER_ID:Clang>,-O0,-O1>>)
   # With little optimisation g++ 12 warns of reads past short strings that it has not seen compared.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${target} PRIVATE

@@ -234,7 +234,7 @@ TEST_CASE(
 // [A5]
 
 // [turning_verdicts]
-TEST_CASE("each way to turn holds or fails as the table says", "[case:A5][case:A6]")
+TEST_CASE("each way to turn holds or fails as the table says", "[case:A5][case:A6][long]")
 {
   const std::string angles = "angles added, as published", added = "quaternion added",
                     unit = "added, length one", fraction = "half-angle fraction",

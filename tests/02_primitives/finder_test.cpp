@@ -154,7 +154,7 @@ TEST_CASE("two shapes overlap where they are closest at distance 0, in either or
     for (const std::string& b : finder_partners("closest", a))
     {
       int apart = 0, together = 0, wrong = 0, uneven = 0;
-      for (int i = 0; i < random_inputs / 250; ++i)
+      for (int i = 0; i < inputs(400, 30); ++i)
       {
         const std::vector<double> of_a = draw.of(a), of_b = draw.of(b);
         const auto closest = answers<double>("closest", a, b, joined(of_a, of_b));

@@ -41,7 +41,7 @@ TEST_CASE("rays and closest points are those of other libraries, to a float's ro
   for (const Vector3<float>& point : work.points)
   {
     const float ours = closest_point_of_mesh(work.mesh, work.tree, point)->distance;
-    CHECK(std::abs(fcl.distance(point) - ours) < 1e-5f);
+    CHECK(std::abs(fcl.distance(point) - static_cast<double>(ours)) < 1e-5);
   }
 #endif
 }

@@ -15,11 +15,7 @@ namespace cookbook
 {
 
 /// A million; fewer where every step is watched by sanitizers.
-#ifdef COOKBOOK_FEWER_PAIRS
-constexpr int pairs_per_world = 10'000;
-#else
 constexpr int pairs_per_world = 1'000'000;
-#endif
 
 /// The float closest to a number, and the shapes made of such floats.
 ///

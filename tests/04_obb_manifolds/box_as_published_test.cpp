@@ -276,7 +276,8 @@ TEST_CASE("all points are midway between the faces, wherever the boxes are", "[p
 
 // [rates]
 TEST_CASE(
-    "of 12,000 pairs each fault is wrong where it can be, and all mended nowhere", "[published]")
+    "of 12,000 pairs each fault is wrong where it can be, and all mended nowhere",
+    "[published][long]")
 {
   const std::vector<JudgedPair> pairs = judged_pairs(12000);
   for (const FaultVariant& variant : fault_variants())

@@ -13,11 +13,7 @@ namespace
 {
 
 /// Of each workload; fewer where every step is watched by sanitizers.
-#ifdef COOKBOOK_FEWER_PAIRS
-constexpr std::size_t pairs_each = 20'000;
-#else
 constexpr std::size_t pairs_each = 200'000;
-#endif
 
 /// What is asked of a number type.
 template <class Real>

@@ -245,7 +245,7 @@ TEST_CASE(
 // [point_verdicts]
 
 // [general_verdicts]
-TEST_CASE("a capsule can be asked of no method that takes boxes only", "[case:K1]")
+TEST_CASE("a capsule can be asked of no method that takes boxes only", "[case:K1][long]")
 {
   for (const std::size_t part : {0u, 1u, 2u})
   {
@@ -330,7 +330,7 @@ TEST_CASE(
 // [G12]
 TEST_CASE(
     "4,000 pairs, a thousand times smaller and larger: answers scale; the published ones do not",
-    "[case:G12]")
+    "[case:G12][long]")
 {
   int published_changes = 0;
   for (const char* const name : {"random", "resting", "edge-edge", "deep"})

@@ -10,6 +10,7 @@
 
 #include "tests/04_obb_manifolds/same_bits.hpp"
 #include "tests/catch.hpp"
+#include "tests/random_inputs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,11 +26,7 @@ using Pairs = std::vector<BoxPair<float>>;
 using Answer = std::optional<Manifold<float>>;
 
 /// So many pairs of each workload.
-#if defined(COOKBOOK_FEWER_PAIRS)
-constexpr std::size_t many = 300;
-#else
-constexpr std::size_t many = 20'000;
-#endif
+constexpr std::size_t many = inputs(20'000, 300);
 
 /// How many of the batch's answers differ from `box_box` in any bit.
 int differences(const Pairs& pairs, InstructionSet set)

@@ -283,7 +283,8 @@ TEST_CASE("a workload as CSV reads back as the same boxes to two roundings of fl
 // [workloads]
 
 // [truth]
-TEST_CASE("the truth in double is that in fractions to a few roundings, on every workload", "[O18]")
+TEST_CASE(
+    "the truth in double is that in fractions to a few roundings, on every workload", "[O18][long]")
 {
   for (const BoxRecipe& recipe : box_workload_recipes())
   {

@@ -11,6 +11,7 @@
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/random_inputs.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -21,11 +22,7 @@ using namespace cookbook;
 namespace
 {
 
-#ifdef COOKBOOK_FEWER_PAIRS
-constexpr int random_pairs = 20'000;
-#else
-constexpr int random_pairs = 200'000;
-#endif
+constexpr int random_pairs = inputs(200'000, 2'000);
 
 constexpr double rounding = 2e-15;
 

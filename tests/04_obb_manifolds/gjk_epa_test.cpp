@@ -673,7 +673,7 @@ TEST_CASE("of the equal ways out of a cube in its own place every one comes out"
 }
 // [limits]
 
-TEST_CASE("who holds and who fails at deep, level and random solids", "[gjk][epa][case:K4]")
+TEST_CASE("who holds and who fails at deep, level and random solids", "[gjk][epa][case:K4][long]")
 {
   check_verdicts(
       convex_verdicts(), names_of(convex_methods()),

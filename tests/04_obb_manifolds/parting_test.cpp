@@ -16,10 +16,12 @@
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/random_inputs.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -192,11 +194,7 @@ struct Partings
 };
 // [parting]
 
-#ifdef COOKBOOK_FEWER_PAIRS
-constexpr int pairs = 300;
-#else
-constexpr int pairs = 20'000;
-#endif
+constexpr int pairs = inputs(20'000, 300);
 
 template <class Real>
 Sphere<Real> in(const Sphere<double>& s)
@@ -326,12 +324,8 @@ struct Setting
 std::vector<Setting> settings()
 {
   std::vector<Setting> all;
-#ifdef COOKBOOK_FEWER_PAIRS
-  const std::vector<double> units{1e-30, 1e30};
-#else
-  const std::vector<double> units{1.0, 1e-3, 1e-30, 1e30};
-#endif
-  for (const double unit : units)
+  const std::vector<double> units{1e-30, 1e30, 1.0, 1e-3};
+  for (const double unit : std::span(units).first(inputs<std::size_t>(4, 1)))
   {
     all.push_back({unit, {0, 0, 0}});
     all.push_back({unit, unit * Vector3<double>(1000, -700, 300)});
@@ -406,7 +400,7 @@ TEMPLATE_TEST_CASE(
 
 TEMPLATE_TEST_CASE(
     "cubes, plates, rods and points, parallel, turned and contained, part, from 1e-30 to 1e30 m",
-    "[O5][case:G5]", float, double)
+    "[O5][case:G5][long]", float, double)
 {
   using Real = TestType;
   const Matrix3<double> turns[] = {

@@ -8,6 +8,7 @@
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/random_inputs.hpp"
 
 using namespace cookbook;
 
@@ -270,7 +271,7 @@ TEMPLATE_TEST_CASE(
     return {center.cast<Real>(), turn.cast<Real>(), half.cast<Real>()};
   };
   using Exact = cookbook::Reference;
-  for (int i = 0; i < 2000; ++i)
+  for (int i = 0; i < inputs(2000, 100); ++i)
   {
     const Obb<Real> a = plate(), b = plate();
     const RelativeBoxes<Real> boxes = relative_boxes(a, b);

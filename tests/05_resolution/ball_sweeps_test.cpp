@@ -8,6 +8,7 @@
 #include "05_resolution/world/trial/world_measures.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/random_inputs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,11 +18,7 @@ using namespace cookbook;
 namespace
 {
 
-#ifdef COOKBOOK_FEWER_PAIRS
-constexpr int tries = 500;
-#else
-constexpr int tries = 10'000;
-#endif
+constexpr int tries = inputs(10'000, 50);
 
 /// A number whose logarithm is spread evenly.
 double evenly(BoxDraw& draw, double least, double most)
@@ -234,7 +231,7 @@ TEST_CASE("10,000 pairs of balls that fly at each other do not pass each other",
 // [go_on_falling]
 TEST_CASE("60 swarms of 20 balls that touch in flight fall as one body does", "[R3]")
 {
-  for (int seed = 0; seed < 60; ++seed)
+  for (int seed = 0; seed < inputs(60, 5); ++seed)
   {
     BoxDraw draw(static_cast<std::uint32_t>(seed));
     Scene scene;
@@ -262,7 +259,7 @@ TEST_CASE("60 swarms of 20 balls that touch in flight fall as one body does", "[
   }
 }
 
-TEST_CASE("100 balls let go in a pit are at its bottom after 4 s, none in mid-air")
+TEST_CASE("100 balls let go in a pit are at its bottom after 4 s, none in mid-air", "[long]")
 {
   Scene scene;
   scene.bodies.push_back(ground());
@@ -339,7 +336,7 @@ TEST_CASE("10,000 thrown balls bounce as friction's closed form says, slipping o
 TEST_CASE("50 balls without friction hop over a floor for 10 s and keep their speed along it")
 {
   BoxDraw draw(7);
-  for (int i = 0; i < 50; ++i)
+  for (int i = 0; i < inputs(50, 8); ++i)
   {
     Scene scene;
     scene.bodies = {ground(), ball_body("ball", evenly(draw, 0.01, 1), {0, 3, 0})};

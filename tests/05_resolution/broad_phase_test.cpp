@@ -5,6 +5,7 @@
 #include "05_resolution/world_chart/trial/broad_phase_scenes.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/random_inputs.hpp"
 
 #include <limits>
 
@@ -33,11 +34,7 @@ std::vector<Bounds> random_bounds(BoxDraw& draw)
   return bounds;
 }
 
-#if defined(COOKBOOK_FEWER_PAIRS)
-constexpr int scenes_asked = 2'000;
-#else
-constexpr int scenes_asked = 100'000;
-#endif
+constexpr int scenes_asked = inputs(100'000, 2'000);
 
 } // namespace
 

@@ -10,6 +10,7 @@
 #include "05_resolution/world/solvers.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/random_inputs.hpp"
 
 #include <Eigen/Dense>
 
@@ -27,11 +28,7 @@ namespace
 using namespace cookbook;
 
 /// How long [s] scenes stand; sanitizers are too slow for all of it.
-#if defined(COOKBOOK_FEWER_PAIRS)
-constexpr double long_run = 3;
-#else
-constexpr double long_run = 20;
-#endif
+constexpr double long_run = inputs(20, 3);
 
 /// What a tower of straight contacts of four points gives way [m], when it carries what statics
 /// says: at each contact, overlap · β/h is the speed that the load's quarter has at its softness R.
@@ -149,7 +146,7 @@ TEST_CASE("a block with a negative number on its diagonal has no factor")
 // [cholesky]
 
 // [R9]
-TEST_CASE("in towers of 10, 20 and 40 each cube carries what is above it, to 1e-6", "[R9]")
+TEST_CASE("in towers of 10, 20 and 40 each cube carries what is above it, to 1e-6", "[R9][long]")
 {
   for (const char* const tower : {"tower", "tower_20", "tower_40", "tower_turned_20"})
   {
@@ -173,7 +170,8 @@ TEST_CASE("with 8 passes of impulses, 1 kg under 100 kg carries less than it sho
 // [R9]
 
 // [stands]
-TEST_CASE("all scenes that shall stand sink and drift by less than 0.1 mm in 20 s", "[case:S2]")
+TEST_CASE(
+    "all scenes that shall stand sink and drift by less than 0.1 mm in 20 s", "[case:S2][long]")
 {
   for (const std::string& scene : standing_scenes)
   {
@@ -186,7 +184,7 @@ TEST_CASE("all scenes that shall stand sink and drift by less than 0.1 mm in 20 
 }
 // [stands]
 
-TEST_CASE("towers sink by what statics and the softness of their contacts say, in nm", "[R9]")
+TEST_CASE("towers sink by what statics and the softness of their contacts say, in nm", "[R9][long]")
 {
   // What is printed: the sink of the topmost body, and the deepest overlap. Unit loads of 1 kg give
   // g h² · 10⁻⁷ / (4 · 0.2) = 0.3406 nm; a tower of ten has 10 + 2 (9 + … + 1) of them.
@@ -210,7 +208,8 @@ TEST_CASE("towers sink by what statics and the softness of their contacts say, i
   }
 }
 
-TEST_CASE("what is shifted, flat, turned or a pyramid sinks no more than a straight tower", "[R9]")
+TEST_CASE(
+    "what is shifted, flat, turned or a pyramid sinks no more than a straight tower", "[R9][long]")
 {
   const double straight = sinks(named_scene("tower_20")).back();
   for (const char* const name : {"tower_shifted_20", "plates"})
@@ -276,7 +275,7 @@ TEST_CASE("a block that slides feels at once what pushes it down: μ (m g + 100 
 TEST_CASE(
     "in the world a block at 5 m/s, μ = 0.4, goes 3.186 m straight ahead, less half a step, any "
     "heading",
-    "[R29]")
+    "[R29][long]")
 {
   for (const std::string& solver : solver_names())
   {
@@ -307,7 +306,6 @@ TEST_CASE(
 }
 // [R29]
 
-#if !defined(COOKBOOK_FEWER_PAIRS)
 // [standings]
 TEST_CASE("who has fallen after 8 s, and who has sunk as his springs say", "[case:S2][long]")
 {
@@ -350,7 +348,6 @@ TEST_CASE("who has fallen after 8 s, and who has sunk as his springs say", "[cas
   }
 }
 // [standings]
-#endif
 
 // [direct_or_soft]
 TEST_CASE("where there is no answer, the direct solver pauses for 1, 2, 4, 8 and 16 frames")

@@ -258,7 +258,8 @@ TEST_CASE("down 30° with μ = 0.5 it gains 0.65715 m/s a second, whichever way"
 }
 
 TEST_CASE(
-    "a box of width to height 1/2 stands on 26.5° and topples on 26.6°, tan⁻¹ 1/2 between", "[R28]")
+    "a box of width to height 1/2 stands on 26.5° and topples on 26.6°, tan⁻¹ 1/2 between",
+    "[R28][long]")
 {
   CHECK(topples(cone(), 26.5, false).holds);
   CHECK(topples(cone(), 26.6, true).holds);
@@ -317,7 +318,8 @@ TEST_CASE(
 // [spin]
 
 // [S12]
-TEST_CASE("25 balls on a pushed box: 12.66 N over 10 + 25 · 2/7 kg, and 2/7 of it", "[case:S12]")
+TEST_CASE(
+    "25 balls on a pushed box: 12.66 N over 10 + 25 · 2/7 kg, and 2/7 of it", "[case:S12][long]")
 {
   // A ball on a plate that speeds up rolls after it with 2/7 of its acceleration.
   const double right = (150 - 0.4 * 35 * 9.81) / (10 + 50 / 7.0);

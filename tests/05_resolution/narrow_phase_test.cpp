@@ -10,6 +10,7 @@
 #include "05_resolution/world/trial/world_runs.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/random_inputs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -102,7 +103,7 @@ TEST_CASE("the two points of a contact lie on the two surfaces: 10,000 of each p
   {
     BoxDraw draw(11);
     Surfaces surfaces;
-    while (surfaces.contacts < 10'000)
+    while (surfaces.contacts < random_inputs / 10)
     {
       surfaces.ask(draw, kind_a, kind_b);
     }

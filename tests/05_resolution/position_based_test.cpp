@@ -75,7 +75,8 @@ TEST_CASE("a share of each overlap is no stiffness: 4 passes make it 15 times as
   CHECK(sink_by_share(one, 0.5, 4) == Catch::Approx(fall / 15).epsilon(1e-12));
 }
 
-TEST_CASE("a cube on contacts of 1e-4 m/N rests α m g / 4 lower: four points share it", "[R15]")
+TEST_CASE(
+    "a cube on contacts of 1e-4 m/N rests α m g / 4 lower: four points share it", "[R15][long]")
 {
   for (const int substeps : {20, 40})
   {
@@ -150,7 +151,8 @@ TEST_CASE("velocities found from two poses are those that led from one to the ot
 }
 
 TEST_CASE(
-    "a cube on a slope of 10° stays to a hundredth of a millimetre in 10 s, friction 0.6", "[R16]")
+    "a cube on a slope of 10° stays to a hundredth of a millimetre in 10 s, friction 0.6",
+    "[R16][long]")
 {
   const World world = after(scenes::incline(0.17364817766693, 0.6), 20, 10);
   CHECK(farthest_move(world).along < 1e-5);
@@ -203,8 +205,8 @@ TEST_CASE("as published, five cubes have collapsed after 1.5 s", "[case:S2][case
   CHECK((most.fell > 0 && most.fell < 1.5));
 }
 
-#if !defined(COOKBOOK_FEWER_PAIRS) // minutes under sanitizers; the runs above take the same paths
-TEST_CASE("who holds and who fails at stacks", "[case:S1][case:S2][case:S4][case:S5][case:S19]")
+TEST_CASE(
+    "who holds and who fails at stacks", "[case:S1][case:S2][case:S4][case:S5][case:S19][long]")
 {
   // As published; cold 8 and 20, warm 8 and 20 passes; positions 1 × 20, 20 × 1.
   check_verdicts(
@@ -230,5 +232,4 @@ TEST_CASE("who holds and who fails at stacks", "[case:S1][case:S2][case:S4][case
        {"S5", {"positions, 20 × 1"}},
        {"S19", {"warm, 20 passes", "positions, 1 × 20", "positions, 20 × 1"}}});
 }
-#endif
 // [stacks]

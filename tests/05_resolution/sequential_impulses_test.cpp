@@ -170,7 +170,7 @@ TEST_CASE("boxes of 1, 2, 3 kg on each other press with 6, 5, 3 kg: then all is 
   CHECK(residual(problem, impulses) == 0);
 }
 
-TEST_CASE("a tower of five cubes: 5, 4, 3, 2, 1 times g h kg, to a billionth", "[R9]")
+TEST_CASE("a tower of five cubes: 5, 4, 3, 2, 1 times g h kg, to a billionth", "[R9][long]")
 {
   World world(scenes::tower(5), impulse_method(true, 100).solver());
   for (int frame = 0; frame < 300; ++frame)
@@ -205,7 +205,7 @@ TEST_CASE("a residual is the speed that the next correction would change, and 0 
   CHECK(residual<Rational>(parting, Fractions::Constant(1, Rational(1))) == Rational(1) / 2);
 }
 
-TEST_CASE("five cubes: the residual of the solver falls below 1e-5 m/s with passes", "[R10]")
+TEST_CASE("five cubes: the residual of the solver falls below 1e-5 m/s with passes", "[R10][long]")
 {
   World world(scenes::tower(5), impulse_method(true, 100).solver());
   for (int frame = 0; frame < 300; ++frame)
@@ -254,7 +254,7 @@ TEST_CASE("warm, the speed after a frame is ρ^s (2 v − v of the frame before)
   }
 }
 
-TEST_CASE("ten cubes at 8 passes a frame: cold they fall by 4 s, warm by 15 s", "[case:S2]")
+TEST_CASE("ten cubes at 8 passes a frame: cold they fall by 4 s, warm by 15 s", "[case:S2][long]")
 {
   const auto falls = [](const ContactMethod& method)
   { return stack_measures(scenes::tower(10), method.solver(), 20).fell; };
@@ -264,7 +264,8 @@ TEST_CASE("ten cubes at 8 passes a frame: cold they fall by 4 s, warm by 15 s", 
   CHECK(falls(impulse_method(true, 20)) == 0);
 }
 
-TEST_CASE("100 kg on 1 kg: 64 passes and 4 over the positions stand where 20 fall", "[case:S5]")
+TEST_CASE(
+    "100 kg on 1 kg: 64 passes and 4 over the positions stand where 20 fall", "[case:S5][long]")
 {
   const SequentialSettings many{.iterations = 64, .position_iterations = 4};
   const IslandSolver solver = [many](IslandView world, const Island& island, double step)

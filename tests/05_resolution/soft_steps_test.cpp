@@ -36,7 +36,7 @@ TEST_CASE("a cube on soft contacts sinks by g / ω², as on a spring of their fr
 // [spring]
 
 // [R16]
-TEST_CASE("twice the substeps let a tower of five sink a quarter as far", "[R16]")
+TEST_CASE("twice the substeps let a tower of five sink a quarter as far", "[R16][long]")
 {
   const double eight = softly("tower_5", 8, 5).sink, sixteen = softly("tower_5", 16, 5).sink;
   // The tower still creeps a little, so the law holds to 5 %.
@@ -46,7 +46,8 @@ TEST_CASE("twice the substeps let a tower of five sink a quarter as far", "[R16]
 
 // [stand]
 TEST_CASE(
-    "fifteen cubes dropped 10 cm apart stand for 20 s with 8 substeps, not with 4", "[case:S3]")
+    "fifteen cubes dropped 10 cm apart stand for 20 s with 8 substeps, not with 4",
+    "[case:S3][long]")
 {
   // Fifteen gaps of 10 cm close. Between two cubes a spring is half as stiff as on the ground, so
   // that the top sinks by 15 + 2 (14 + … + 1) times as much as a single cube.

@@ -159,7 +159,7 @@ TEST_CASE("Euler's equations keep energy and the length of L, exactly, for 100 b
 TEST_CASE(
     "100 s at 60 Hz: |L| to 1e-10; energy to 1e-4 by turned, 1e-6 by turned_finely, 1e-10 with "
     "energy",
-    "[R24]")
+    "[R24][long]")
 {
   for (const Vector3<double>& spin :
        {tennis_racket().spin, Vector3<double>(6, 6, 6), Vector3<double>(10, 0.01, 0.01),
@@ -199,7 +199,8 @@ TEST_CASE("a coin's spin is two steady turns, in one step of 10 s or in 600", "[
   CHECK(angle_between(small.orientation, right) <= 2000 * rounding);
 }
 
-TEST_CASE("half the step: a quarter of turned's error, a sixteenth of turned_finely's", "[R24]")
+TEST_CASE(
+    "half the step: a quarter of turned's error, a sixteenth of turned_finely's", "[R24][long]")
 {
   CHECK(
       orientation_error("turned", 60) / orientation_error("turned", 120) ==
@@ -354,7 +355,7 @@ TEST_CASE("the racket, 10 s at 60 Hz: energy × 2.585, × 0.526, or no flip at a
   CHECK(clamped.flips[2] > 1.1 * flip_times({1, 2, 3}, {0.01, 10, 0.01})[2]);
 }
 
-TEST_CASE("who holds and who fails at free spins", "[case:I4]")
+TEST_CASE("who holds and who fails at free spins", "[case:I4][long]")
 {
   check_verdicts(
       spin_verdicts(), names_of(spin_methods()),

@@ -157,7 +157,7 @@ TEST_CASE(
 // [never_passes]
 TEST_CASE(
     "swept, no ball of 5 cm at 1 to 1,000 m/s passes 2 cm, and all keep their restitution",
-    "[case:J1]")
+    "[case:J1][long]")
 {
   for (const double restitution : {0.0, 0.5, 0.8, 1.0})
   {
@@ -302,7 +302,8 @@ TEST_CASE("speculative leaves a ball of 10 m/s and e = 1 the gap over the step",
 // [lost_bounce]
 
 // [verdicts]
-TEST_CASE("which balls who stops, lets by and lets bounce", "[case:J1][case:J2][case:J4][case:J8]")
+TEST_CASE(
+    "which balls who stops, lets by and lets bounce", "[case:J1][case:J2][case:J4][case:J8][long]")
 {
   check_verdicts(
       flight_verdicts(), names_of(flight_methods()),

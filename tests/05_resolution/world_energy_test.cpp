@@ -7,6 +7,7 @@
 #include "05_resolution/world/trial/world_runs.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/random_inputs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,11 +18,7 @@ using namespace cookbook;
 namespace
 {
 
-#ifdef COOKBOOK_FEWER_PAIRS
-constexpr int scenes_of_a_kind = 3;
-#else
-constexpr int scenes_of_a_kind = 50;
-#endif
+constexpr int scenes_of_a_kind = inputs(50, 1);
 
 /// A number whose logarithm is spread evenly.
 double evenly(BoxDraw& draw, double least, double most)

@@ -90,7 +90,7 @@ TEST_CASE("a cube with e = 1 that lands flat comes up as fast, and does not turn
 // [bounce]
 
 // [passive]
-TEST_CASE("towers, slopes, dominoes and heaps never gain energy", "[R4]")
+TEST_CASE("towers, slopes, dominoes and heaps never gain energy", "[R4][long]")
 {
   for (const char* const scene : {"tower", "incline", "rolling", "domino_8", "pile_12", "plates"})
   {
@@ -140,7 +140,8 @@ TEST_CASE(
 // [walls]
 
 // [same]
-TEST_CASE("a run gives the same bits twice, and a body far away changes none of them", "[case:S20]")
+TEST_CASE(
+    "a run gives the same bits twice, and a body far away changes none of them", "[case:S20][long]")
 {
   for (const char* const name : {"domino_6", "pile_10", "tower"})
   {
@@ -160,7 +161,8 @@ TEST_CASE("a run gives the same bits twice, and a body far away changes none of 
   }
 }
 
-TEST_CASE("a tower of five stands in the same place in whatever order it is listed", "[case:S19]")
+TEST_CASE(
+    "a tower of five stands in the same place in whatever order it is listed", "[case:S19][long]")
 {
   const Scene scene = named_scene("tower_5");
   std::mt19937 random(3);
@@ -343,12 +345,11 @@ TEST_CASE("when the ground is removed, what slept on it wakes and falls", "[case
 }
 // [remove]
 
-#if !defined(COOKBOOK_FEWER_PAIRS) // minutes under sanitizers
 // [cases]
 TEST_CASE(
     "who holds and who fails in the world",
     "[case:S3][case:S6][case:S7][case:S8][case:S18][case:S20][case:S21][case:S22]"
-    "[case:S23][case:L3]")
+    "[case:S23][case:L3][long]")
 {
   // Direct, soft steps, warm and cold impulses, positions.
   check_verdicts(
@@ -367,7 +368,6 @@ TEST_CASE(
        {"L3", {"direct", "soft_steps", "sequential_impulses", "cold_impulses", "position_based"}}});
 }
 // [cases]
-#endif
 
 // [watched_rim]
 TEST_CASE("a cube falls asleep while its corners turn at 3 mm/s, not at 5")

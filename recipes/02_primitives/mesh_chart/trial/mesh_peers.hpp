@@ -19,7 +19,9 @@
 #endif
 #endif
 #ifdef COOKBOOK_HAS_FCL
-#include <fcl/fcl.h>
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
 #endif
 
 #include <algorithm>
@@ -125,7 +127,7 @@ private:
 #endif
 
 #ifdef COOKBOOK_HAS_FCL
-/// A mesh in FCL, with boxes that are turned as the triangles lie.
+/// A mesh in FCL, with boxes that are turned as the triangles lie; in double, as its library comes.
 class FclMesh
 {
 public:
@@ -136,7 +138,7 @@ public:
     for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i)
     {
       const Triangle<float> t = triangle_of(mesh, i);
-      model_.addTriangle(t.a, t.b, t.c);
+      model_.addTriangle(t.a.cast<double>(), t.b.cast<double>(), t.c.cast<double>());
     }
     model_.endModel();
   }
@@ -145,29 +147,31 @@ public:
   /// segment is a mesh of one flat triangle.
   bool is_met(const Ray<float>& ray) const
   {
+    const fcl::Vector3d origin = ray.origin.cast<double>();
+    const fcl::Vector3d end = (ray.origin + 4 * ray.direction).cast<double>();
     Model segment;
-    const Vector3<float> end = ray.origin + 4 * ray.direction;
     segment.beginModel(1, 3);
-    segment.addTriangle(ray.origin, end, end);
+    segment.addTriangle(origin, end, end);
     segment.endModel();
-    const auto none = fcl::Transform3<float>::Identity();
-    fcl::CollisionResult<float> result;
-    return fcl::collide(&model_, none, &segment, none, fcl::CollisionRequest<float>(), result) > 0;
+    const auto none = fcl::Transform3d::Identity();
+    fcl::CollisionResultd result;
+    return fcl::collide(&model_, none, &segment, none, fcl::CollisionRequestd(), result) > 0;
   }
 
   /// How far a point is.
-  float distance(const Vector3<float>& point) const
+  double distance(const Vector3<float>& point) const
   {
-    fcl::DistanceResult<float> result;
+    fcl::Transform3d pose = fcl::Transform3d::Identity();
+    pose.translation() = point.cast<double>();
+    fcl::DistanceResultd result;
     return fcl::distance(
-        &model_, fcl::Transform3<float>::Identity(), &point_,
-        fcl::Transform3<float>(Eigen::Translation3f(point)), fcl::DistanceRequest<float>(), result);
+        &model_, fcl::Transform3d::Identity(), &point_, pose, fcl::DistanceRequestd(), result);
   }
 
 private:
-  using Model = fcl::BVHModel<fcl::OBBRSS<float>>;
+  using Model = fcl::BVHModel<fcl::OBBRSSd>;
   Model model_;
-  fcl::Sphere<float> point_{0};
+  fcl::Sphered point_{0};
 };
 #endif
 
