@@ -475,6 +475,15 @@ TEST_CASE("each way to wrap an angle holds or fails as the table says", "[case:A
 }
 // [wrap]
 
+// [degrees_of_radians]
+TEST_CASE("half a turn is 180° by the nearest float to 180 / π, 179.99992° as published", "[case:X38]")
+{
+  const float half_turn = 3.14159265f;
+  CHECK(half_turn * 57.2957795f == 180);
+  CHECK(std::abs(half_turn * 57.295754f - 179.99992f) < 1e-5f);
+}
+// [degrees_of_radians]
+
 // [wrap_exact]
 TEMPLATE_TEST_CASE(
     "200,000 angles of any size wrap to (−180°, 180°] without an error", "[case:A7]", float, double)

@@ -1,8 +1,9 @@
 /// \file
-/// What holds for two turned boxes, asked by their axes: against fractions, and against the walk
-/// that serves all shapes.
+/// What holds for two turned boxes, asked by their axes, and for the triangles that are timed.
 
 #include "02_primitives/overlap_chart/trial/overlap_chart.hpp"
+#include "02_primitives/overlap_chart/trial/triangles_chart.hpp"
+#include "02_primitives/triangle_triangle/triangles_meet.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
@@ -130,3 +131,32 @@ TEST_CASE("boxes that are equal, touch, lie in each other, are turned by a hair"
   }
 }
 // [boxes_overlap_degenerate]
+
+// [triangles_chart_agree]
+TEST_CASE("triangles anywhere: all but one library answer as fractions do", "[triangle_triangle]")
+{
+  for (const KnownTriangles& pair : known_triangles_in_pairs(random_inputs / 50, false))
+  {
+    CHECK(triangles_meet(pair.a, pair.b) == pair.overlap);
+    CHECK(triangles_meet_by_17_axes(pair.a, pair.b) == pair.overlap);
+#ifdef COOKBOOK_HAS_FCL
+    CHECK(fcl_meet(pair.a, pair.b) == pair.overlap);
+#endif
+#ifdef COOKBOOK_HAS_BULLET
+    CHECK((bullet_meet(pair.a, pair.b) || !pair.overlap));
+#endif
+  }
+}
+
+TEST_CASE("triangles that share a plane or a corner: exact signs are right", "[triangle_triangle]")
+{
+  int meeting = 0;
+  for (const KnownTriangles& pair : known_triangles_in_pairs(random_inputs / 50, true))
+  {
+    CHECK(triangles_meet(pair.a, pair.b) == pair.overlap);
+    meeting += pair.overlap;
+  }
+  CHECK(meeting > random_inputs / 100);
+  CHECK(meeting < random_inputs / 50);
+}
+// [triangles_chart_agree]

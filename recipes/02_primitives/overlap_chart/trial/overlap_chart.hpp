@@ -4,6 +4,7 @@
 /// \brief Pairs of boxes, whether exactly they overlap, and ways to find out.
 
 #include "02_primitives/boxes_overlap/boxes_overlap.hpp"
+#include "02_primitives/overlap_chart/trial/known_pair.hpp"
 #include "02_primitives/overlaps/overlaps.hpp"
 #include "02_primitives/shape_bounds/shape_bounds.hpp"
 #include "02_primitives/shapes/trial/float_draw.hpp"
@@ -20,11 +21,7 @@ namespace cookbook
 
 // [box_pairs]
 /// Two boxes, and whether they overlap.
-struct KnownBoxes
-{
-  Obb<float> a, b;
-  bool overlap; ///< in fractions
-};
+using KnownBoxes = KnownPair<Obb<float>>;
 
 /// The exact box of floats: its axes are a little skew, as floats are.
 inline Obb<Rational> in_fractions(const Obb<float>& box)
@@ -85,18 +82,6 @@ inline bool fcl_overlap(const Obb<float>& a, const Obb<float>& b)
   return one.overlap(fcl::OBB<float>(b.axes, b.center, b.half_extents));
 }
 #endif
-
-/// The share [%] of pairs for which a way gives another answer than fractions do.
-template <class Way>
-double wrong_share(const Way& way, const std::vector<KnownBoxes>& pairs)
-{
-  int wrong = 0;
-  for (const KnownBoxes& pair : pairs)
-  {
-    wrong += way(pair.a, pair.b) != pair.overlap;
-  }
-  return 100.0 * wrong / static_cast<double>(pairs.size());
-}
 // [overlap_ways]
 
 } // namespace cookbook

@@ -1,0 +1,90 @@
+#pragma once
+
+/// \file
+/// \brief Pairs of triangles, whether exactly they meet, and other libraries' ways to find out.
+
+#include "02_primitives/overlap_chart/trial/known_pair.hpp"
+#include "02_primitives/shapes/trial/bullet_shapes.hpp"
+#include "02_primitives/shapes/trial/float_draw.hpp"
+#include "02_primitives/triangle_triangle/triangle_triangle.hpp"
+#include "common/math/rational.hpp"
+
+#ifdef COOKBOOK_HAS_BULLET
+#include <BulletCollision/Gimpact/btTriangleShapeEx.h>
+#endif
+#ifdef COOKBOOK_HAS_FCL
+#include <fcl/narrowphase/detail/traversal/collision/intersect.h>
+#endif
+
+#include <vector>
+
+namespace cookbook
+{
+
+/// Two triangles, and whether they meet.
+using KnownTriangles = KnownPair<Triangle<double>>;
+
+// [triangle_pairs]
+/// Triangles with corners in a cube of 2 m, in floats, so that all libraries are asked the same.
+/// Where they shall be `neighbours`, in turn: one plane, a corner shared, an edge shared, a corner
+/// of b on a face of a, but for rounding.
+inline std::vector<KnownTriangles> known_triangles_in_pairs(int count, bool neighbours)
+{
+  FloatDraw draw(20261123);
+  const auto corner = [&] { return draw.vector(1); };
+  const auto wide = [](const Triangle<float>& t) {
+    return Triangle<double>{t.a.cast<double>(), t.b.cast<double>(), t.c.cast<double>()};
+  };
+  const auto in_fractions = [](const Triangle<double>& t) {
+    return Triangle<Rational>{exact<Rational>(t.a), exact<Rational>(t.b), exact<Rational>(t.c)};
+  };
+  std::vector<KnownTriangles> pairs;
+  for (int i = 0; i < count; ++i)
+  {
+    const Triangle<float> a{corner(), corner(), corner()};
+    Triangle<float> b{corner(), corner(), corner()};
+    const auto of_plane = [&]() -> Vector3<float>
+    { return a.a + draw.number(-1, 2) * (a.b - a.a) + draw.number(-1, 2) * (a.c - a.a); };
+    const auto of_face = [&]() -> Vector3<float> { return (a.a + a.b + 2 * a.c) / 4; };
+    const int kind = neighbours ? i % 4 : -1;
+    b.a = kind < 0 ? b.a : kind == 0 ? of_plane() : kind == 3 ? of_face() : a.a;
+    b.b = kind == 0 ? of_plane() : kind == 2 ? a.b : b.b;
+    b.c = kind == 0 ? of_plane() : b.c;
+    const Triangle<double> one = wide(a), other = wide(b);
+    pairs.push_back(
+        {one, other, triangles_meet_by_17_axes(in_fractions(one), in_fractions(other))});
+  }
+  return pairs;
+}
+// [triangle_pairs]
+
+#ifdef COOKBOOK_HAS_FCL
+/// FCL's answer, in double.
+inline bool fcl_meet(const Triangle<double>& a, const Triangle<double>& b)
+{
+  return fcl::detail::Intersect<double>::intersect_Triangle(a.a, a.b, a.c, b.a, b.b, b.c);
+}
+#endif
+
+#ifdef COOKBOOK_HAS_BULLET
+/// Bullet's answer, in float, without the margin around its triangles.
+inline bool bullet_meet(const Triangle<double>& a, const Triangle<double>& b)
+{
+  const auto of = [](const Triangle<double>& t)
+  {
+    btPrimitiveTriangle all;
+    all.m_vertices[0] = of_bullet(t.a.cast<float>());
+    all.m_vertices[1] = of_bullet(t.b.cast<float>());
+    all.m_vertices[2] = of_bullet(t.c.cast<float>());
+    all.m_margin = 0;
+    all.buildTriPlane();
+    return all;
+  };
+  btPrimitiveTriangle one = of(a), other = of(b);
+  GIM_TRIANGLE_CONTACT contacts;
+  return one.overlap_test_conservative(other) &&
+         one.find_triangle_collision_clip_method(other, contacts);
+}
+#endif
+
+} // namespace cookbook
