@@ -136,8 +136,8 @@ inline Verdict triangles_verdict(const TrianglesMethod& method, const TrianglesC
     right += method.meet(a, b) == one.meet;
     right += method.meet(b, a) == one.meet;
   }
-  const std::string share = std::to_string(72 - right) + " of 72 orders wrong";
-  return {right == 72, right == 72 ? "right" : right == 0 ? "wrong" : share};
+  const std::string wrong = std::to_string(72 - right) + " of 72 orders wrong";
+  return {right == 72, right == 72 ? "right" : wrong};
 }
 
 /// The verdicts on all ways, case by case.
