@@ -23,19 +23,22 @@ using Sure = boost::multiprecision::number<
 
 // [drawn_matrix]
 /// Matrices of six kinds: entries of any size each; of one size; of ordinary size; rounded from a
-/// singular one; the same, one entry an ulp farther; diagonal.
+/// singular one, of a thousandth to a thousand; the same, one entry an ulp farther; diagonal.
 template <class Real, int Size>
 SquareMatrix<Real, Size> drawn_matrix(WholeRange<Real>& random, int kind)
 {
   SquareMatrix<Real, Size> m;
-  const Real size = kind == 1 ? random.number() / 4 : Real(1);
+  const bool near_singular = kind == 3 || kind == 4;
+  const Real size = kind == 1       ? random.number() / 4
+                    : near_singular ? std::ldexp(Real(1), static_cast<int>(random.share() * 10))
+                                    : Real(1);
   for (int i = 0; i < Size * Size; ++i)
   {
     const bool off_diagonal = i % (Size + 1) != 0;
     m.data()[i] = kind == 0 ? random.number() : random.share() * size;
     m.data()[i] = kind == 5 ? (off_diagonal ? Real(0) : random.number()) : m.data()[i];
   }
-  if (kind == 3 || kind == 4)
+  if (near_singular)
   {
     // The last column is a sum of two others, exactly, and then rounded once.
     for (int i = 0; i < Size; ++i)
@@ -43,7 +46,7 @@ SquareMatrix<Real, Size> drawn_matrix(WholeRange<Real>& random, int kind)
       const double sum = 2.0 * static_cast<double>(m(i, 0)) + static_cast<double>(m(i, 1));
       m(i, Size - 1) = static_cast<Real>(sum);
     }
-    m(0, 0) = kind == 4 ? std::nextafter(m(0, 0), Real(2)) : m(0, 0);
+    m(0, 0) = kind == 4 ? std::nextafter(m(0, 0), 2 * size) : m(0, 0);
   }
   return m;
 }
