@@ -2,24 +2,18 @@
 /// Random numbers for tests.
 #pragma once
 
-#include "common/math/vector.hpp"
+#include "02_primitives/shapes/trial/number_draw.hpp"
 
 #include <cstdint>
-#include <random>
 
 namespace cookbook
 {
 
 /// Random numbers that are the same with every compiler and library.
-class Random
+class Random : public NumberDraw<double>
 {
 public:
-  explicit Random(std::uint32_t seed) : engine_(seed) {}
-
-  double between(double low, double high)
-  {
-    return low + (high - low) * (static_cast<double>(engine_()) * 0x1p-32);
-  }
+  using NumberDraw::NumberDraw;
 
   bool one_in(std::uint32_t n) { return engine_() % n == 0; }
 
@@ -27,13 +21,6 @@ public:
   int whole(int low, int high)
   {
     return low + static_cast<int>(engine_() % static_cast<std::uint32_t>(high - low + 1));
-  }
-
-  Vector3<double> in_cube(double half)
-  {
-    const double x = between(-half, half);
-    const double y = between(-half, half);
-    return {x, y, between(-half, half)};
   }
 
   Vector3<double> direction()
@@ -47,9 +34,6 @@ public:
       }
     }
   }
-
-private:
-  std::mt19937 engine_;
 };
 
 } // namespace cookbook

@@ -2,9 +2,9 @@
 /// What holds for two triangles: formulas P16 and P17, and the pairs that break a way to answer.
 
 #include "02_primitives/overlaps/overlaps.hpp"
+#include "02_primitives/shapes/trial/in_fractions.hpp"
 #include "02_primitives/triangle_triangle/trial/triangle_triangle_cases.hpp"
 #include "02_primitives/triangle_triangle/triangles_meet.hpp"
-#include "common/math/rational.hpp"
 
 #include "tests/02_primitives/shape_judge.hpp"
 #include "tests/catch.hpp"
@@ -15,11 +15,6 @@ using namespace cookbook;
 
 namespace
 {
-
-Triangle<Rational> as_fractions(const Triangle<double>& t)
-{
-  return {exact<Rational>(t.a), exact<Rational>(t.b), exact<Rational>(t.c)};
-}
 
 Rational volume(
     const Vector3<Rational>& a, const Vector3<Rational>& b, const Vector3<Rational>& c,
@@ -75,7 +70,7 @@ TEST_CASE("17 axes of exact fractions and exact signs agree on triangles", "[P17
         continue;
       }
       const bool meet = triangles_meet(a, b);
-      REQUIRE(meet == triangles_meet_by_17_axes(as_fractions(a), as_fractions(b)));
+      REQUIRE(meet == triangles_meet_by_17_axes(in_fractions(a), in_fractions(b)));
       meeting += meet;
     }
   }

@@ -14,7 +14,6 @@
 namespace cookbook
 {
 
-/// A million; fewer where every step is watched by sanitizers.
 constexpr int pairs_per_world = 1'000'000;
 
 /// The float closest to a number, and the shapes made of such floats.

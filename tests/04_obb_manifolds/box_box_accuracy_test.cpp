@@ -12,7 +12,7 @@ using namespace cookbook;
 namespace
 {
 
-/// Of each workload; fewer where every step is watched by sanitizers.
+/// Of each workload.
 constexpr std::size_t pairs_each = 200'000;
 
 /// What is asked of a number type.

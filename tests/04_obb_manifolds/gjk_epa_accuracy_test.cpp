@@ -13,7 +13,6 @@ using namespace cookbook;
 namespace
 {
 
-/// A million; fewer where every step is watched by sanitizers.
 constexpr int pairs = 1'000'000;
 
 /// How far answers are from those of the axes; lengths as parts of the sum of all half extents.

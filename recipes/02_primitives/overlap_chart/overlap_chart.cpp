@@ -25,16 +25,6 @@ measure::ChartedMethod timed_way(const std::string& name, const Pairs<Shape>& pa
   return {measure::timed_over(name, pairs, call), {wrong, wrong}};
 }
 
-plot::Chart chart_of(
-    const std::string& name, const std::string& title,
-    const std::vector<measure::ChartedMethod>& ways, const measure::Effort& effort)
-{
-  plot::Chart chart(name, title, {"time of a pair [ns]", plot::Scale::log}, {"wrong answers [%]"});
-  measure::add_methods(chart, ways, effort);
-  chart.size(400, 310);
-  return chart;
-}
-
 std::vector<measure::ChartedMethod> ways_of_boxes(const Pairs<Obb<float>>& pairs)
 {
   using Box = Obb<float>;
@@ -66,6 +56,31 @@ std::vector<measure::ChartedMethod> ways_of_triangles(const Pairs<Triangle<doubl
   return ways;
 }
 
+/// One workload's chart.
+struct Workload
+{
+  std::string name, title;
+  std::vector<measure::ChartedMethod> ways;
+};
+
+void draw(
+    const Arguments& given, const std::string& name, const Workload& above, const Workload& below)
+{
+  const measure::Effort effort = measure::effort_named(given.value("effort"));
+  const auto chart_of = [&](const Workload& work)
+  {
+    plot::Chart chart(
+        work.name, work.title, {"time of a pair [ns]", plot::Scale::log}, {"wrong answers [%]"});
+    measure::add_methods(chart, work.ways, effort);
+    return chart.size(400, 310);
+  };
+  plot::Grid grid(name, "", 1);
+  grid.describe("Cost against wrong answers; " + measure::machine_line())
+      .add(chart_of(above))
+      .add(chart_of(below).note(measure::machine_line()).size(400, 370));
+  save_figure(given, name + ".svg", grid.svg());
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -79,26 +94,14 @@ int main(int argc, char** argv)
       argc, argv, arguments,
       [](const Arguments& given)
       {
-        const measure::Effort effort = measure::effort_named(given.value("effort"));
-        const auto near = ways_of_boxes(known_boxes_in_pairs(1000, 2));
-        const auto far = ways_of_boxes(known_boxes_in_pairs(1000, 10));
-        plot::Grid boxes("overlap_chart", "", 1);
-        boxes.describe("Cost against wrong answers of box overlaps; " + measure::machine_line())
-            .add(chart_of("near", "Boxes of which many overlap", near, effort))
-            .add(chart_of("far", "Boxes of which few overlap", far, effort)
-                     .note(measure::machine_line())
-                     .size(400, 370));
-        save_figure(given, "overlap_chart.svg", boxes.svg());
-        const auto any = ways_of_triangles(known_triangles_in_pairs(1000, false));
-        const auto neighbours = ways_of_triangles(known_triangles_in_pairs(1000, true));
-        plot::Grid triangles("triangles_chart", "", 1);
-        triangles
-            .describe("Cost against wrong answers of two triangles; " + measure::machine_line())
-            .add(chart_of("any", "Triangles anywhere", any, effort))
-            .add(chart_of(
-                     "neighbours", "Triangles that share a plane or a corner", neighbours, effort)
-                     .note(measure::machine_line())
-                     .size(400, 370));
-        save_figure(given, "triangles_chart.svg", triangles.svg());
+        draw(
+            given, "overlap_chart",
+            {"near", "Boxes of which many overlap", ways_of_boxes(known_boxes_in_pairs(1000, 2))},
+            {"far", "Boxes of which few overlap", ways_of_boxes(known_boxes_in_pairs(1000, 10))});
+        draw(
+            given, "triangles_chart",
+            {"any", "Triangles anywhere", ways_of_triangles(known_triangles_in_pairs(1000, false))},
+            {"neighbours", "Triangles that share a plane or a corner",
+             ways_of_triangles(known_triangles_in_pairs(1000, true))});
       });
 }

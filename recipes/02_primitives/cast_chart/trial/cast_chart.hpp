@@ -5,7 +5,7 @@
 
 #include "02_primitives/casts/casts.hpp"
 #include "02_primitives/casts/trial/casts_pitfalls.hpp"
-#include "02_primitives/shapes/trial/float_draw.hpp"
+#include "02_primitives/shapes/trial/number_draw.hpp"
 #include "common/math/rational.hpp"
 #include "common/measure/statistics.hpp"
 
@@ -35,8 +35,8 @@ class CastDraw : public FloatDraw
 public:
   CastDraw() : FloatDraw(20260501) {}
 
-  Vector3<float> unit() { return (vector(1) + Vector3<float>(2, 0, 0)).normalized(); }
-  float distance() { return std::pow(10.0f, number(0.5f, 4)); } ///< from 3 m to 10 km
+  Vector3<float> unit() { return (in_cube(1) + Vector3<float>(2, 0, 0)).normalized(); }
+  float distance() { return std::pow(10.0f, between(0.5f, 4)); } ///< from 3 m to 10 km
 };
 // [cast_workload]
 
@@ -88,9 +88,10 @@ inline std::vector<KnownCast<Sphere<float>>> known_spheres(int count)
   std::vector<KnownCast<Sphere<float>>> all;
   for (int i = 0; i < count; ++i)
   {
-    const Vector3<float> d = draw.unit(), origin = draw.vector(1);
-    const Vector3<float> aside = d.cross(draw.vector(1)).normalized() * draw.number(0, 0.95f);
-    const Sphere<float> ball{origin + draw.distance() * d + aside, 1};
+    const Vector3<float> d = draw.unit(), origin = draw.in_cube(1);
+    const Vector3<float> aside = d.cross(draw.in_cube(1)).normalized();
+    const float off = draw.between(0, 0.95f);
+    const Sphere<float> ball{origin + draw.distance() * d + off * aside, 1};
     all.push_back({{origin, d}, ball, exact_t({origin, d}, ball)});
   }
   return all;
@@ -103,9 +104,10 @@ inline std::vector<KnownCast<Aabb<float>>> known_boxes(int count)
   std::vector<KnownCast<Aabb<float>>> all;
   for (int i = 0; i < count; ++i)
   {
-    const Vector3<float> d = draw.unit(), origin = draw.vector(1);
-    const Vector3<float> half = draw.vector(0.4f) + Vector3<float>::Constant(0.6f);
-    const Vector3<float> center = origin + draw.distance() * d + 0.9f * draw.vector(0.2f);
+    const Vector3<float> d = draw.unit(), origin = draw.in_cube(1);
+    const Vector3<float> half = draw.in_cube(0.4f) + Vector3<float>::Constant(0.6f);
+    const float far = draw.distance();
+    const Vector3<float> center = origin + far * d + 0.9f * draw.in_cube(0.2f);
     const Aabb<float> box(Vector3<float>(center - half), Vector3<float>(center + half));
     all.push_back({{origin, d}, box, exact_t({origin, d}, box)});
   }
@@ -119,10 +121,10 @@ inline std::vector<KnownCast<Triangle<float>>> known_triangles(int count)
   std::vector<KnownCast<Triangle<float>>> all;
   while (static_cast<int>(all.size()) < count)
   {
-    const Vector3<float> d = draw.unit(), origin = draw.vector(1);
+    const Vector3<float> d = draw.unit(), origin = draw.in_cube(1);
     const Vector3<float> at = origin + draw.distance() * d;
-    const Vector3<float> e = draw.vector(2), f = draw.vector(2);
-    const float u = draw.number(0.1f, 0.5f), v = draw.number(0.1f, 0.4f);
+    const Vector3<float> e = draw.in_cube(2), f = draw.in_cube(2);
+    const float u = draw.between(0.1f, 0.5f), v = draw.between(0.1f, 0.4f);
     const Triangle<float> triangle{
         at - u * e - v * f, at + (1 - u) * e - v * f, at - u * e + (1 - v) * f};
     const std::optional<Rational> t = cast_in_fractions({origin, d}, triangle);

@@ -6,7 +6,7 @@
 #include "02_primitives/closest_points/closest_points.hpp"
 #include "02_primitives/closest_segments/closest_segments.hpp"
 #include "02_primitives/meshes/triangle_closest.hpp"
-#include "02_primitives/shapes/trial/float_draw.hpp"
+#include "02_primitives/shapes/trial/number_draw.hpp"
 #include "common/math/rational.hpp"
 #include "common/measure/statistics.hpp"
 
@@ -37,8 +37,8 @@ inline std::vector<PointTriangle> known_triangles_and_points(int count)
   std::vector<PointTriangle> all;
   for (int i = 0; i < count; ++i)
   {
-    const Vector3<float> p = draw.vector(1), a = draw.vector(1), b = draw.vector(1),
-                         c = draw.vector(1);
+    const Vector3<float> p = draw.in_cube(1), a = draw.in_cube(1), b = draw.in_cube(1),
+                         c = draw.in_cube(1);
     const Triangle<float> t{a, b, i % 8 == 0 ? Vector3<float>((a + b) / 2 + 1e-4f * c) : c};
     const Triangle<Reference> exactly{
         exact<Reference>(t.a), exact<Reference>(t.b), exact<Reference>(t.c)};
@@ -55,8 +55,8 @@ inline std::vector<TwoSegments> known_segments(int count)
   std::vector<TwoSegments> all;
   for (int i = 0; i < count; ++i)
   {
-    const Segment<float> a{draw.vector(1), draw.vector(1)};
-    const Vector3<float> start = draw.vector(1), end = draw.vector(1);
+    const Segment<float> a{draw.in_cube(1), draw.in_cube(1)};
+    const Vector3<float> start = draw.in_cube(1), end = draw.in_cube(1);
     const Vector3<float> along = a.end - a.start + 1e-4f * end;
     const Segment<float> b{start, i % 8 == 0 ? Vector3<float>(start + along) : end};
     const auto exactly = [](const Segment<float>& s) {

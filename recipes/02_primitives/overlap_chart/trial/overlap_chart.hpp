@@ -7,8 +7,8 @@
 #include "02_primitives/overlap_chart/trial/known_pair.hpp"
 #include "02_primitives/overlaps/overlaps.hpp"
 #include "02_primitives/shape_bounds/shape_bounds.hpp"
-#include "02_primitives/shapes/trial/float_draw.hpp"
-#include "common/math/rational.hpp"
+#include "02_primitives/shapes/trial/in_fractions.hpp"
+#include "02_primitives/shapes/trial/number_draw.hpp"
 
 #ifdef COOKBOOK_HAS_FCL
 #include <fcl/math/bv/OBB.h>
@@ -23,19 +23,6 @@ namespace cookbook
 /// Two boxes, and whether they overlap.
 using KnownBoxes = KnownPair<Obb<float>>;
 
-/// The exact box of floats: its axes are a little skew, as floats are.
-inline Obb<Rational> in_fractions(const Obb<float>& box)
-{
-  Obb<Rational> exactly;
-  exactly.center = exact<Rational>(box.center);
-  exactly.half_extents = exact<Rational>(box.half_extents);
-  for (int i = 0; i < 3; ++i)
-  {
-    exactly.axes.col(i) = exact<Rational>(Vector3<float>(box.axes.col(i)));
-  }
-  return exactly;
-}
-
 /// Boxes of half extents from 0.2 to 1.4 m, with centres up to `most` m apart along each axis.
 /// Every eighth pair is turned alike but for a millionth.
 inline std::vector<KnownBoxes> known_boxes_in_pairs(int count, float most)
@@ -43,14 +30,14 @@ inline std::vector<KnownBoxes> known_boxes_in_pairs(int count, float most)
   FloatDraw draw(20261122);
   const auto turn = [&](float most_turn)
   {
-    const Vector3<float> half = draw.vector(-most_turn, most_turn);
+    const Vector3<float> half = draw.in_box(-most_turn, most_turn);
     return Quaternion<float>(1, half.x(), half.y(), half.z()).normalized().toRotationMatrix();
   };
   std::vector<KnownBoxes> pairs;
   for (int i = 0; i < count; ++i)
   {
-    Obb<float> a{draw.vector(-1, 1), turn(2), draw.vector(0.2f, 1.4f)};
-    Obb<float> b{a.center + draw.vector(-most, most), turn(2), draw.vector(0.2f, 1.4f)};
+    Obb<float> a{draw.in_box(-1, 1), turn(2), draw.in_box(0.2f, 1.4f)};
+    Obb<float> b{a.center + draw.in_box(-most, most), turn(2), draw.in_box(0.2f, 1.4f)};
     if (i % 8 == 0)
     {
       b.axes = turn(1e-6f) * a.axes;

@@ -5,9 +5,9 @@
 
 #include "02_primitives/overlap_chart/trial/known_pair.hpp"
 #include "02_primitives/shapes/trial/bullet_shapes.hpp"
-#include "02_primitives/shapes/trial/float_draw.hpp"
+#include "02_primitives/shapes/trial/in_fractions.hpp"
+#include "02_primitives/shapes/trial/number_draw.hpp"
 #include "02_primitives/triangle_triangle/triangle_triangle.hpp"
-#include "common/math/rational.hpp"
 
 #ifdef COOKBOOK_HAS_BULLET
 #include <BulletCollision/Gimpact/btTriangleShapeEx.h>
@@ -31,28 +31,37 @@ using KnownTriangles = KnownPair<Triangle<double>>;
 inline std::vector<KnownTriangles> known_triangles_in_pairs(int count, bool neighbours)
 {
   FloatDraw draw(20261123);
-  const auto corner = [&] { return draw.vector(1); };
-  const auto wide = [](const Triangle<float>& t) {
-    return Triangle<double>{t.a.cast<double>(), t.b.cast<double>(), t.c.cast<double>()};
-  };
-  const auto in_fractions = [](const Triangle<double>& t) {
-    return Triangle<Rational>{exact<Rational>(t.a), exact<Rational>(t.b), exact<Rational>(t.c)};
-  };
+  const auto corner = [&]() -> Vector3<double> { return draw.in_cube(1).cast<double>(); };
+  const auto in_floats = [](const Vector3<double>& p) -> Vector3<double>
+  { return p.cast<float>().cast<double>(); };
   std::vector<KnownTriangles> pairs;
   for (int i = 0; i < count; ++i)
   {
-    const Triangle<float> a{corner(), corner(), corner()};
-    Triangle<float> b{corner(), corner(), corner()};
-    const auto of_plane = [&]() -> Vector3<float>
-    { return a.a + draw.number(-1, 2) * (a.b - a.a) + draw.number(-1, 2) * (a.c - a.a); };
-    const auto of_face = [&]() -> Vector3<float> { return (a.a + a.b + 2 * a.c) / 4; };
-    const int kind = neighbours ? i % 4 : -1;
-    b.a = kind < 0 ? b.a : kind == 0 ? of_plane() : kind == 3 ? of_face() : a.a;
-    b.b = kind == 0 ? of_plane() : kind == 2 ? a.b : b.b;
-    b.c = kind == 0 ? of_plane() : b.c;
-    const Triangle<double> one = wide(a), other = wide(b);
-    pairs.push_back(
-        {one, other, triangles_meet_by_17_axes(in_fractions(one), in_fractions(other))});
+    const Triangle<double> a{corner(), corner(), corner()};
+    Triangle<double> b{corner(), corner(), corner()};
+    const auto in_plane_of_a = [&]
+    {
+      const double s = draw.between(-1, 2), t = draw.between(-1, 2);
+      return in_floats(a.a + s * (a.b - a.a) + t * (a.c - a.a));
+    };
+    switch (neighbours ? i % 4 : -1)
+    {
+    case 0:
+      b = {in_plane_of_a(), in_plane_of_a(), in_plane_of_a()};
+      break;
+    case 1:
+      b.a = a.a;
+      break;
+    case 2:
+      b = {a.a, a.b, b.c};
+      break;
+    case 3:
+      b.a = in_floats((a.a + a.b + 2 * a.c) / 4);
+      break;
+    default:
+      break;
+    }
+    pairs.push_back({a, b, triangles_meet_by_17_axes(in_fractions(a), in_fractions(b))});
   }
   return pairs;
 }
