@@ -78,7 +78,7 @@ struct RowTraits<Group<Plain, Size>>
 
 /// The number type of a row.
 template <class Row>
-using NumberOf = typename RowTraits<Row>::Number;
+using RowNumber = typename RowTraits<Row>::Number;
 
 /// The row of four that belongs to a row of three.
 template <class Row>

@@ -2,11 +2,11 @@
 /// Balls on their way through a step: nothing is passed, nothing hangs in the air, and a bounce has
 /// its friction.
 
-#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/world_measures.hpp"
 
+#include "tests/05_resolution/evenly.hpp"
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
 
@@ -19,12 +19,6 @@ namespace
 {
 
 constexpr int tries = inputs(10'000, 50);
-
-/// A number whose logarithm is spread evenly.
-double evenly(BoxDraw& draw, double least, double most)
-{
-  return least * std::pow(most / least, draw.between(0, 1));
-}
 
 World after(const Scene& scene, int steps, const std::string& solver = "direct")
 {
@@ -89,7 +83,7 @@ Shot shot(BoxDraw& draw, bool rolls, Wall kind)
 Vector3<double> seen_from_wall(const World& world)
 {
   const RigidBody &wall = world.bodies()[1], &ball = world.bodies()[2];
-  return wall.axes.transpose() * (ball.position - wall.position);
+  return wall.axes.transpose() * (ball.motion.center - wall.motion.center);
 }
 
 /// Whether the ball goes through the wall, and not round it.
@@ -149,7 +143,7 @@ TEST_CASE(
   RigidBody turned = bar;
   turned.orientation = rotation_by<double>({0, 0, 1});
   const Course of_bar = straight_course(bar, turned, 1), of_ball = straight_course(ball, ball, 1);
-  const TouchOnCourse touch{of_ball, of_bar, 0, 1, 0};
+  const BallOnCourse touch{of_ball, of_bar, 0, 1, 0};
   const auto hit = touch(SphereShape{0.1}, BoxShape{{1, 0.1, 1}});
   REQUIRE(hit);
   // The ball is 1 m from the middle at an angle of atan(3/4); its surface meets the bar's upper
@@ -218,10 +212,11 @@ TEST_CASE("10,000 pairs of balls that fly at each other do not pass each other",
     const World end = after(scene, 200);
     CAPTURE(i);
     // They touch, so they part otherwise than they would have.
-    REQUIRE(end.bodies()[0].velocity != scene.bodies[0].velocity);
+    REQUIRE(end.bodies()[0].motion.velocity != scene.bodies[0].velocity);
     REQUIRE((momentum(end.bodies()) - before).norm() <= 1e-12 * before.norm() + 1e-9);
-    const Vector3<double> way = end.bodies()[1].position - end.bodies()[0].position;
-    const Vector3<double> parting = end.bodies()[1].velocity - end.bodies()[0].velocity;
+    const Vector3<double> way = end.bodies()[1].motion.center - end.bodies()[0].motion.center;
+    const Vector3<double> parting =
+        end.bodies()[1].motion.velocity - end.bodies()[0].motion.velocity;
     REQUIRE(way.norm() >= reach * (1 - 1e-9));
     REQUIRE(way.dot(parting) >= -1e-9 * way.norm() * parting.norm());
   }
@@ -282,10 +277,10 @@ TEST_CASE("100 balls let go in a pit are at its bottom after 4 s, none in mid-ai
   for (std::size_t i = 5; i < scene.bodies.size(); ++i)
   {
     const RigidBody& ball = world.bodies()[i];
-    CAPTURE(i, ball.position.transpose(), ball.velocity.transpose());
+    CAPTURE(i, ball.motion.center.transpose(), ball.motion.velocity.transpose());
     // Whoever moves slowly is carried: by the ground, or by somebody below.
     const bool carried =
-        ball.position.y() < 0.26 ||
+        ball.motion.center.y() < 0.26 ||
         std::any_of(
             world.contacts().begin(), world.contacts().end(),
             [&](const WorldContact& contact)
@@ -295,7 +290,7 @@ TEST_CASE("100 balls let go in a pit are at its bottom after 4 s, none in mid-ai
                   -contact.normal().y() * (static_cast<std::size_t>(contact.a) == i);
               return up + down > 0.01;
             });
-    CHECK((carried || ball.velocity.norm() > 0.1));
+    CHECK((carried || ball.motion.velocity.norm() > 0.1));
   }
 }
 // [go_on_falling]
@@ -323,10 +318,10 @@ TEST_CASE("10,000 thrown balls bounce as friction's closed form says, slipping o
     const double change = std::clamp(2.0 / 7 * sliding, -most, most);
     slipped += std::abs(change) == most ? 1 : 0;
     CAPTURE(i, radius, down, along, spin, restitution, friction);
-    REQUIRE(end.velocity.y() == Catch::Approx(restitution * down).epsilon(1e-9));
-    REQUIRE(end.velocity.x() == Catch::Approx(along - change).margin(1e-9 * down));
+    REQUIRE(end.motion.velocity.y() == Catch::Approx(restitution * down).epsilon(1e-9));
+    REQUIRE(end.motion.velocity.x() == Catch::Approx(along - change).margin(1e-9 * down));
     REQUIRE(
-        end.angular_velocity.z() * radius ==
+        end.motion.angular_velocity.z() * radius ==
         Catch::Approx(spin * radius - 2.5 * change).margin(1e-9 * down));
   }
   CHECK(slipped > tries / 20);
@@ -349,7 +344,7 @@ TEST_CASE("50 balls without friction hop over a floor for 10 s and keep their sp
     for (int step = 0; step < 600; ++step)
     {
       world.step();
-      const Vector3<double> now = world.bodies()[1].velocity;
+      const Vector3<double> now = world.bodies()[1].motion.velocity;
       CAPTURE(i, step);
       REQUIRE(std::hypot(now.x() - before.x(), now.z() - before.z()) <= 1e-12 * before.norm());
       REQUIRE(energy(world.bodies(), scene.gravity) <= most * (1 + 1e-12));
@@ -373,7 +368,7 @@ TEST_CASE("10,000 balls that pass an edge by up to a radius keep their velocity 
     scene.bodies[1].velocity = {speed, 0, 0};
     const RigidBody end = after(scene, 2 + static_cast<int>(60 * 4 / speed)).bodies()[1];
     CAPTURE(i, radius, speed);
-    REQUIRE(end.velocity == scene.bodies[1].velocity);
+    REQUIRE(end.motion.velocity == scene.bodies[1].velocity);
   }
 }
 // [misses]
@@ -401,6 +396,6 @@ TEST_CASE("a fast ball wakes the tower that it hits")
     world.step();
   }
   CHECK_FALSE(world.sleeps(3));
-  CHECK(world.bodies()[3].velocity.x() > 1);
+  CHECK(world.bodies()[3].motion.velocity.x() > 1);
 }
 // [sleepers]

@@ -220,13 +220,12 @@ TEST_CASE("who holds and who fails at damping", "[case:I5][case:I6][case:X22]")
 {
   check_verdicts(
       damping_verdicts(), names_of(methods),
-      {{"I5", {"1/(1 + c·step)", "exp amid the kick", "damped_fall"}},
-       {"X22", {"1/(1 + c·step)", "exp amid the kick", "damped_fall"}},
+      {{"I5", {"1/(1 + c·step)", "exp mid-kick", "damped_fall"}},
+       {"X22", {"1/(1 + c·step)", "exp mid-kick", "damped_fall"}},
        {"no gravity, 1 s, c = 1.21/s, 30 to 240 Hz: speed to 1 %",
-        {"exp(−c·step)", "exp amid the kick", "damped_fall"}},
+        {"exp(−c·step)", "exp mid-kick", "damped_fall"}},
        {"brake, c = 150/s at 60 Hz: stops",
-        {"as published", "1/(1 + c·step)", "exp(−c·step)", "exp amid the kick", "damped_fall"}},
-       {"I6",
-        {"1 − c·step", "1/(1 + c·step)", "exp(−c·step)", "exp amid the kick", "damped_fall"}}});
+        {"as published", "1/(1 + c·step)", "exp(−c·step)", "exp mid-kick", "damped_fall"}},
+       {"I6", {"1 − c·step", "1/(1 + c·step)", "exp(−c·step)", "exp mid-kick", "damped_fall"}}});
 }
 // [damping_verdicts]

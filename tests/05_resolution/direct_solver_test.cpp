@@ -8,6 +8,8 @@
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/world/solver_names.hpp"
 #include "05_resolution/world/solvers.hpp"
+#include "05_resolution/world/trial/world_measures.hpp"
+#include "05_resolution/world/world_inputs.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
@@ -19,6 +21,7 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -58,8 +61,10 @@ struct LoneBody
   /// Whether a solver moves it in one whole step, by g h²; small steps move it by less.
   bool falls_in_one_step(DirectOrSoft& solver)
   {
-    solver({bodies, {}, {0, -10, 0}}, {{0}, {}}, 0.1);
-    return bodies[0].position.y() < -0.0999;
+    constexpr std::array<int, 1> alone{0};
+    std::vector<IslandPoint> room;
+    solver({bodies, {}, {0, -10, 0}, room}, {alone, {}}, 0.1);
+    return bodies[0].motion.center.y() < -0.0999;
   }
 };
 
@@ -78,6 +83,50 @@ int frames_passed_after(int frames)
     ++passed;
   }
   return passed;
+}
+
+/// The pyramid of ten rows without gaps beside its cubes, each row so far [m] above the one below.
+Scene close_pyramid(double apart)
+{
+  Scene scene = named_scene("pyramid");
+  for (SceneBody& body : scene.bodies)
+  {
+    body.position.x() /= 1.125;
+    body.position.y() += apart * std::ceil(body.position.y());
+  }
+  return scene;
+}
+
+/// How frames were solved.
+struct Answers
+{
+  int frames = 0, softened = 0, exact = 0; ///< of islands of more than one body
+  double sink = 0, overlap = 0;            ///< [m], at the end
+};
+
+/// Runs a scene, and counts from a time [s] on.
+Answers answers_of(const Scene& scene, double duration, double from)
+{
+  Answers answers;
+  const auto watch = [&](const Island& island, DirectAnswer answer)
+  {
+    const int counted = island.bodies.size() > 1 ? 1 : 0;
+    answers.frames += counted;
+    answers.softened += answer == DirectAnswer::softened ? counted : 0;
+    answers.exact += answer == DirectAnswer::exact ? counted : 0;
+  };
+  World world(scene, DirectOrSoft(8, watch));
+  for (std::size_t i = 0; i < steps_of(scene, duration); ++i)
+  {
+    if (i == steps_of(scene, from))
+    {
+      answers = {};
+    }
+    world.step();
+  }
+  answers.sink = farthest_move(world).along;
+  answers.overlap = deepest_overlap(world);
+  return answers;
 }
 
 WorldRun directly(const std::string& scene, double duration)
@@ -257,10 +306,10 @@ TEST_CASE("a block that slides feels at once what pushes it down: μ (m g + 100 
   World world(scene, solver_named("direct"));
   const auto lost = [&](double pushed)
   {
-    const double before = world.bodies()[1].velocity.x();
-    world.push(1, {0, -pushed, 0});
+    const double before = world.bodies()[1].motion.velocity.x();
+    apply_force(world, 1, {0, -pushed, 0});
     world.step();
-    return before - world.bodies()[1].velocity.x();
+    return before - world.bodies()[1].motion.velocity.x();
   };
   const auto right = [](double pushed) { return 0.4 * (9.81 + pushed) / 60; };
   lost(0);
@@ -293,12 +342,13 @@ TEST_CASE(
       {
         world.step();
       }
-      const Vector3<double> gone = world.bodies()[1].position - scene.bodies[1].position;
+      const Vector3<double> gone = world.bodies()[1].motion.center - scene.bodies[1].position;
       const double way = gone.dot(ahead), whole = 25 / (2 * 0.4 * 9.81);
       // Half a step of a frame, or of a small step.
       CHECK(way < whole);
       CHECK(way > whole - 1.01 * 5 * scene.step / 2);
-      CHECK(world.bodies()[1].velocity.norm() <= 1e-3); // position_based trembles by 0.2 mm/s
+      CHECK(
+          world.bodies()[1].motion.velocity.norm() <= 1e-3); // position_based trembles by 0.2 mm/s
       const Vector3<double> aside = gone - way * ahead - gone.y() * Vector3<double>::UnitY();
       CHECK(aside.norm() <= 1e-3);
     }
@@ -320,7 +370,7 @@ TEST_CASE("who has fallen after 8 s, and who has sunk as his springs say", "[cas
       {"positions", "position_based"}, {"soft, 4", "soft_steps", 4},
       {"soft, 16", "soft_steps", 16},  {"direct", "direct"}};
   const std::map<std::string, Names> falling{
-      {"tower", {"cold"}},
+      {"tower", {"cold", "warm"}},
       {"tower_20", {"cold", "warm", "soft, 4"}},
       {"pyramid", {"cold"}},
       {"heavy_on_light_100", {"cold", "warm"}},
@@ -338,9 +388,11 @@ TEST_CASE("who has fallen after 8 s, and who has sunk as his springs say", "[cas
           named_scene(scene), {.solver = solver.name, .substeps = solver.substeps, .duration = 8});
       const double moved = std::hypot(run.sink, run.drift);
       CHECK((moved > 0.5) == (falls.count(solver.title) > 0));
-      // What is printed as zero micrometres; towers of springs still swing and creep by 5 %.
+      // What is printed as zero micrometres; towers of springs still swing and creep by 5 %. A
+      // heavy cube turns by a tenth of a milliradian as it settles, and rests on eight springs, not
+      // four.
       CHECK((solver.title != "direct" || moved < 5e-7));
-      if (solver.title == "soft, 16" && scene != "plates" && scene != "pyramid")
+      if (solver.title == "soft, 16" && scene.starts_with("tower"))
       {
         CHECK(moved == Catch::Approx(ratio * sinks(named_scene(scene)).back()).epsilon(0.05));
       }
@@ -348,6 +400,111 @@ TEST_CASE("who has fallen after 8 s, and who has sunk as his springs say", "[cas
   }
 }
 // [standings]
+
+// [answers]
+TEST_CASE("a pyramid of 55 at rest is solved exactly in every frame and sinks by less than 0.1 µm")
+{
+  const Answers answers = answers_of(close_pyramid(0), 5, 0);
+  CHECK(answers.frames == 300);
+  CHECK(answers.exact == answers.frames);
+  // No cube carries more than in a tower of ten, whose ten contacts give way by 34 nm together.
+  CHECK(answers.sink < sinks(named_scene("tower")).back());
+  CHECK(answers.sink < 1e-7);
+}
+
+TEST_CASE("rows that fall on each other by 1 mm are solved directly after 1 s, exactly after 6 s")
+{
+  const Answers later = answers_of(close_pyramid(1e-3), 4, 1);
+  CHECK(later.softened + later.exact == later.frames);
+  const Answers last = answers_of(close_pyramid(1e-3), 8, 7);
+  CHECK(last.exact == last.frames);
+  // At rest no contact carries more than the lowest of a tower, 18 units, see above.
+  CHECK(last.overlap < 18 * 9.81 / 3600 * 1e-7 / 0.8);
+}
+
+TEST_CASE(
+    "with 100 kg and 300 kg on it, the pyramid is solved directly for 9 of 10 frames", "[long]")
+{
+  for (const char* const name : {"pyramid_heavy_top_100", "pyramid_heavy_top_300"})
+  {
+    CAPTURE(name);
+    const Answers answers = answers_of(named_scene(name), 6, 0);
+    CHECK(10 * (answers.softened + answers.exact) > 9 * answers.frames);
+    CHECK(answers.sink < 0.05);
+  }
+}
+
+TEST_CASE(
+    "a house of cards of three levels stays within 1 cm while its contacts are soft", "[long]")
+{
+  const Answers answers = answers_of(named_scene("card_house_3"), 6, 1);
+  CHECK(answers.softened + answers.exact == answers.frames);
+  CHECK(answers.sink < 0.01);
+}
+// [answers]
+
+// [give]
+TEST_CASE("after a failure contacts are stiff again when 0.95ⁿ is below 10⁻⁷: in 315 frames")
+{
+  std::map<DirectAnswer, int> heard;
+  DirectOrSoft solver(8, [&](const Island&, DirectAnswer answer) { ++heard[answer]; });
+  CHECK_FALSE(LoneBody(false).falls_in_one_step(solver));
+  while (heard[DirectAnswer::exact] == 0)
+  {
+    LoneBody(true).falls_in_one_step(solver);
+  }
+  // The failure, and the frame that is let pass.
+  CHECK(heard[DirectAnswer::none] == 2);
+  CHECK(heard[DirectAnswer::softened] == std::ceil(std::log(1e-7) / std::log(0.95)));
+}
+
+TEST_CASE("a soft contact gives way to what it carried at 1 cm/s, and is never softer than 3 %")
+{
+  WorldContact contact;
+  contact.friction = 0.5;
+  contact.memory.manifold.emplace();
+  contact.memory.manifold->normal = {0, 1, 0};
+  contact.memory.manifold->points.push_back({});
+  WorldPoint& point = contact.points()[0];
+  const DirectSettings stiff;
+  CHECK(softness_of(contact, 2, stiff).push == 2e-7);
+  CHECK(softness_of(contact, 2, stiff).grip == 2e-7);
+  CHECK(softness_of(contact, 2, settings_at(1)).push == Catch::Approx(0.06));
+  CHECK(softness_of(contact, 2, settings_at(1)).grip == Catch::Approx(1.8));
+  point.impulse = 4;
+  CHECK(softness_of(contact, 2, settings_at(0.5)).push * 4 == Catch::Approx(0.5 * 0.01));
+  CHECK(softness_of(contact, 2, settings_at(0.5)).grip * 4 == Catch::Approx(0.5 * 0.3));
+  CHECK(softness_of(contact, 2, settings_at(1e-7)).push == 2e-7);
+  // Friction of 3 N s stays but for a tenth, within μ times what the overlap pushes with.
+  point.friction = {3, 7, 0};
+  CHECK(held_friction(contact, point, 8, 0).norm() == 0);
+  CHECK(held_friction(contact, point, 8, 1).isApprox(Vector3<double>(0.9 * 3, 0, 0)));
+  CHECK(held_friction(contact, point, 2, 1).isApprox(Vector3<double>(0.5 * 2, 0, 0)));
+  CHECK(held_friction(contact, point, -1, 1).norm() == 0);
+}
+// [give]
+
+TEST_CASE("islands that have joined another one are no longer remembered")
+{
+  std::vector<RigidBody> bodies;
+  for (int i = 0; i < 4; ++i)
+  {
+    bodies.push_back(rigid_body(ball_body("ball", 1, {3.0 * i, 0, 0})));
+  }
+  DirectOrSoft solver(8);
+  std::vector<IslandPoint> room;
+  const IslandView view{bodies, {}, {0, -10, 0}, room};
+  const std::vector<int> all{0, 1, 2, 3}, without_one{0, 2, 3};
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    solver(view, {std::span(all).subspan(i, 1), {}}, 0.1);
+  }
+  CHECK(solver.remembered() == 4);
+  solver(view, {without_one, {}}, 0.1);
+  CHECK(solver.remembered() == 2);
+  solver(view, {all, {}}, 0.1);
+  CHECK(solver.remembered() == 1);
+}
 
 // [direct_or_soft]
 TEST_CASE("where there is no answer, the direct solver pauses for 1, 2, 4, 8 and 16 frames")

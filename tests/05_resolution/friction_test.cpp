@@ -61,10 +61,15 @@ BodyPair<double> over_ground(const V& velocity)
   return bodies;
 }
 
-/// Friction after one more visit to the lowest point of a ball of K = 1 + r²/I = 7/2.
+/// What it feels at its lowest point: K = 1 + r²/I = 7/2.
+const SlidingMass<double> of_ball{
+    Matrix3<double>(Vector3<double>(2, 0, 2).asDiagonal()) / 7, 2 / 7.0};
+
+/// Friction after one more visit to the lowest point of a ball.
 V visited(const BodyPair<double>& ball, const V& so_far, double most)
 {
-  return friction_impulse<double>(ball, up, {0, 0, 0}, so_far, 3.5, most);
+  const Arms<double> arms = arms_to<double>(ball, {0, 0, 0});
+  return friction_impulse(sliding_velocity(ball.a, ball.b, up, arms), of_ball, so_far, most);
 }
 
 FrictionRule cone()
@@ -90,12 +95,15 @@ TEMPLATE_TEST_CASE("an impulse (3, 0, 4) within 2.5 is (1.5, 0, 2)", "[R6]", flo
 TEST_CASE("a ball that slides at (3, 0, 4) feels 2/7 of its mass: 10/7 N s make it roll", "[R6]")
 {
   const BodyPair<double> bodies = over_ground({3, 0, 4});
-  CHECK(
-      sliding_inverse_mass<double>(bodies, up, {0, 0, 0}) == Catch::Approx(3.5).epsilon(rounding));
+  const Arms<double> arms = arms_to<double>(bodies, {0, 0, 0});
+  const SlidingMass<double> felt = sliding_mass(bodies.a, bodies.b, up, arms);
+  CHECK(felt.least == Catch::Approx(2 / 7.0).epsilon(rounding));
+  CHECK((felt.ending - of_ball.ending).norm() <= rounding);
   const V enough = visited(bodies, {0, 0, 0}, 5);
   CHECK((enough + V(3, 0, 4) * 2 / 7).norm() <= rounding);
-  const BodyPair<double> rolls = rubbed<double>(bodies, {0, 0, 0}, enough);
-  CHECK(sliding_velocity<double>(rolls, up, {0, 0, 0}).norm() <= 4 * rounding);
+  BodyPair<double> rolls = bodies;
+  push_apart(rolls.a, rolls.b, arms, enough);
+  CHECK(sliding_velocity(rolls.a, rolls.b, up, arms).norm() <= 4 * rounding);
   CHECK((rolls.b.motion.velocity - V(3, 0, 4) * 5 / 7).norm() <= 4 * rounding);
   // No more than 1/2, straight against the sliding.
   const V little = visited(bodies, {0, 0, 0}, 0.5);
@@ -119,9 +127,12 @@ TEST_CASE("friction keeps momenta and takes energy, for 100 random pairs", "[R6]
     const RandomMeeting meeting = random.next();
     const V normal = rounded(meeting.normal), point = rounded(meeting.point);
     const BodyPair<double> before{rounded(meeting.bodies.a), rounded(meeting.bodies.b)};
-    const double k = sliding_inverse_mass(before, normal, point);
-    const V impulse = friction_impulse<double>(before, normal, point, {0, 0, 0}, k, 0.5);
-    const BodyPair<double> after = rubbed(before, point, impulse);
+    const Arms<double> arms = arms_to(before, point);
+    const SlidingMass<double> mass = sliding_mass(before.a, before.b, normal, arms);
+    const V sliding = sliding_velocity(before.a, before.b, normal, arms);
+    const V impulse = friction_impulse<double>(sliding, mass, {0, 0, 0}, 0.5);
+    BodyPair<double> after = before;
+    push_apart(after.a, after.b, arms, impulse);
     CHECK(impulse.norm() <= 0.5 + rounding);
     CHECK(std::abs(impulse.dot(normal)) <= 100 * rounding);
     CHECK(energy(after.a) + energy(after.b) <= energy(before.a) + energy(before.b) + 1e-12);
@@ -139,16 +150,17 @@ TEST_CASE("visited often, 100 points either stick or rub straight against their 
   {
     const RandomMeeting meeting = random.next();
     const V normal = rounded(meeting.normal), point = rounded(meeting.point);
-    BodyPair<double> bodies{rounded(meeting.bodies.a), rounded(meeting.bodies.b)};
-    const double k = sliding_inverse_mass(bodies, normal, point);
+    Body<double> a = rounded(meeting.bodies.a), b = rounded(meeting.bodies.b);
+    const Arms<double> arms = arms_to<double>({a, b}, point);
+    const SlidingMass<double> mass = sliding_mass(a, b, normal, arms);
     V sum = V::Zero();
     for (int visit = 0; visit < 400; ++visit)
     {
-      const V next = friction_impulse<double>(bodies, normal, point, sum, k, 0.2);
-      bodies = rubbed<double>(bodies, point, next - sum);
+      const V next = friction_impulse(sliding_velocity(a, b, normal, arms), mass, sum, 0.2);
+      push_apart<double>(a, b, arms, next - sum);
       sum = next;
     }
-    const V slides = sliding_velocity(bodies, normal, point);
+    const V slides = sliding_velocity(a, b, normal, arms);
     if (slides.norm() > 1e-9)
     {
       ++sliding;
@@ -166,10 +178,15 @@ TEST_CASE(
   // The corner is (1/2, −1/2, 1/2) from the centre and the moment 1/6. Along (1, 0, 1)/√2 the
   // lever is 1/2, across it √3/2: 1 + 6/4 and 1 + 6 · 3/4.
   const Solid cube = box_on_floor(1, {0.5, 0.5, 0.5});
-  const BodyPair<double> bodies{immovable<double>({0, 0, 0}), cube.body};
-  const V corner(0.5, 0, 0.5);
-  CHECK(inverse_mass_at(bodies, heading(45), corner) == Catch::Approx(2.5).epsilon(4 * rounding));
-  CHECK(sliding_inverse_mass(bodies, up, corner) == Catch::Approx(5.5).epsilon(4 * rounding));
+  const Body<double> ground = immovable<double>({0, 0, 0});
+  const Arms<double> corner = arms_to<double>({ground, cube.body}, {0.5, 0, 0.5});
+  CHECK(
+      inverse_mass_at(ground, cube.body, heading(45), corner) ==
+      Catch::Approx(2.5).epsilon(4 * rounding));
+  const SlidingMass<double> felt = sliding_mass(ground, cube.body, up, corner);
+  CHECK(1 / felt.least == Catch::Approx(5.5).epsilon(4 * rounding));
+  CHECK((felt.ending * heading(45) - heading(45) / 2.5).norm() <= 4 * rounding);
+  CHECK((felt.ending * heading(135) - heading(135) / 5.5).norm() <= 4 * rounding);
 }
 
 TEST_CASE("no direction of 360 along the surface has a larger K, for 100 random pairs", "[R6]")
@@ -179,20 +196,51 @@ TEST_CASE("no direction of 360 along the surface has a larger K, for 100 random 
   {
     const RandomMeeting meeting = random.next();
     const V normal = rounded(meeting.normal), point = rounded(meeting.point);
-    const BodyPair<double> bodies{rounded(meeting.bodies.a), rounded(meeting.bodies.b)};
+    const Body<double> a = rounded(meeting.bodies.a), b = rounded(meeting.bodies.b);
+    const Arms<double> arms = arms_to<double>({a, b}, point);
     const V along = normal.unitOrthogonal(), across = normal.cross(along);
     double largest = 0;
     for (int degrees = 0; degrees < 360; ++degrees)
     {
       const V unit = heading(degrees);
       const V direction = unit.x() * along + unit.z() * across;
-      largest = std::max(largest, inverse_mass_at(bodies, direction, point));
+      largest = std::max(largest, inverse_mass_at(a, b, direction, arms));
     }
     // Half a degree off, a cosine squared is short of one by 7.6e-5.
-    const double k = sliding_inverse_mass(bodies, normal, point);
+    const double k = 1 / sliding_mass(a, b, normal, arms).least;
     CHECK(k >= largest * (1 - 10 * rounding));
     CHECK(k <= largest * (1 + 8e-5));
   }
+}
+
+TEST_CASE("one visit ends the sliding of 100 random pairs, if the cone is wide enough", "[R6]")
+{
+  RandomMeetings random;
+  for (int i = 0; i < 100; ++i)
+  {
+    const RandomMeeting meeting = random.next();
+    const V normal = rounded(meeting.normal), point = rounded(meeting.point);
+    Body<double> a = rounded(meeting.bodies.a), b = rounded(meeting.bodies.b);
+    const Arms<double> arms = arms_to<double>({a, b}, point);
+    const V sliding = sliding_velocity(a, b, normal, arms);
+    const V impulse =
+        friction_impulse<double>(sliding, sliding_mass(a, b, normal, arms), {0, 0, 0}, 1e9);
+    push_apart(a, b, arms, impulse);
+    CHECK(sliding_velocity(a, b, normal, arms).norm() <= 1e-12 * (1 + sliding.norm()));
+  }
+}
+
+TEST_CASE("a rod that turns about its length only, and cannot be moved, is held across it", "[R6]")
+{
+  // Its surface is 1 m off the axis and the moment 1/2: K is 2 across the axis, none along it.
+  const Body<double> ground = immovable<double>({0, 0, 0});
+  Body<double> rod = immovable<double>({0, 1, 0});
+  rod.inverse_inertia(0, 0) = 2;
+  const SlidingMass<double> felt = sliding_mass(ground, rod, up, {{0, 0, 0}, {0, -1, 0}});
+  CHECK(felt.least == 0.5);
+  CHECK(
+      (friction_impulse<double>({0, 0, 3}, felt, {0, 0, 0}, 9) - V(0, 0, -1.5)).norm() <= rounding);
+  CHECK(friction_impulse<double>({3, 0, 0}, felt, {0, 0, 0}, 9).allFinite());
 }
 
 TEST_CASE("nothing rubs where nothing moves, and where no push moves it", "[R6]")
@@ -202,8 +250,11 @@ TEST_CASE("nothing rubs where nothing moves, and where no push moves it", "[R6]"
   BodyPair<double> driven = over_ground({1, 0, 0});
   driven.b.inverse_mass = 0;
   driven.b.inverse_inertia.setZero();
-  CHECK(sliding_inverse_mass<double>(driven, up, {0, 0, 0}) == 0);
-  CHECK(friction_impulse<double>(driven, up, {0, 0, 0}, {0, 0, 0}, 0, 1) == V(0, 0, 0));
+  const Arms<double> arms = arms_to<double>(driven, {0, 0, 0});
+  const SlidingMass<double> felt = sliding_mass(driven.a, driven.b, up, arms);
+  CHECK(felt.least == 0);
+  CHECK(felt.ending.isZero(0));
+  CHECK(friction_impulse<double>({1, 0, 0}, felt, {0, 0, 0}, 1) == V(0, 0, 0));
 }
 // [R6]
 

@@ -53,9 +53,9 @@ Slide worst_slide(const std::string& solver, bool ball)
       while (world.time() < std::min(4.0, 7.5 / speed))
       {
         world.step();
-        worst.upward = std::max(worst.upward, std::abs(world.bodies().back().velocity.y()));
+        worst.upward = std::max(worst.upward, std::abs(world.bodies().back().motion.velocity.y()));
       }
-      const double left = world.bodies().back().velocity.x() / speed;
+      const double left = world.bodies().back().motion.velocity.x() / speed;
       worst.lost = std::max(worst.lost, std::abs(left - 1));
     }
   }
@@ -136,5 +136,5 @@ TEST_CASE("a cube stays on a ledge of 2 mm that holds its edge", "[case:S22]")
   {
     world.step();
   }
-  CHECK((world.bodies().back().position - scene.bodies.back().position).norm() < 1e-5);
+  CHECK((world.bodies().back().motion.center - scene.bodies.back().position).norm() < 1e-5);
 }

@@ -24,8 +24,10 @@ TEST_CASE("a unit cube hit at a corner feels like a quarter of its mass: K = 4",
 {
   const BodyPair<double> bodies = falling_on_ground<double>();
   const Vector3<double> down(0, -1, 0);
-  CHECK(inverse_mass_at(bodies, down, {0.5, -0.5, 0.5}) == Catch::Approx(4).epsilon(rounding));
-  CHECK(inverse_mass_at(bodies, down, {0, -0.5, 0}) == 1);
+  const auto felt_at = [&](const Vector3<double>& point)
+  { return inverse_mass_at(bodies.a, bodies.b, down, arms_to(bodies, point)); };
+  CHECK(felt_at({0.5, -0.5, 0.5}) == Catch::Approx(4).epsilon(rounding));
+  CHECK(felt_at({0, -0.5, 0}) == 1);
 }
 
 TEST_CASE("K of 100 exact pairs is n · ((I⁻¹ (r × n)) × r) and inverse masses, summed", "[R1]")
@@ -43,7 +45,7 @@ TEST_CASE("K of 100 exact pairs is n · ((I⁻¹ (r × n)) × r) and inverse mas
     const Rational k = 1 / meeting.mass_a + 1 / meeting.mass_b +
                        share(meeting.bodies.a, meeting.inertia_a) +
                        share(meeting.bodies.b, meeting.inertia_b);
-    CHECK(inverse_mass_at(meeting.bodies, meeting.normal, meeting.point) == k);
+    CHECK(meeting.inverse_mass() == k);
   }
 }
 // [R1]
@@ -57,7 +59,9 @@ TEMPLATE_TEST_CASE("a unit cube at -1 m/s on one corner, e = 0.5: j = 0.375", "[
   const TestType half = TestType(0.5);
   // A cube's moment, 1/6, is no binary fraction: a few roundings.
   const TestType some = 8 * std::numeric_limits<TestType>::epsilon();
-  CHECK(std::abs(bounce_impulse(bodies, down, corner, half) - TestType(0.375)) <= some);
+  const Arms<TestType> arms = arms_to(bodies, corner);
+  const TestType impulse = bounce_impulse(bodies.a, bodies.b, down, arms, half);
+  CHECK(std::abs(impulse - TestType(0.375)) <= some);
   const Motion<TestType> after = collide(bodies, down, corner, half).a.motion;
   const Vector3<TestType> velocity(0, TestType(-0.625), 0);
   const Vector3<TestType> spin(TestType(1.125), 0, TestType(-1.125));
@@ -72,7 +76,7 @@ TEST_CASE("surfaces that part or rest get no impulse, and stay as they are", "[R
   for (const double up : {0.0, 1e-300, 1.0})
   {
     bodies.a.motion.velocity.y() = up;
-    CHECK(bounce_impulse(bodies, down, corner, 1.0) == 0);
+    CHECK(bounce_impulse(bodies.a, bodies.b, down, arms_to(bodies, corner), 1.0) == 0);
     const Motion<double> after = collide(bodies, down, corner, 1.0).a.motion;
     CHECK(after.velocity == Vector3<double>(0, up, 0));
     CHECK(after.angular_velocity == Vector3<double>(0, 0, 0));
@@ -84,8 +88,9 @@ TEST_CASE("two immovable bodies that run into each other get no impulse", "[R2]"
   BodyPair<double> bodies{immovable<double>({0, 1, 0}), immovable<double>({0, -1, 0})};
   bodies.a.motion.velocity = {0, -1, 0};
   const Vector3<double> down(0, -1, 0), point(0, 0, 0);
-  CHECK(inverse_mass_at(bodies, down, point) == 0);
-  CHECK(bounce_impulse(bodies, down, point, 1.0) == 0);
+  const Arms<double> arms = arms_to(bodies, point);
+  CHECK(inverse_mass_at(bodies.a, bodies.b, down, arms) == 0);
+  CHECK(bounce_impulse(bodies.a, bodies.b, down, arms, 1.0) == 0);
   CHECK(collide(bodies, down, point, 1.0).a.motion.velocity == Vector3<double>(0, -1, 0));
   const Manifold<double> manifold = landing_at<double>({point});
   CHECK(bounce(bodies, manifold, 1.0, 3).a.motion.velocity == Vector3<double>(0, -1, 0));
@@ -150,8 +155,8 @@ TEST_CASE("200 random bounces lose exactly (1 - e²) v² / 2K of energy", "[R4]"
   {
     const RandomMeeting meeting = random.next();
     const Rational e = Rational(i % 5) / 4;
-    const Rational v = parting_speed(meeting.bodies, meeting.normal, meeting.point);
-    const Rational k = inverse_mass_at(meeting.bodies, meeting.normal, meeting.point);
+    const Rational v = meeting.parting_speed_of(meeting.bodies);
+    const Rational k = meeting.inverse_mass();
     const BodyPair<Rational> after = collide(meeting.bodies, meeting.normal, meeting.point, e);
     CHECK(
         meeting.sums(after).energy - meeting.sums(meeting.bodies).energy ==
@@ -177,9 +182,9 @@ TEST_CASE("200 random bounces part at e times the speed of approach, exactly", "
   {
     const RandomMeeting meeting = random.next();
     const Rational e = Rational(i % 5) / 4;
-    const Rational v = parting_speed(meeting.bodies, meeting.normal, meeting.point);
+    const Rational v = meeting.parting_speed_of(meeting.bodies);
     const BodyPair<Rational> after = collide(meeting.bodies, meeting.normal, meeting.point, e);
-    CHECK(parting_speed(after, meeting.normal, meeting.point) == -e * v);
+    CHECK(meeting.parting_speed_of(after) == -e * v);
   }
 }
 

@@ -51,6 +51,16 @@ struct RandomMeeting
   Matrix3<Rational> inertia_a, inertia_b;
   Vector3<Rational> normal, point;
 
+  /// [m/s], of these bodies as they move now.
+  Rational parting_speed_of(const BodyPair<Rational>& moving) const
+  {
+    return parting_speed(moving.a, moving.b, normal, arms_to(moving, point));
+  }
+  /// [1/kg], along the normal.
+  Rational inverse_mass() const
+  {
+    return inverse_mass_at(bodies.a, bodies.b, normal, arms_to(bodies, point));
+  }
   Conserved<Rational> sums(const BodyPair<Rational>& moving) const
   {
     return conserved(moving.a.motion, mass_a, inertia_a) +
@@ -69,7 +79,7 @@ public:
     std::tie(meeting.bodies.b, meeting.mass_b, meeting.inertia_b) = body();
     meeting.normal = rotation().col(0);
     meeting.point = vector();
-    if (parting_speed(meeting.bodies, meeting.normal, meeting.point) > 0)
+    if (meeting.parting_speed_of(meeting.bodies) > 0)
     {
       meeting.normal = -meeting.normal;
     }

@@ -37,7 +37,7 @@ struct FromSurface
   }
   double operator()(const PlaneShape& plane) const
   {
-    const Vector3<double> place = body.position + body.axes * point;
+    const Vector3<double> place = body.motion.center + body.axes * point;
     return std::abs(plane.normal.dot(place) - plane.offset);
   }
 };

@@ -88,7 +88,7 @@ TEST_CASE(
     {
       world.step();
     }
-    const double sink = 0.5 - world.bodies()[1].position.y();
+    const double sink = 0.5 - world.bodies()[1].motion.center.y();
     CHECK(sink == Catch::Approx(1e-4 * 9.81 / 4).epsilon(0.02));
   }
 }
@@ -140,13 +140,13 @@ TEST_CASE("velocities found from two poses are those that led from one to the ot
   for (int i = 0; i < 100; ++i)
   {
     RigidBody before = rigid_body(cube_body("cube", {any(random), any(random), any(random)}));
-    before.velocity = {any(random), any(random), any(random)};
-    before.angular_velocity = {any(random), any(random), any(random)};
+    before.motion.velocity = {any(random), any(random), any(random)};
+    before.motion.angular_velocity = {any(random), any(random), any(random)};
     RigidBody now = before;
     move(now, 1.0 / 60);
     velocities_from(before, now, 1.0 / 60);
-    CHECK((now.velocity - before.velocity).norm() < 1e-11);
-    CHECK((now.angular_velocity - before.angular_velocity).norm() < 1e-11);
+    CHECK((now.motion.velocity - before.motion.velocity).norm() < 1e-11);
+    CHECK((now.motion.angular_velocity - before.motion.angular_velocity).norm() < 1e-11);
   }
 }
 
@@ -161,7 +161,7 @@ TEST_CASE(
 TEST_CASE("on 30° it creeps at 3 to 10 mm/s with 0.6, though that ought to hold it", "[R16]")
 {
   const World world = after(scenes::incline(0.5, 0.6), 20, 5);
-  const double way = (world.bodies()[1].position - world.scene().bodies[1].position).norm();
+  const double way = (world.bodies()[1].motion.center - world.scene().bodies[1].position).norm();
   CHECK((way > 0.015 && way < 0.05));
 }
 
@@ -169,7 +169,7 @@ TEST_CASE("on 30° with friction 0.5 it slides at 0.657 m/s², to 1 %", "[R16]")
 {
   const World slides = after(scenes::incline(0.5, 0.5), 20, 1);
   const double right = 9.81 * (0.5 - 0.5 * std::sqrt(0.75));
-  CHECK(slides.bodies()[1].velocity.norm() == Catch::Approx(right).epsilon(0.01));
+  CHECK(slides.bodies()[1].motion.velocity.norm() == Catch::Approx(right).epsilon(0.01));
 }
 TEST_CASE(
     "a cube that lands flat with e = 0.5 leaves with a spin; by impulses it does not", "[R16]")
@@ -181,7 +181,7 @@ TEST_CASE(
     while (world.time() < 0.75)
     {
       world.step();
-      most = std::max(most, world.bodies()[2].angular_velocity.norm());
+      most = std::max(most, world.bodies()[2].motion.angular_velocity.norm());
     }
     return most;
   };

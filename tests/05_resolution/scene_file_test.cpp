@@ -81,7 +81,8 @@ bool same(const SceneBody& a, const SceneBody& b)
   return a.name == b.name && shape_json(a) == shape_json(b) && a.mass == b.mass &&
          a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs() &&
          a.velocity == b.velocity && a.angular_velocity == b.angular_velocity &&
-         a.friction == b.friction && a.restitution == b.restitution;
+         a.friction == b.friction && a.restitution == b.restitution && a.damping == b.damping &&
+         a.spin_damping == b.spin_damping;
 }
 
 } // namespace

@@ -29,7 +29,8 @@ TEST_CASE("a cube's run is charted with the sink, the overlap and the load of a 
   const auto runs = charted_runs(
       named_scene("tower_1"), 3, {{"soft steps", "soft_steps", 4}, {"direct", "direct", 0}}, 1);
   CHECK(runs[0].end.overlap == Catch::Approx(sink).epsilon(1e-6));
-  CHECK(runs[0].end.moved == Catch::Approx(sink).epsilon(1e-3)); // it creeps, too
+  // As it settles it slips aside by a tenth of that: less than a hundredth more, at right angles.
+  CHECK(runs[0].end.moved == Catch::Approx(sink).epsilon(1e-2));
   CHECK(runs[0].end.load_error <= 1e-6);
   // On exact ones by that of a load of 1 kg: g h² · 10⁻⁷ / (4 · 0.2).
   const double direct = 9.81 / 3600 * 1e-7 / 0.8;

@@ -55,9 +55,10 @@ bool same_bits(const World& a, const World& b)
       a.bodies().begin(), a.bodies().end(), b.bodies().begin(),
       [](const RigidBody& one, const RigidBody& other)
       {
-        return one.position == other.position && one.velocity == other.velocity &&
+        return one.motion.center == other.motion.center &&
+               one.motion.velocity == other.motion.velocity &&
                one.orientation.coeffs() == other.orientation.coeffs() &&
-               one.angular_velocity == other.angular_velocity;
+               one.motion.angular_velocity == other.motion.angular_velocity;
       });
 }
 

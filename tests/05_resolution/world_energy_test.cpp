@@ -1,11 +1,12 @@
 /// \file
 /// Who makes energy out of nothing: random scenes that nothing drives, under every solver.
 
-#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/world/solver_names.hpp"
+#include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/world_runs.hpp"
 
+#include "tests/05_resolution/evenly.hpp"
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
 
@@ -19,12 +20,6 @@ namespace
 {
 
 constexpr int scenes_of_a_kind = inputs(50, 1);
-
-/// A number whose logarithm is spread evenly.
-double evenly(BoxDraw& draw, double least, double most)
-{
-  return least * std::pow(most / least, draw.between(0, 1));
-}
 
 // [passive_scenes]
 /// What is in a scene.
@@ -143,10 +138,43 @@ TEST_CASE("balls gain none under any solver", "[R4]")
   }
 }
 
-TEST_CASE("stacks do under warm impulses, boxes and stacks under corrected positions", "[R4][long]")
+TEST_CASE(
+    "stacks do under warm impulses and corrected positions; boxes by themselves do not",
+    "[R4][long]")
 {
   CHECK(gaining("sequential_impulses", Kind::stack) > 0);
-  CHECK(gaining("position_based", Kind::boxes) > 0);
+  CHECK(gaining("position_based", Kind::boxes) == 0);
   CHECK(gaining("position_based", Kind::stack) > 0);
 }
 // [passive]
+
+// [frictionless_floor]
+TEST_CASE(
+    "a brick that tumbles on a frictionless floor keeps its angular momentum about y", "[M12]")
+{
+  // All pushes go along y, so that none has a moment about it. Steps are
+  // so small that the brick is not swept: up to its touch a swept box turns steadily, which is off
+  // by 2e-4 at 60 Hz.
+  for (const std::string solver : {"direct", "soft_steps", "sequential_impulses"})
+  {
+    Scene scene{.step = 1.0 / 240};
+    scene.bodies = {ground(), box_body("brick", {0.5, 0.2, 0.1}, {0, 0.8, 0}, 2)};
+    scene.bodies[0].friction = scene.bodies[1].friction = 0;
+    scene.bodies[1].angular_velocity = {3, 5, 2};
+    World world(scene, solver_named(solver));
+    const auto about_y = [&]
+    {
+      const RigidBody& brick = world.bodies()[1];
+      return (world_inertia(brick.moments, brick.axes) * brick.motion.angular_velocity).y();
+    };
+    const double at_first = about_y();
+    while (world.time() < 6)
+    {
+      world.step();
+      CAPTURE(solver, world.time());
+      REQUIRE(about_y() == Catch::Approx(at_first).epsilon(1e-10));
+    }
+    CHECK(world.bodies()[1].motion.center.y() < 0.3); // it has fallen over
+  }
+}
+// [frictionless_floor]

@@ -114,7 +114,7 @@ TEMPLATE_TEST_CASE(
     Registers<float>, Registers<double>)
 {
   using Rows = RowTraits<TestType>;
-  using Real = NumberOf<TestType>;
+  using Real = RowNumber<TestType>;
   using Four = FourOf<TestType>;
   for (unsigned set = 0; set < 16; ++set)
   {
@@ -135,7 +135,7 @@ TEMPLATE_TEST_CASE(
     "four rows become columns", "[group]", (Group<float, 3>), (Group<double, 3>), Registers<float>,
     Registers<double>)
 {
-  using Real = NumberOf<TestType>;
+  using Real = RowNumber<TestType>;
   FourOf<TestType> square[4];
   for (int i = 0; i < 4; ++i)
   {
@@ -156,7 +156,7 @@ TEMPLATE_TEST_CASE(
     "three rows become columns", "[group]", (Group<float, 3>), (Group<double, 3>), Registers<float>,
     Registers<double>)
 {
-  using Real = NumberOf<TestType>;
+  using Real = RowNumber<TestType>;
   TestType rows[3];
   for (int i = 0; i < 3; ++i)
   {

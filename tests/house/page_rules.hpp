@@ -15,8 +15,6 @@ inline const std::vector<std::string> closing{
 inline const std::vector<std::string> recipe_parts{"The idea", "Code", "Run it", "Proof"};
 /// The same where it is derived after it has been run.
 inline const std::vector<std::string> parts_with_why{"The idea", "Code", "Run it", "Why", "Proof"};
-/// The same in chapter 5, until it is cut anew.
-inline const std::vector<std::string> parts_of_old{"Formula", "Code", "Run it", "Proof"};
 
 /// True if `words` all occur in `all`, in that order.
 inline bool in_order(const std::vector<std::string>& words, const std::vector<std::string>& all)
@@ -56,11 +54,10 @@ inline std::vector<TextFile> with_sub_pages(const std::vector<TextFile>& pages)
 }
 
 /// True if `parts`, the headings of a section, are those of a recipe's in the right order.
-inline bool has_recipe_parts(const std::vector<std::string>& parts, const std::string& chapter)
+inline bool has_recipe_parts(const std::vector<std::string>& parts)
 {
   const bool why = std::find(parts.begin(), parts.end(), "Why") != parts.end();
-  const bool old = chapter == "05" && in_order(parts_of_old, parts);
-  return old || in_order(why ? parts_with_why : recipe_parts, parts);
+  return in_order(why ? parts_with_why : recipe_parts, parts);
 }
 
 /// True if a section with these headings and this text is a recipe's: it has one of the parts, or
@@ -108,7 +105,7 @@ inline Complaints page_is_in_order(const TextFile& page)
   {
     const bool own = std::find(fixed.begin(), fixed.end(), heading) == fixed.end();
     const bool recipe = own && is_recipe(parts[heading], texts[heading]);
-    if (recipe && !has_recipe_parts(parts[heading], book::chapter_of(page.path)))
+    if (recipe && !has_recipe_parts(parts[heading]))
     {
       complaints.push_back(
           page.path + ": \"" + heading +

@@ -17,14 +17,6 @@ struct PageSize
 /// What a page may have at most.
 inline constexpr PageSize most{2800, 450};
 
-/// Pages that were longer when this rule was made: what they had, rounded up to 50 words and 10
-/// lines. These numbers may only shrink.
-inline const std::map<std::string, PageSize> longer_pages{
-    {"chapters/05_resolution_bodies.md", {4000, 2090}},
-    {"chapters/05_resolution_contact.md", {3950, 1690}},
-    {"chapters/05_resolution_contacts.md", {2800, 1900}},
-    {"chapters/05_resolution_time.md", {5750, 2730}}};
-
 /// A page cut at its folds: pieces that are shown, and between them those in
 /// `<details class="more">`.
 inline std::vector<std::string> pieces_by_folds(const std::string& page)
@@ -98,8 +90,6 @@ pages_are_short(const std::vector<TextFile>& pages, const std::vector<TextFile>&
   Complaints complaints;
   for (const TextFile& page : pages)
   {
-    const auto longer = longer_pages.find(page.path);
-    const PageSize bound = longer == longer_pages.end() ? most : longer->second;
     const PageSize size = size_of(page.text, tree);
     const auto compare = [&](std::size_t count, std::size_t may_be, const std::string& what)
     {
@@ -110,8 +100,8 @@ pages_are_short(const std::vector<TextFile>& pages, const std::vector<TextFile>&
             std::to_string(may_be));
       }
     };
-    compare(size.words, bound.words, "words");
-    compare(size.lines, bound.lines, "lines of listings");
+    compare(size.words, most.words, "words");
+    compare(size.lines, most.lines, "lines of listings");
   }
   return complaints;
 }

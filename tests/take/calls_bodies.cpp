@@ -77,22 +77,26 @@ void print_piles(const char* name, Solver solver)
         const Vector3<double> apart = draw.number(-0.05, 0.05) / 2 * normal;
         const RigidBody &a = bodies[place_of(i - 1)], &b = bodies[place_of(i)];
         WorldPoint& point = contact.memory.warm[corner];
-        point.on_a = a.axes.transpose() * (at - apart - a.position);
-        point.on_b = b.axes.transpose() * (at + apart - b.position);
+        point.on_a = a.axes.transpose() * (at - apart - a.motion.center);
+        point.on_b = b.axes.transpose() * (at + apart - b.motion.center);
         point.impulse = draw.one_in(2) ? draw.number(0, 0.1) : 0;
         point.solved = point.impulse > 0;
         contact.memory.manifold->points.push_back({at, 0.1, corner});
       }
       contacts.push_back(contact);
     }
-    const IslandView view{bodies, contacts, Vector3<double>(0, -9.81, 0)};
-    for (const Island& island : islands_of(island_numbers(bodies, contacts), contacts))
+    std::vector<IslandPoint> room;
+    const IslandView view{bodies, contacts, Vector3<double>(0, -9.81, 0), room};
+    Islands islands;
+    islands.find(bodies, contacts);
+    for (std::size_t i = 0; i < islands.size(); ++i)
     {
-      bits(solver(view, island));
+      bits(solver(view, islands[i]));
     }
     for (const RigidBody& body : bodies)
     {
-      bits(body.position, body.orientation, body.velocity, body.angular_velocity);
+      bits(body.motion.center, body.orientation);
+      bits(body.motion.velocity, body.motion.angular_velocity);
     }
     for (const WorldContact& contact : contacts)
     {
@@ -106,15 +110,15 @@ void print_piles(const char* name, Solver solver)
 }
 #endif
 
-#ifdef TAKE_world
+#if defined TAKE_world || defined TAKE_contact_watch
 /// A solver that pushes eight times at each contact point.
-void push(IslandView view, const Island& island, double step)
+void push_eight_times(IslandView view, const Island& island, double step)
 {
   for (const int body : island.bodies)
   {
-    view.bodies[place_of(body)].velocity += step * view.gravity;
+    view.bodies[place_of(body)].motion.velocity += step * view.gravity;
   }
-  std::vector<IslandPoint> points = points_of(view, island);
+  const std::span<IslandPoint> points = points_of(view, island);
   for (int i = 0; i < 8; ++i)
   {
     for (IslandPoint& point : points)
@@ -149,7 +153,7 @@ World drawn_world(Draw& draw)
     body.restitution = draw.number(0, 1);
     scene.bodies.push_back(body);
   }
-  return World(scene, push, true);
+  return World(scene, push_eight_times, true);
 }
 #endif
 
@@ -172,12 +176,15 @@ int main()
       [](Draw& draw, Bits& bits)
       {
         const auto [bodies, normal, point] = drawn_meeting(draw);
-        const double mass = sliding_inverse_mass(bodies, normal, point);
+        auto [a, b] = bodies;
+        const Arms<double> arms = arms_to(bodies, point);
+        const SlidingMass<double> mass = sliding_mass(a, b, normal, arms);
         const Vector3<double> so_far = 0.1 * draw.unit().cross(normal);
         const Vector3<double> impulse =
-            friction_impulse(bodies, normal, point, so_far, mass, draw.number(0, 2));
-        bits(mass, impulse);
-        add(bits, rubbed(bodies, point, impulse));
+            friction_impulse(sliding_velocity(a, b, normal, arms), mass, so_far, draw.number(0, 2));
+        bits(mass.least, impulse);
+        push_apart(a, b, arms, impulse);
+        add(bits, BodyPair<double>{a, b});
       });
 #endif
 #ifdef TAKE_restitution
@@ -188,7 +195,7 @@ int main()
         const auto [bodies, normal, point] = drawn_meeting(draw);
         const ContactStep<double> step{draw.number(-10, 0), 1.0 / 60, draw.number(-0.1, 0.1)};
         const double back = draw.number(0, 0.9), slowest = bounce_threshold(9.81, step.duration);
-        const double speed = parting_speed(bodies, normal, point);
+        const double speed = parting_speed(bodies.a, bodies.b, normal, arms_to(bodies, point));
         const double target = bounced_speed(speed, step, back, slowest);
         bits(target, settling_time(draw.number(0.1, 2), 9.81, back));
         add(bits, pushed_to(bodies, normal, point, target));
@@ -341,6 +348,21 @@ int main()
       "direct_solver", [solver = DirectSolver()](IslandView view, const Island& island) mutable
       { return solver.solve(view, island, 1.0 / 60); });
 #endif
+#ifdef TAKE_contact_watch
+  print(
+      "contact_watch",
+      [world = std::optional<World>(), watch = ContactWatch(),
+       frame = 0](Draw& draw, Bits& bits) mutable
+      {
+        if (frame++ % 50 == 0)
+        {
+          world.emplace(drawn_world(draw));
+        }
+        world->step();
+        watch.look(*world);
+        bits(int(watch.pressing().size()), int(watch.begun().size()), int(watch.ended().size()));
+      });
+#endif
 #ifdef TAKE_world
   print(
       "world",
@@ -353,7 +375,8 @@ int main()
         world->step();
         for (const RigidBody& body : world->bodies())
         {
-          bits(body.position, body.orientation, body.velocity, body.angular_velocity);
+          bits(body.motion.center, body.orientation);
+          bits(body.motion.velocity, body.motion.angular_velocity);
         }
       });
 #endif

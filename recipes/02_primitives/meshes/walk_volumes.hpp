@@ -44,9 +44,8 @@ BoundingVolumes<Real> refitted(BoundingVolumes<Real> tree, const TriangleMesh<Re
 template <class W, class Real>
 W walk_rounding(const Eigen::AlignedBox<Real, 3>& whole, const Vector3<Real>& point)
 {
-  const Vector3<W> p = point.template cast<W>();
-  const Vector3<W> low = whole.min().template cast<W>() - p;
-  const Vector3<W> high = whole.max().template cast<W>() - p;
+  const Vector3<W> low = whole.min().template cast<W>() - point.template cast<W>();
+  const Vector3<W> high = whole.max().template cast<W>() - point.template cast<W>();
   const W far = low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff();
   using Limits = std::numeric_limits<W>;
   return W(16) * std::max(Limits::epsilon() * far, Limits::denorm_min());

@@ -18,11 +18,18 @@ struct Motion
   Vector3<Real> angular_velocity; ///< [rad/s], world
 };
 
+/// Velocity [m/s] of the body's material at an arm [m], world, from its centre of mass.
+template <class Real>
+Vector3<Real> velocity_at_arm(const Motion<Real>& body, const Vector3<Real>& arm)
+{
+  return body.velocity + body.angular_velocity.cross(arm);
+}
+
 /// Velocity [m/s] of the body's material at a point [m], world.
 template <class Real>
 Vector3<Real> velocity_at(const Motion<Real>& body, const Vector3<Real>& point)
 {
-  return body.velocity + body.angular_velocity.cross(point - body.center);
+  return velocity_at_arm<Real>(body, point - body.center);
 }
 
 /// Velocity [m/s] of B's material at a point as seen from A's; S11.

@@ -53,7 +53,7 @@ struct LeastFace
 
 /// The least number of a row.
 template <class Row>
-NumberOf<Row> least_of(const Row& row)
+RowNumber<Row> least_of(const Row& row)
 {
   using std::min;
   return min(row[0], min(row[1], row[2]));
@@ -61,9 +61,9 @@ NumberOf<Row> least_of(const Row& row)
 
 /// The first of the six least overlaps.
 template <class Row>
-LeastFace<NumberOf<Row>> least_face(const Row& face_a, const Row& face_b)
+LeastFace<RowNumber<Row>> least_face(const Row& face_a, const Row& face_b)
 {
-  const NumberOf<Row> depth = least_of(min(face_a, face_b));
+  const RowNumber<Row> depth = least_of(min(face_a, face_b));
   return {depth, RowTraits<Row>::first_set({face_a <= Row(depth), face_b <= Row(depth)})};
 }
 // [least_face]
@@ -113,9 +113,9 @@ struct LeastEdge
 ///
 /// Squares are compared: s² < bar² |L|² needs no root. Axes shorter than ε are left out.
 template <class Row>
-LeastEdge<NumberOf<Row>> least_edge(const EdgeOverlaps<Row> (&edges)[3], const NumberOf<Row>& bar)
+LeastEdge<RowNumber<Row>> least_edge(const EdgeOverlaps<Row> (&edges)[3], const RowNumber<Row>& bar)
 {
-  using Real = NumberOf<Row>;
+  using Real = RowNumber<Row>;
   constexpr float epsilon = std::numeric_limits<float>::epsilon();
   const Real none(LeastEdge<Real>::none);
   Row square[3];

@@ -98,7 +98,7 @@ edge_contact(const Obb<Real>& a, const BoxesInRows<Row>& boxes, const Which& i, 
 template <class Row>
 struct FaceContact
 {
-  using Real = NumberOf<Row>;
+  using Real = RowNumber<Row>;
   using Four = FourOf<Row>;
 
   Vector3<Real> normal;        ///< [1], unit, world, from A to B

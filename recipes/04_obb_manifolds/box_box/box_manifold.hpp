@@ -18,7 +18,7 @@ inline namespace COOKBOOK_INSTRUCTION_SET
 
 /// The three numbers of a row as a vector.
 template <class Row>
-Vector3<NumberOf<Row>> vector_of(const Row& row)
+Vector3<RowNumber<Row>> vector_of(const Row& row)
 {
   return {row[0], row[1], row[2]};
 }

@@ -60,7 +60,7 @@ Number bounded_reciprocal(const Number& x, const Number& least)
 template <class Four>
 struct Pieces
 {
-  using Real = NumberOf<Four>;
+  using Real = RowNumber<Four>;
 
   Four enter = Four(Real(0));  ///< where each edge comes in
   Four leave = Four(Real(1));  ///< where it goes out

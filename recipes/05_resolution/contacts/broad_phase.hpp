@@ -1,13 +1,15 @@
 #pragma once
 
 /// \file
-/// \brief Which bodies of a world may touch: intervals along one axis, sorted and swept.
+/// \brief Which bodies of a world may touch: those whose bounds overlap.
 
+#include "05_resolution/contacts/bounds_tree.hpp"
 #include "05_resolution/contacts/rigid_body.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -17,14 +19,7 @@
 namespace cookbook
 {
 
-// [bounds]
-/// A body's bounds in the world.
-struct Bounds
-{
-  Eigen::AlignedBox<double, 3> box; ///< [m], world; infinite for a plane
-  int body;                         ///< its number
-};
-
+// [reach]
 /// How far [m] a body reaches from its centre along the axes of the world.
 struct Reach
 {
@@ -49,11 +44,84 @@ inline Eigen::AlignedBox<double, 3>
 bounds_of(const RigidBody& body, const decltype(SceneBody::shape)& shape, double margin)
 {
   const Vector3<double> reach = std::visit(Reach{body}, shape) + Vector3<double>::Constant(margin);
-  return {body.position - reach, body.position + reach};
+  return {body.motion.center - reach, body.motion.center + reach};
 }
-// [bounds]
+// [reach]
 
-// [sweep]
+// [each_overlap]
+/// Asks all pairs of leaves of which one is below one node of a tree and one below another.
+template <class Ask>
+void overlaps_between(const BoundsTree& tree, std::size_t a, std::size_t b, const Ask& ask)
+{
+  const BoundsTree::Node &of_a = tree.nodes()[a], &of_b = tree.nodes()[b];
+  if (!of_a.box.intersects(of_b.box))
+  {
+    return;
+  }
+  if (of_a.right > 0)
+  {
+    overlaps_between(tree, a + 1, b, ask);
+    return overlaps_between(tree, of_a.right, b, ask);
+  }
+  if (of_b.right > 0)
+  {
+    overlaps_between(tree, a, b + 1, ask);
+    return overlaps_between(tree, a, of_b.right, ask);
+  }
+  for (std::size_t i = of_a.first; i < of_a.end; ++i)
+  {
+    for (std::size_t j = of_b.first; j < of_b.end; ++j)
+    {
+      ask(tree.leaves()[i], tree.leaves()[j]);
+    }
+  }
+}
+
+/// Asks all pairs of leaves below a node of a tree.
+template <class Ask>
+void overlaps_below(const BoundsTree& tree, std::size_t node, const Ask& ask)
+{
+  const BoundsTree::Node& here = tree.nodes()[node];
+  if (here.right > 0)
+  {
+    overlaps_below(tree, node + 1, ask);
+    overlaps_below(tree, here.right, ask);
+    return overlaps_between(tree, node + 1, here.right, ask);
+  }
+  for (std::size_t i = here.first; i < here.end; ++i)
+  {
+    for (std::size_t j = i + 1; j < here.end; ++j)
+    {
+      ask(tree.leaves()[i], tree.leaves()[j]);
+    }
+  }
+}
+
+/// Calls `meet(i, j)` once for all pairs of bodies whose bounds overlap, the smaller number first.
+template <class Meet>
+void each_overlap(const BoundsTree& tree, const Meet& meet)
+{
+  const auto ask = [&](const Bounds& a, const Bounds& b)
+  {
+    if (a.box.intersects(b.box))
+    {
+      meet(std::min(a.body, b.body), std::max(a.body, b.body));
+    }
+  };
+  for (auto one = tree.endless().begin(); one != tree.endless().end(); ++one)
+  {
+    const auto with = [&](const Bounds& other) { ask(*one, other); };
+    std::for_each(one + 1, tree.endless().end(), with);
+    std::for_each(tree.leaves().begin(), tree.leaves().end(), with);
+  }
+  if (!tree.nodes().empty())
+  {
+    overlaps_below(tree, 0, ask);
+  }
+}
+// [each_overlap]
+
+// [overlapping_pairs]
 /// What a scene with too many overlaps is answered with.
 class TooManyContacts : public std::runtime_error
 {
@@ -68,59 +136,35 @@ public:
   }
 };
 
-/// Calls `meet(i, j)` for all pairs of bodies whose bounds overlap, the smaller number first; it
-/// says whether to go on.
-///
-/// The bounds come in any order and are left in that of their lower ends along x. What was in order
-/// in the frame before is nearly so now, and sorted by a few exchanges.
-template <class Meet>
-void each_overlap(std::vector<Bounds>& bounds, const Meet& meet)
+/// Finds which bodies may touch, in room that stays from step to step.
+class BroadPhase
 {
-  const auto low = [](const Bounds& one) { return one.box.min().x(); };
-  for (std::size_t i = 1; i < bounds.size(); ++i)
+public:
+  /// All pairs of bodies whose bounds overlap, in order of number; TooManyContacts if there are
+  /// more than 100 for each body.
+  const std::vector<std::pair<int, int>>& pairs(std::span<const Bounds> bounds)
   {
-    for (std::size_t j = i; j > 0 && low(bounds[j]) < low(bounds[j - 1]); --j)
-    {
-      std::swap(bounds[j], bounds[j - 1]);
-    }
-  }
-  for (std::size_t i = 0; i < bounds.size(); ++i)
-  {
-    const double end = bounds[i].box.max().x();
-    for (std::size_t j = i + 1; j < bounds.size() && low(bounds[j]) <= end; ++j)
-    {
-      if (bounds[i].box.intersects(bounds[j].box))
-      {
-        const auto [first, second] = std::minmax(bounds[i].body, bounds[j].body);
-        if (!meet(first, second))
+    const std::size_t most = 100 * bounds.size();
+    pairs_.clear();
+    tree_.build(bounds);
+    each_overlap(
+        tree_,
+        [&](int a, int b)
         {
-          return;
-        }
-      }
-    }
+          if (pairs_.size() == most)
+          {
+            throw TooManyContacts(bounds.size(), most);
+          }
+          pairs_.emplace_back(a, b);
+        });
+    std::sort(pairs_.begin(), pairs_.end());
+    return pairs_;
   }
-}
 
-/// All pairs of bodies whose bounds overlap, in order of number; TooManyContacts if there are more
-/// than 100 for each body.
-inline std::vector<std::pair<int, int>> overlapping_pairs(std::vector<Bounds>& bounds)
-{
-  const std::size_t most = 100 * bounds.size();
-  std::vector<std::pair<int, int>> pairs;
-  each_overlap(
-      bounds,
-      [&](int a, int b)
-      {
-        pairs.emplace_back(a, b);
-        return pairs.size() <= most;
-      });
-  if (pairs.size() > most)
-  {
-    throw TooManyContacts(bounds.size(), most);
-  }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
-}
-// [sweep]
+private:
+  BoundsTree tree_;
+  std::vector<std::pair<int, int>> pairs_;
+};
+// [overlapping_pairs]
 
 } // namespace cookbook

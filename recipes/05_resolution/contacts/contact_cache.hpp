@@ -32,17 +32,18 @@ inline WorldContact new_contact(const Scene& scene, int a, int b)
   return contact;
 }
 
-/// The contacts of these pairs of bodies, in their order, out of those of the frame before, which
-/// come in the same order; pairs farther apart than a margin [m] have none.
+/// Writes the contacts of these pairs of bodies, in their order, out of those of the frame before,
+/// which come in the same order; pairs farther apart than a margin [m] have
+/// none, and neither have those that ignore each other.
 ///
 /// `still(i)` says that a body has not moved since; a contact of two such bodies stays as it is.
 template <class Still>
-std::vector<WorldContact> next_contacts(
-    const Scene& scene, std::span<const RigidBody> bodies, std::vector<WorldContact>& before,
-    std::span<const std::pair<int, int>> pairs, double margin, const Still& still)
+void next_contacts(
+    std::vector<WorldContact>& now, const Scene& scene, std::span<const RigidBody> bodies,
+    std::span<const WorldContact> before, std::span<const std::pair<int, int>> pairs, double margin,
+    const Still& still)
 {
-  std::vector<WorldContact> now;
-  now.reserve(before.size() + 8);
+  now.clear();
   auto old = before.begin();
   for (const auto& pair : pairs)
   {
@@ -54,7 +55,7 @@ std::vector<WorldContact> next_contacts(
     }
     const bool known = old != before.end() && std::pair(old->a, old->b) == pair;
     const bool both_still = still(pair.first) && still(pair.second);
-    if (both_still && !known)
+    if ((both_still && !known) || ignores(scene, pair))
     {
       continue;
     }
@@ -70,7 +71,6 @@ std::vector<WorldContact> next_contacts(
       now.pop_back();
     }
   }
-  return now;
 }
 // [world_contacts]
 

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Contacts that bodies seem to have only because their shapes were grown.
 
-#include "02_primitives/shapes/shapes.hpp"
+#include "02_primitives/shape_bounds/box_shadow.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +12,6 @@ namespace cookbook
 {
 
 // [ghost_contact]
-/// How far [m] a box reaches from its centre along a unit axis.
-inline double reach_along(const Obb<double>& box, const Vector3<double>& axis)
-{
-  return (box.axes.transpose() * axis).cwiseAbs().dot(box.half_extents);
-}
-
 /// True if two boxes that are a gap [m] apart along a normal are about to pass each other, not to
 /// meet: across the normal they overlap by no more than a margin [m] and by no more than half of
 /// either, or, once the gap is below a tenth of the margin, by no more than a tenth of both.
@@ -30,7 +24,7 @@ inline bool is_ghost(
   const double share = gap > 0.1 * margin ? 1 : 0.1;
   const auto passes = [&](const Vector3<double>& axis)
   {
-    const double reach_a = reach_along(a, axis), reach_b = reach_along(b, axis);
+    const double reach_a = box_radius(a, axis), reach_b = box_radius(b, axis);
     const double overlap = reach_a + reach_b - std::abs(axis.dot(b.center - a.center));
     return std::abs(axis.dot(normal)) < 0.5 &&
            overlap <= share * std::min({margin, reach_a, reach_b});

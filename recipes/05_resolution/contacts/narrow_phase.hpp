@@ -73,8 +73,8 @@ inline void anchor(WorldContact& contact, const RigidBody& a, const RigidBody& b
   {
     const ContactPoint<double>& point = manifold.points[i];
     const Vector3<double> half = manifold.normal * (point.depth / 2);
-    contact.memory.warm[i].on_a = a.axes.transpose() * (point.position + half - a.position);
-    contact.memory.warm[i].on_b = b.axes.transpose() * (point.position - half - b.position);
+    contact.memory.warm[i].on_a = a.axes.transpose() * (point.position + half - a.motion.center);
+    contact.memory.warm[i].on_b = b.axes.transpose() * (point.position - half - b.motion.center);
   }
 }
 

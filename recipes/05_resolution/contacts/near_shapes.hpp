@@ -3,6 +3,7 @@
 /// \file
 /// \brief Shapes of bodies where they are, and the manifolds of those that touch or nearly do.
 
+#include "02_primitives/shape_bounds/box_shadow.hpp"
 #include "03_sphere_manifolds/sphere_box/sphere_box.hpp"
 #include "03_sphere_manifolds/sphere_plane/sphere_plane.hpp"
 #include "03_sphere_manifolds/sphere_sphere/sphere_sphere.hpp"
@@ -18,13 +19,13 @@ namespace cookbook
 /// A box where its body is.
 inline Obb<double> placed(const RigidBody& body, const BoxShape& box)
 {
-  return {body.position, body.axes, box.half_extents};
+  return {body.motion.center, body.axes, box.half_extents};
 }
 
 /// A ball where its body is.
 inline Sphere<double> placed(const RigidBody& body, const SphereShape& ball)
 {
-  return {body.position, ball.radius};
+  return {body.motion.center, ball.radius};
 }
 
 /// A plane, which is where it is.
@@ -73,8 +74,7 @@ inline std::optional<Manifold<double>> manifold_of(const Plane<double>& a, const
   Manifold<double> manifold{a.normal, 0, {}};
   for (unsigned corner = 0; corner < 8; ++corner)
   {
-    const Vector3<double> sides(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-    const Vector3<double> place = b.center + b.axes * b.half_extents.cwiseProduct(sides);
+    const Vector3<double> place = b.center + corner_arm(b, corner);
     const double depth = a.distance - a.normal.dot(place);
     if (depth >= 0)
     {

@@ -3,10 +3,13 @@
 /// \file
 /// \brief A body of a world: pose, motion, and how much a push changes it, in the body's own frame.
 
+#include "01_math/turning/rotation_by.hpp"
 #include "02_primitives/shapes/shapes.hpp"
 #include "05_resolution/contacts/scene.hpp"
 #include "05_resolution/impulse/body.hpp"
+#include "05_resolution/spinning_bodies/spin_with_energy.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <variant>
 
@@ -14,18 +17,13 @@ namespace cookbook
 {
 
 // [rigid_body]
-/// A body as a world moves it.
-struct RigidBody
+/// A body as a world moves it: one that can be pushed, and how it is turned.
+struct RigidBody : Body<double>
 {
-  Vector3<double> position;         ///< [m], world, centre of mass
-  Quaternion<double> orientation;   ///< unit, body to world
-  Vector3<double> velocity;         ///< [m/s], world
-  Vector3<double> angular_velocity; ///< [rad/s], world
-  double inverse_mass;              ///< [1/kg]; 0: fixed
-  Vector3<double> moments;          ///< [kg m²], along the body's axes; 0 where it is fixed
-  Matrix3<double> axes;             ///< [1], the orientation as a matrix; a ball's stay the world's
-  Matrix3<double> inverse_inertia;  ///< [1/(kg m²)], world
-  bool round;                       ///< a ball: where it touches does not turn with it
+  Quaternion<double> orientation; ///< unit, body to world
+  Vector3<double> moments;        ///< [kg m²], along the body's axes; 0 where it is fixed
+  Matrix3<double> axes;           ///< [1], the orientation as a matrix; a ball's stay the world's
+  bool round;                     ///< a ball: where it touches does not turn with it
 };
 
 /// True if no push moves the body.
@@ -37,8 +35,8 @@ inline bool is_fixed(const RigidBody& body)
 /// Takes a body's mass, so that nothing moves it any more.
 inline void fix(RigidBody& body)
 {
-  body.velocity.setZero();
-  body.angular_velocity.setZero();
+  body.motion.velocity.setZero();
+  body.motion.angular_velocity.setZero();
   body.inverse_mass = 0;
   body.moments.setZero();
   body.inverse_inertia.setZero();
@@ -47,8 +45,8 @@ inline void fix(RigidBody& body)
 /// True if a body's pose and motion are numbers, and finite.
 inline bool is_finite(const RigidBody& body)
 {
-  return body.position.allFinite() && body.orientation.coeffs().allFinite() &&
-         body.velocity.allFinite() && body.angular_velocity.allFinite();
+  return body.motion.center.allFinite() && body.orientation.coeffs().allFinite() &&
+         body.motion.velocity.allFinite() && body.motion.angular_velocity.allFinite();
 }
 
 /// Brings the matrices of a body up to date with its orientation; a ball's are the same in all.
@@ -72,23 +70,58 @@ inline double kinetic_energy(const RigidBody& body)
   {
     return 0;
   }
-  const Vector3<double> spin = body.axes.transpose() * body.angular_velocity;
-  return (body.velocity.squaredNorm() / body.inverse_mass +
+  const Vector3<double> spin = body.axes.transpose() * body.motion.angular_velocity;
+  return (body.motion.velocity.squaredNorm() / body.inverse_mass +
           spin.cwiseProduct(body.moments).dot(spin)) /
          2;
 }
 
-/// Moves a body with its velocities for a time [s].
+/// Turns a body about the direction of a vector by its length [rad], world.
+inline void turn_by(RigidBody& body, const Vector3<double>& turn)
+{
+  body.orientation = (rotation_by<double>(turn) * body.orientation).normalized();
+  update_axes(body);
+}
+
+/// The largest turn [rad] that is taken in one go, and into how many pieces a larger one is cut at
+/// most.
+inline constexpr double largest_piece = 0.5;
+inline constexpr double most_pieces = 100;
+
+/// Turns a body freely for a time [s]: its angular momentum and its energy stay as they are; R24.
+///
+/// Where even the pieces of a turn are too large, it loses some spin, and never gains energy.
+inline void spin(RigidBody& body, double time)
+{
+  const double turn = time * body.motion.angular_velocity.norm();
+  const bool too_fast = turn > largest_piece * most_pieces;
+  const double energy = too_fast ? kinetic_energy(body) : 0;
+  const double pieces = std::clamp(std::ceil(turn / largest_piece), 1.0, most_pieces);
+  Spinning<double> spun{body.orientation, body.motion.angular_velocity};
+  for (double piece = 0; piece < pieces; ++piece)
+  {
+    spun = turned_with_energy<double>(spun, body.moments, time / pieces);
+  }
+  body.orientation = spun.orientation;
+  body.motion.angular_velocity = spun.angular_velocity;
+  update_axes(body);
+  if (too_fast && kinetic_energy(body) > energy)
+  {
+    body.motion.angular_velocity *= std::sqrt(energy / kinetic_energy(body));
+  }
+}
+
+/// A turn [rad] in which the spin of a body that is touched hardly changes by itself: by no more
+/// than this share, times that of its moments.
+inline constexpr double steady_turn = 1e-5;
+
+/// Moves a body that is touched with its velocities for a time [s].
 inline void move(RigidBody& body, double time)
 {
-  body.position += time * body.velocity;
-  const Vector3<double> half_turn = (time / 2) * body.angular_velocity;
-  const double angle = half_turn.norm();
-  const double sine_by_angle = angle > 1e-4 ? std::sin(angle) / angle : 1 - angle * angle / 6;
-  const Vector3<double> axis = half_turn * sine_by_angle;
-  const Quaternion<double> turn(std::cos(angle), axis.x(), axis.y(), axis.z());
-  body.orientation = (turn * body.orientation).normalized();
-  update_axes(body);
+  body.motion.center += time * body.motion.velocity;
+  const bool even = (body.moments.array() == body.moments.x()).all();
+  const bool steady = even || time * body.motion.angular_velocity.norm() <= steady_turn;
+  steady ? turn_by(body, time * body.motion.angular_velocity) : spin(body, time);
 }
 
 /// Mass and moments of a shape; a plane has none.
@@ -108,19 +141,13 @@ inline MassProperties<double> mass_properties(const SceneBody& body)
 /// A body of a scene as it starts.
 inline RigidBody rigid_body(const SceneBody& body)
 {
-  const bool fixed = body.mass == 0;
-  const Vector3<double> moments = fixed ? Vector3<double>(0, 0, 0) : mass_properties(body).moments;
-  RigidBody made{
-      body.position,
-      body.orientation.normalized(),
-      body.velocity,
-      body.angular_velocity,
-      fixed ? 0 : inverse_of(body.mass),
-      moments,
-      Matrix3<double>::Identity(),
-      fixed ? Matrix3<double>(Matrix3<double>::Zero())
-            : world_inverse_inertia<double>(moments, Matrix3<double>::Identity()),
-      std::holds_alternative<SphereShape>(body.shape)};
+  const bool fixed = body.mass == 0, round = std::holds_alternative<SphereShape>(body.shape);
+  const Matrix3<double> axes = Matrix3<double>::Identity();
+  const Motion<double> motion{body.position, body.velocity, body.angular_velocity};
+  const MassProperties<double> mass = mass_properties(body);
+  const Body<double> pushed =
+      fixed ? Body<double>{motion, 0, Matrix3<double>::Zero()} : movable(motion, mass, axes);
+  RigidBody made{pushed, body.orientation.normalized(), mass.moments, axes, round};
   update_axes(made);
   return made;
 }

@@ -5,7 +5,9 @@
 
 #include "common/math/vector.hpp"
 
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -44,17 +46,33 @@ struct SceneBody
   Vector3<double> angular_velocity = Vector3<double>::Zero(); ///< [rad/s], world
   double friction = 0.6;                                      ///< [1], of its surface
   double restitution = 0;                                     ///< [1], of its surface, 0 to 1
+  double damping = 0;      ///< [1/s], at which its velocity wears off, zero or more
+  double spin_damping = 0; ///< [1/s], at which its spin wears off, zero or more
 };
 
 /// Bodies and the world they are in.
 struct Scene
 {
-  std::string name{};                   ///< such as tower_20, or of the file it was read from
-  Vector3<double> gravity{0, -9.81, 0}; ///< [m/s²], world
-  double step = 1.0 / 60;               ///< [s], one frame
-  double duration = 10;                 ///< [s]
-  std::vector<SceneBody> bodies{};      ///< results have them in this order
+  std::string name{};                         ///< such as tower_20, or of the file it was read from
+  Vector3<double> gravity{0, -9.81, 0};       ///< [m/s²], world
+  double step = 1.0 / 60;                     ///< [s], one frame
+  double duration = 10;                       ///< [s]
+  std::vector<SceneBody> bodies{};            ///< results have them in this order
+  std::vector<std::pair<int, int>> ignored{}; ///< bodies that pass through each other, in order
 };
+
+/// Whether two bodies of a scene, the smaller number first, pass through each other.
+inline bool ignores(const Scene& scene, const std::pair<int, int>& pair)
+{
+  return std::binary_search(scene.ignored.begin(), scene.ignored.end(), pair);
+}
 // [scene]
+
+/// How far apart [m] two bodies may be and still be in contact: what a fall from rest covers in two
+/// steps, so that a solver knows of a touch before there is an overlap.
+inline double contact_margin(const Scene& scene)
+{
+  return 2 * scene.gravity.norm() * scene.step * scene.step;
+}
 
 } // namespace cookbook

@@ -5,7 +5,9 @@
 
 #include "04_obb_manifolds/feature_memory/contact_memory.hpp"
 #include "05_resolution/contacts/rigid_body.hpp"
+#include "05_resolution/impulse/impulse.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 
@@ -49,13 +51,27 @@ struct WorldContact
   }
 };
 
+/// Whether two bodies press on each other at any point of a contact.
+inline bool presses(const WorldContact& contact)
+{
+  const auto points = contact.points();
+  return std::any_of(
+      points.begin(), points.end(), [](const WorldPoint& point) { return point.impulse > 0; });
+}
+
+/// The arms [m], world, of a contact point as its bodies are turned now.
+inline Arms<double> arms_of(const RigidBody& a, const RigidBody& b, const WorldPoint& point)
+{
+  return {a.axes * point.on_a, b.axes * point.on_b};
+}
+
 /// How far apart [m] the two surfaces are at a contact point, along a normal from A to B; negative
 /// where they overlap.
 inline double
 gap(const RigidBody& a, const RigidBody& b, const Vector3<double>& normal, const WorldPoint& point)
 {
-  const Vector3<double> between =
-      (b.position + b.axes * point.on_b) - (a.position + a.axes * point.on_a);
+  const Arms<double> arms = arms_of(a, b, point);
+  const Vector3<double> between = (b.motion.center + arms.b) - (a.motion.center + arms.a);
   return normal.dot(between);
 }
 // [world_contact]

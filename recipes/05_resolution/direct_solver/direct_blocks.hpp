@@ -35,7 +35,7 @@ inline Matrix3<double> cross_matrix(const Vector3<double>& r)
 inline void
 add_point(DirectBlocks& blocks, const DirectPoint& point, const Matrix3<double>& stiffness)
 {
-  const Matrix3<double> a = cross_matrix(point.arm_a), b = cross_matrix(point.arm_b);
+  const Matrix3<double> a = cross_matrix(point.arms.a), b = cross_matrix(point.arms.b);
   const Matrix3<double> a_by = a * stiffness, b_by = b * stiffness;
   blocks.aa.topLeftCorner<3, 3>() += stiffness;
   blocks.aa.bottomLeftCorner<3, 3>() += a_by;
@@ -58,14 +58,14 @@ struct EvenPoints
   Matrix3<double> aa = Matrix3<double>::Zero(), ab = aa, bb = aa; ///< sums of r rᵀ
 
   /// Adds a point by its arms.
-  void add(const Vector3<double>& arm_a, const Vector3<double>& arm_b)
+  void add(const Arms<double>& arms)
   {
     count += 1;
-    a += arm_a;
-    b += arm_b;
-    aa += arm_a * arm_a.transpose();
-    ab += arm_b * arm_a.transpose();
-    bb += arm_b * arm_b.transpose();
+    a += arms.a;
+    b += arms.b;
+    aa += arms.a * arms.a.transpose();
+    ab += arms.b * arms.a.transpose();
+    bb += arms.b * arms.b.transpose();
   }
 
   /// The same as add_point() for each of them, with a stiffness w [kg] times the identity, since
@@ -84,23 +84,25 @@ struct EvenPoints
   }
 };
 
-/// What a contact with these points and a softness [1/kg] adds.
-inline DirectBlocks
-blocks_of(std::span<const DirectPoint> points, const Vector3<double>& normal, double softness)
+/// What a contact with these points adds.
+inline DirectBlocks blocks_of(
+    std::span<const DirectPoint> points, const Vector3<double>& normal,
+    const DirectSoftness& softness)
 {
+  const auto resists_evenly = [&](const DirectPoint& point)
+  { return softness.push == softness.grip && point.pressed && point.grip == Grip::stick; };
   EvenPoints even;
   for (const DirectPoint& point : points)
   {
-    if (point.pressed && point.grip == Grip::stick)
+    if (resists_evenly(point))
     {
-      even.add(point.arm_a, point.arm_b);
+      even.add(point.arms);
     }
   }
-  DirectBlocks blocks = even.blocks(1 / softness);
+  DirectBlocks blocks = even.blocks(1 / softness.push);
   for (const DirectPoint& point : points)
   {
-    const bool counted = point.pressed && point.grip == Grip::stick;
-    if (!counted && (point.pressed || point.grip != Grip::none))
+    if (!resists_evenly(point) && (point.pressed || point.grip != Grip::none))
     {
       add_point(blocks, point, stiffness(point, normal, softness));
     }

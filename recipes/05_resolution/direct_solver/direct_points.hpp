@@ -3,7 +3,7 @@
 /// \file
 /// \brief What pushes at the contact points of an island at given velocities, and how stiffly.
 
-#include "05_resolution/islands/island.hpp"
+#include "05_resolution/islands/island_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +24,7 @@ struct DirectSettings
   double friction_tolerance = 1e-6; ///< [1], of the same: how far friction may be off its cone
   int iterations = 8;               ///< of Newton's method, after which it gives up
   std::size_t products = 100'000;   ///< of blocks, above which factoring takes too long
+  double give = 0;                  ///< [1], 0: contacts are stiff; 1: soft, as GiveSettings says
 };
 // [direct_settings]
 
@@ -36,63 +37,74 @@ enum class Grip
   slip   ///< is as large as it can be
 };
 
+/// How soft the points of a contact are: a speed for an impulse [1/kg].
+struct DirectSoftness
+{
+  double push; ///< along the normal
+  double grip; ///< across it
+};
+
 /// A contact point as Newton's method sees it.
 struct DirectPoint
 {
-  Vector3<double> arm_a, arm_b; ///< [m], world, from the centres of mass
-  double bias;                  ///< [m/s], the speed at which the gap may close, or is to open
-  double bound;                 ///< [N s], the most that friction can do; infinite: not known yet
-  bool solved;                  ///< whether the frame before knew it
-  bool pressed;                 ///< whether the surfaces push
-  Grip grip;                    ///< what friction does
-  double impulse;               ///< [N s], along the normal
-  Vector3<double> friction;     ///< [N s], across it
-  Vector3<double> slip;         ///< [m/s], across it
+  Arms<double> arms;        ///< [m], world, from the centres of mass
+  double bias;              ///< [m/s], the speed at which the gap may close, or is to open
+  double bound;             ///< [N s], the most that friction can do; infinite: not known yet
+  bool solved;              ///< whether the frame before knew it
+  Vector3<double> held;     ///< [N s], friction that there is without any slip
+  bool pressed;             ///< whether the surfaces push
+  Grip grip;                ///< what friction does
+  double impulse;           ///< [N s], along the normal
+  Vector3<double> friction; ///< [N s], across it
+  Vector3<double> wanted;   ///< [N s], friction that would hold the surfaces
 };
 
 /// Sets what pushes at a point whose surfaces move past each other at a velocity [m/s].
 ///
-/// Both the push and friction are stiff springs, of a softness [1/kg]: an impulse for a speed.
+/// Both the push and friction are springs.
 inline void press(
     DirectPoint& point, const Vector3<double>& normal, const Vector3<double>& moving,
-    double softness)
+    const DirectSoftness& softness)
 {
   const double speed = moving.dot(normal);
-  point.slip = moving - speed * normal;
-  point.impulse = std::max(0.0, -(speed + point.bias) / softness);
+  const Vector3<double> slip = moving - speed * normal;
+  point.impulse = accumulated(0.0, -(speed + point.bias) / softness.push);
   point.pressed = point.impulse > 0;
   const bool known = point.bound < std::numeric_limits<double>::infinity();
   const bool grips = known ? point.bound > 0 : point.pressed;
   point.grip = grips ? Grip::stick : Grip::none;
-  point.friction = point.slip * (grips ? -1 / softness : 0);
-  const double size = point.friction.norm();
-  if (size > point.bound)
+  point.wanted.setZero();
+  if (grips)
   {
-    point.friction *= point.bound / size;
+    point.wanted = point.held - slip / softness.grip;
+  }
+  point.friction = within_cone(point.wanted, point.bound);
+  if (point.friction != point.wanted)
+  {
     point.grip = Grip::slip;
   }
 }
 
 /// How much impulse [N s] a velocity [m/s] at a pressed point changes: its stiffness [kg].
 inline Matrix3<double>
-stiffness(const DirectPoint& point, const Vector3<double>& normal, double softness)
+stiffness(const DirectPoint& point, const Vector3<double>& normal, const DirectSoftness& softness)
 {
   const Matrix3<double> along = normal * normal.transpose();
   const Matrix3<double> across = Matrix3<double>::Identity() - along;
   Matrix3<double> sum = Matrix3<double>::Zero();
   if (point.pressed)
   {
-    sum += along / softness;
+    sum += along / softness.push;
   }
   if (point.grip == Grip::stick)
   {
-    sum += across / softness;
+    sum += across / softness.grip;
   }
   if (point.grip == Grip::slip)
   {
-    const double speed = point.slip.norm();
-    const Vector3<double> way = point.slip / speed;
-    sum += (across - way * way.transpose()) * (point.bound / speed);
+    const double size = point.wanted.norm();
+    const Vector3<double> way = point.wanted / size;
+    sum += (across - way * way.transpose()) * (point.bound / (size * softness.grip));
   }
   return sum;
 }

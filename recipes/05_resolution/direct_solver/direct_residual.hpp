@@ -48,7 +48,7 @@ inline double rounding_of(const DirectSystem& system)
   }
   for (const DirectContact& contact : system.contacts)
   {
-    stiffest = std::max(stiffest, 1 / contact.softness);
+    stiffest = std::max(stiffest, 1 / contact.softness.push);
   }
   return 8 * std::numeric_limits<double>::epsilon() * fastest * stiffest;
 }

@@ -3,11 +3,12 @@
 /// \file
 /// \brief All contacts of an island at once: Newton's method with an exact factorisation.
 
+#include "05_resolution/direct_solver/direct_advance.hpp"
 #include "05_resolution/direct_solver/direct_residual.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -28,83 +29,33 @@ inline void guess(DirectSystem& system, double speed)
   }
 }
 
-/// How fast the energy falls along a change of velocities.
-inline double missing_along(const DirectSystem& system, const std::vector<Vector6>& change)
-{
-  double sum = 0;
-  for (std::size_t i = 0; i < change.size(); ++i)
-  {
-    sum += system.missing[i].dot(change[i]);
-  }
-  return sum;
-}
-
-/// True if all points push in the way that they did before, and none slips.
-inline bool
-push_as_before(const std::vector<DirectPoint>& now, const std::vector<DirectPoint>& before)
-{
-  return std::equal(
-      now.begin(), now.end(), before.begin(),
-      [](const DirectPoint& one, const DirectPoint& then)
-      { return one.pressed == then.pressed && one.grip == then.grip && one.grip != Grip::slip; });
-}
-
-// [direct_advance]
-/// Goes along a change of velocities to where the energy stops falling; true if that is all of the
-/// way and no point pushes in another way than before, so that the answer is exact.
-inline bool advance(DirectSystem& system, const std::vector<Vector6>& change)
-{
-  system.points_before = system.points;
-  system.velocities_before = system.velocities;
-  const double steep = missing_along(system, change);
-  double low = 0, high = 1, at_low = steep, at_high = 0, part = 1;
-  for (int tries = 0; tries < 20; ++tries)
-  {
-    for (std::size_t i = 0; i < change.size(); ++i)
-    {
-      system.velocities[i] = system.velocities_before[i] + part * change[i];
-    }
-    find_missing(system);
-    if (part == 1 && push_as_before(system.points, system.points_before))
-    {
-      return true;
-    }
-    const double now = missing_along(system, change);
-    if (std::abs(now) <= 0.2 * std::abs(steep) || (part == 1 && now > 0))
-    {
-      break;
-    }
-    (now > 0 ? low : high) = part;
-    (now > 0 ? at_low : at_high) = now;
-    const double secant = at_low / (at_low - at_high);
-    part = low + (high - low) * (tries % 3 == 2 ? 0.5 : std::clamp(secant, 0.01, 0.99));
-  }
-  return false;
-}
-// [direct_advance]
-
 // [direct_bounds]
-/// Has friction follow the impulses along the normals; false where none is off by more than a
-/// tolerance [N s].
-inline bool moved_bounds(DirectSystem& system, double tolerance)
+/// Has friction follow the impulses along the normals, at all points or only where its bound is not
+/// known yet; false where none of these was off by more than a tolerance [N s].
+inline bool moved_bounds(DirectSystem& system, double tolerance, bool all)
 {
-  bool moved = false;
+  bool any = false, far = false;
   for (const DirectContact& contact : system.contacts)
   {
     for (std::size_t i = contact.first; i < contact.end; ++i)
     {
       DirectPoint& point = system.points[i];
-      const double size = point.friction.norm();
-      point.bound = contact.of->friction * point.impulse;
-      const double above = size - point.bound;
-      moved = moved || above > tolerance || (point.grip == Grip::slip && -above > tolerance);
+      if (!all && point.bound < std::numeric_limits<double>::infinity())
+      {
+        continue;
+      }
+      const double bound = contact.of->friction * point.impulse;
+      const double above = point.friction.norm() - bound;
+      any = any || bound != point.bound;
+      far = far || above > tolerance || (point.grip == Grip::slip && -above > tolerance);
+      point.bound = bound;
     }
   }
-  if (moved)
+  if (any)
   {
     find_missing(system);
   }
-  return moved;
+  return far;
 }
 // [direct_bounds]
 
@@ -114,8 +65,8 @@ inline void scatter(const DirectSystem& system, IslandView world, const Island& 
   for (std::size_t i = 0; i < island.bodies.size(); ++i)
   {
     RigidBody& body = world.bodies[place_of(island.bodies[i])];
-    body.velocity = system.velocities[i].head<3>();
-    body.angular_velocity = system.velocities[i].tail<3>();
+    body.motion.velocity = system.velocities[i].head<3>();
+    body.motion.angular_velocity = system.velocities[i].tail<3>();
   }
   std::size_t point = 0;
   for (const int i : island.contacts)
@@ -157,11 +108,15 @@ public:
       }
       change_ = system_.missing;
       matrix_.solve(change_);
-      const bool exact = advance(system_, change_);
+      const Advance gone = advance(system_, change_);
       const double most = largest_impulse(system_);
       const double small = std::max(settings.tolerance * most, rounding_of(system_));
-      if ((exact || size_of_missing(system_) <= small) &&
-          !moved_bounds(system_, settings.friction_tolerance * most))
+      const bool found = gone.exact || size_of_missing(system_) <= small;
+      const bool stiff = settings.give == 0;
+      const bool follows = found || (stiff && gone.part >= 0.5);
+      const bool moved =
+          follows && moved_bounds(system_, settings.friction_tolerance * most, stiff);
+      if (found && !moved)
       {
         scatter(system_, world, island);
         return true;

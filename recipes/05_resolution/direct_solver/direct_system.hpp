@@ -4,7 +4,7 @@
 /// \brief An island as a system of equations: its bodies, its contact points, and what is missing.
 
 #include "05_resolution/direct_solver/direct_blocks.hpp"
-#include "05_resolution/islands/island.hpp"
+#include "05_resolution/direct_solver/direct_give.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,10 +28,10 @@ struct DirectBody
 /// A contact of an island; its bodies by their numbers in the island, −1 where one is fixed.
 struct DirectContact
 {
-  int a, b;               ///< the two bodies
-  const WorldContact* of; ///< where it comes from
-  std::size_t first, end; ///< its points
-  double softness;        ///< [1/kg], of each
+  int a, b;                ///< the two bodies
+  const WorldContact* of;  ///< where it comes from
+  std::size_t first, end;  ///< its points
+  DirectSoftness softness; ///< of each
 };
 
 /// All of an island.
@@ -64,21 +64,23 @@ inline void gather(
   const RigidBody& a = world.bodies[place_of(contact.a)];
   const RigidBody& b = world.bodies[place_of(contact.b)];
   const std::size_t first = system.points.size();
+  const DirectSoftness softness = softness_of(contact, a.inverse_mass + b.inverse_mass, settings);
   for (const WorldPoint& point : contact.points())
   {
     const double apart = gap(a, b, contact.normal(), point) / step;
     const double opening = std::min(-settings.correction * apart, settings.correction_speed);
     DirectPoint& made = system.points.emplace_back();
-    made.arm_a = a.axes * point.on_a;
-    made.arm_b = b.axes * point.on_b;
+    made.arms = arms_of(a, b, point);
     made.bias = apart > 0 ? apart : -opening;
     made.solved = point.solved;
-    made.bound = point.impulse > 0 ? contact.friction * point.impulse
-                                   : std::numeric_limits<double>::infinity();
+    made.held = held_friction(contact, point, opening / softness.push, settings.give);
+    made.bound = point.impulse > 0 || contact.friction == 0
+                     ? contact.friction * point.impulse
+                     : std::numeric_limits<double>::infinity();
   }
   system.contacts.push_back(
       {number_in(island, contact.a), number_in(island, contact.b), &contact, first,
-       system.points.size(), settings.compliance * (a.inverse_mass + b.inverse_mass)});
+       system.points.size(), softness});
 }
 
 /// Makes a system of an island, at the velocities before the step [s].
@@ -94,17 +96,23 @@ inline void gather(
   {
     const RigidBody& body = world.bodies[place_of(i)];
     Vector6 velocity;
-    velocity << body.velocity, body.angular_velocity;
+    velocity << body.motion.velocity, body.motion.angular_velocity;
     system.velocities.push_back(velocity);
     velocity.head<3>() += step * world.gravity;
     system.bodies.push_back(
-        {1 / body.inverse_mass, body.axes * body.moments.asDiagonal() * body.axes.transpose(),
-         velocity});
+        {1 / body.inverse_mass, world_inertia(body.moments, body.axes), velocity});
   }
   for (const int i : island.contacts)
   {
     gather(system, world, island, world.contacts[place_of(i)], step, settings);
   }
+}
+
+/// How a body of an island moves, by its number there; a fixed one, −1, does not.
+inline Motion<double> motion_of(const DirectSystem& system, int body)
+{
+  const Vector6 velocity = body >= 0 ? system.velocities[place_of(body)] : Vector6(Vector6::Zero());
+  return {Vector3<double>::Zero(), velocity.head<3>(), velocity.tail<3>()};
 }
 
 // [direct_missing]
@@ -119,24 +127,21 @@ inline void find_missing(DirectSystem& system)
     const Vector6 change = body.free - system.velocities[i];
     system.missing[i] << body.mass * change.head<3>(), body.inertia * change.tail<3>();
   }
-  const Vector6 still = Vector6::Zero();
   for (const DirectContact& contact : system.contacts)
   {
-    const Vector6& a = contact.a >= 0 ? system.velocities[place_of(contact.a)] : still;
-    const Vector6& b = contact.b >= 0 ? system.velocities[place_of(contact.b)] : still;
+    const Motion<double> a = motion_of(system, contact.a), b = motion_of(system, contact.b);
     const Vector3<double>& normal = contact.of->normal();
-    Vector6 on_a = still, on_b = still;
+    Vector6 on_a = Vector6::Zero(), on_b = Vector6::Zero();
     for (std::size_t i = contact.first; i < contact.end; ++i)
     {
       DirectPoint& point = system.points[i];
-      const Vector3<double> moving = b.head<3>() + b.tail<3>().cross(point.arm_b) - a.head<3>() -
-                                     a.tail<3>().cross(point.arm_a);
+      const Vector3<double> moving = relative_velocity(a, b, point.arms);
       press(point, normal, moving, contact.softness);
       const Vector3<double> impulse = point.impulse * normal + point.friction;
       on_a.head<3>() -= impulse;
-      on_a.tail<3>() -= point.arm_a.cross(impulse);
+      on_a.tail<3>() -= point.arms.a.cross(impulse);
       on_b.head<3>() += impulse;
-      on_b.tail<3>() += point.arm_b.cross(impulse);
+      on_b.tail<3>() += point.arms.b.cross(impulse);
     }
     if (contact.a >= 0)
     {

@@ -16,9 +16,9 @@ namespace cookbook
 /// The velocity [m/s] with which B's surface slides over A's at a contact point.
 template <class Real>
 Vector3<Real> sliding_velocity(
-    const BodyPair<Real>& bodies, const Vector3<Real>& normal, const Vector3<Real>& point)
+    const Body<Real>& a, const Body<Real>& b, const Vector3<Real>& normal, const Arms<Real>& arms)
 {
-  const Vector3<Real> velocity = relative_velocity(bodies.a.motion, bodies.b.motion, point);
+  const Vector3<Real> velocity = relative_velocity(a.motion, b.motion, arms);
   return velocity - velocity.dot(normal) * normal;
 }
 // [sliding_velocity]
@@ -39,77 +39,71 @@ Vector3<Real> within_cone(const Vector3<Real>& impulse, const Real& most)
 }
 // [within_cone]
 
-// [sliding_inverse_mass]
+// [sliding_mass]
 /// How much speed [m/s] along one direction of the surface one newton second along another gives a
-/// body at a point [1/kg].
+/// body at an arm [1/kg].
 template <class Real>
 Real coupling_at(
     const Body<Real>& body, const Vector3<Real>& along, const Vector3<Real>& other,
-    const Vector3<Real>& point)
+    const Vector3<Real>& arm)
 {
-  const Vector3<Real> arm = point - body.motion.center;
   const Vector3<Real> turn = body.inverse_inertia * arm.cross(other);
   return body.inverse_mass * along.dot(other) + arm.cross(along).dot(turn);
 }
 
-/// K [1/kg] along the surface, in the direction in which it is largest.
-///
-/// Zero where no push moves the point. It stays as it is while impulses are found.
+/// A direction whose K is less than this share of the largest is not told from one that nothing
+/// moves.
+inline constexpr double almost_none = 1e-6;
+
+/// What a push along the surface feels. It stays as it is while impulses are found.
 template <class Real>
-Real sliding_inverse_mass(
-    const BodyPair<Real>& bodies, const Vector3<Real>& normal, const Vector3<Real>& point)
+struct SlidingMass
+{
+  Matrix3<Real> ending; ///< [kg], world: times a sliding velocity, the impulse that ends it
+  Real least;           ///< [kg], in the direction that is moved most, 1/K; zero: none is moved
+};
+
+/// The mass that a push along the surface feels, from K in two directions of it, u and v.
+template <class Real>
+SlidingMass<Real> sliding_mass(
+    const Body<Real>& a, const Body<Real>& b, const Vector3<Real>& normal, const Arms<Real>& arms)
 {
   using std::sqrt;
   const Vector3<Real> u = normal.unitOrthogonal();
   const Vector3<Real> v = normal.cross(u);
   const Real half(Real(1) / Real(2));
-  const Real uu = inverse_mass_at(bodies, u, point), vv = inverse_mass_at(bodies, v, point);
-  const Real uv = coupling_at(bodies.a, u, v, point) + coupling_at(bodies.b, u, v, point);
+  const Real uu = inverse_mass_at(a, b, u, arms), vv = inverse_mass_at(a, b, v, arms);
+  const Real uv = coupling_at(a, u, v, arms.a) + coupling_at(b, u, v, arms.b);
   const Real apart = half * (uu - vv);
-  return half * (uu + vv) + sqrt(apart * apart + uv * uv);
+  const Real least = effective_mass<Real>(half * (uu + vv) + sqrt(apart * apart + uv * uv));
+  const Real alone = least * (uu + vv) - Real(1); // the lesser K, as a share of the largest
+  if (!(alone > Real(almost_none)))
+  {
+    return {least * (u * u.transpose() + v * v.transpose()), least};
+  }
+  const Matrix3<Real> across = (vv * least) * (u * u.transpose()) +
+                               (uu * least) * (v * v.transpose()) -
+                               (uv * least) * (u * v.transpose() + v * u.transpose());
+  return {(least / alone) * across, least};
 }
-// [sliding_inverse_mass]
+// [sliding_mass]
 
 // [friction_impulse]
-/// The impulse [N s] on B that goes against the sliding at a contact point, with what friction has
-/// given there so far; R6 is still to be asked.
+/// The impulse [N s] of friction on B after one more visit to a contact point that slides at a
+/// velocity [m/s]; R6.
 ///
-/// `inverse_mass` [1/kg] is `sliding_inverse_mass`. As it is for the direction that moves most, no
-/// direction is pushed beyond rest. Nothing is added where no push moves the point.
-template <class Real>
-Vector3<Real> gripping_impulse(
-    const BodyPair<Real>& bodies, const Vector3<Real>& normal, const Vector3<Real>& point,
-    const Vector3<Real>& so_far, const Real& inverse_mass)
-{
-  if (inverse_mass == Real(0))
-  {
-    return so_far;
-  }
-  return so_far - sliding_velocity(bodies, normal, point) / inverse_mass;
-}
-
-/// The impulse [N s] of friction on B after one more visit to a contact point: what goes against
-/// the sliding, but at most μ times the normal impulse, `most` [N s]; R6.
-///
-/// `so_far` is what earlier visits gave, and only the difference is still to be given: it may be
-/// one that takes back.
+/// It is what ends the sliding, where that is at most μ times the normal impulse, `most` [N s].
+/// Where that is more, it goes straight against the sliding, by so little that no direction is
+/// turned back, and is cut. `so_far` is what earlier visits gave, and only the difference is still
+/// to be given: it may be one that takes back.
 template <class Real>
 Vector3<Real> friction_impulse(
-    const BodyPair<Real>& bodies, const Vector3<Real>& normal, const Vector3<Real>& point,
-    const Vector3<Real>& so_far, const Real& inverse_mass, const Real& most)
+    const Vector3<Real>& sliding, const SlidingMass<Real>& mass, const Vector3<Real>& so_far,
+    const Real& most)
 {
-  return within_cone(gripping_impulse(bodies, normal, point, so_far, inverse_mass), most);
+  const Vector3<Real> holding = so_far - mass.ending * sliding;
+  return holding.norm() <= most ? holding : within_cone<Real>(so_far - mass.least * sliding, most);
 }
 // [friction_impulse]
-
-// [rubbed]
-/// Two bodies after an impulse [N s] along the surface: as much on B as against it on A; R3.
-template <class Real>
-BodyPair<Real>
-rubbed(const BodyPair<Real>& bodies, const Vector3<Real>& point, const Vector3<Real>& impulse)
-{
-  return {pushed<Real>(bodies.a, -impulse, point), pushed<Real>(bodies.b, impulse, point)};
-}
-// [rubbed]
 
 } // namespace cookbook

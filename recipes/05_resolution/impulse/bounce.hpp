@@ -33,35 +33,32 @@ bounce_in_turn(BodyPair<Real> bodies, const Manifold<Real, Capacity>& manifold, 
 template <class Real>
 struct BouncePoint
 {
-  Vector3<Real> position; ///< [m], world
-  Real inverse_mass;      ///< [1/kg], K
-  Real target;            ///< [m/s], the parting speed it is to have, zero or more
-  Real impulse;           ///< [N s], the sum of its pushes, zero or more
+  Arms<Real> arms; ///< [m], world
+  Real mass;       ///< [kg], that a push along the normal feels
+  Real target;     ///< [m/s], the parting speed it is to have, zero or more
+  Real impulse;    ///< [N s], the sum of its pushes, zero or more
 };
 
 /// A contact point before the bounce; the target is the restitution times its speed of approach.
 template <class Real>
 BouncePoint<Real> bounce_point(
     const BodyPair<Real>& bodies, const Vector3<Real>& normal, const Vector3<Real>& position,
-    Real restitution)
+    const Real& restitution)
 {
-  const Real speed = parting_speed(bodies, normal, position);
-  const Real target = std::max(Real(0), Real(-restitution * speed));
-  return {position, inverse_mass_at(bodies, normal, position), target, Real(0)};
+  const Arms<Real> arms = arms_to(bodies, position);
+  const Real speed = parting_speed(bodies.a, bodies.b, normal, arms);
+  const Real mass = effective_mass(inverse_mass_at(bodies.a, bodies.b, normal, arms));
+  return {arms, mass, std::max(Real(0), Real(-restitution * speed)), Real(0)};
 }
 
-/// The push [N s] that takes a point to its target, or takes back at most what it has got; none
-/// where no push moves the point.
+/// Pushes at a point until it parts at its target, or takes back what it has got; R7.
 template <class Real>
-Real correction(
-    const BodyPair<Real>& bodies, const Vector3<Real>& normal, const BouncePoint<Real>& point)
+void correct(BodyPair<Real>& bodies, const Vector3<Real>& normal, BouncePoint<Real>& point)
 {
-  if (point.inverse_mass == Real(0))
-  {
-    return Real(0);
-  }
-  const Real missing = point.target - parting_speed(bodies, normal, point.position);
-  return std::max(Real(-point.impulse), Real(missing / point.inverse_mass));
+  const Real missing = point.target - parting_speed(bodies.a, bodies.b, normal, point.arms);
+  const Real sum = accumulated<Real>(point.impulse, point.mass * missing);
+  push_apart<Real>(bodies.a, bodies.b, point.arms, (sum - point.impulse) * normal);
+  point.impulse = sum;
 }
 
 /// Two bodies after a bounce at all points of a manifold, corrected point by point, pass by pass.
@@ -81,9 +78,7 @@ BodyPair<Real> bounce(
   {
     for (std::size_t i = 0; i < manifold.points.size(); ++i)
     {
-      const Real change = correction(bodies, manifold.normal, points[i]);
-      bodies = pushed_apart(bodies, manifold.normal, points[i].position, change);
-      points[i].impulse += change;
+      correct(bodies, manifold.normal, points[i]);
     }
   }
   return bodies;

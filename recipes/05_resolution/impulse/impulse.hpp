@@ -6,6 +6,8 @@
 #include "03_sphere_manifolds/collision/motion.hpp"
 #include "05_resolution/impulse/body.hpp"
 
+#include <algorithm>
+
 namespace cookbook
 {
 
@@ -17,37 +19,69 @@ struct BodyPair
   Body<Real> a; ///< pushed against the normal
   Body<Real> b; ///< pushed along the normal
 };
+
+/// The arms of a contact point, \f$ r_A \f$ and \f$ r_B \f$: from the centre of mass of each body
+/// to where it touches.
+template <class Real>
+struct Arms
+{
+  Vector3<Real> a; ///< [m], world, on A
+  Vector3<Real> b; ///< [m], world, on B
+};
+
+/// The arms of two bodies that touch at one point [m], world.
+template <class Real>
+Arms<Real> arms_to(const BodyPair<Real>& bodies, const Vector3<Real>& point)
+{
+  return {point - bodies.a.motion.center, point - bodies.b.motion.center};
+}
 // [body_pair]
 
 // [inverse_mass]
-/// How much speed [m/s] along the normal, at a contact point, one newton second gives a body: its
-/// inverse mass [1/kg] as felt there; R1.
+/// How much speed [m/s] along a unit direction, at an arm [m], world, one newton second gives a
+/// body: its inverse mass [1/kg] as felt there; R1.
 ///
 /// Zero for an immovable body. The lever is zero where the push goes through the centre of mass.
 template <class Real>
 Real inverse_mass_at(
-    const Body<Real>& body, const Vector3<Real>& normal, const Vector3<Real>& point)
+    const Body<Real>& body, const Vector3<Real>& direction, const Vector3<Real>& arm)
 {
-  const Vector3<Real> lever = (point - body.motion.center).cross(normal);
+  const Vector3<Real> lever = arm.cross(direction);
   return body.inverse_mass + lever.dot(body.inverse_inertia * lever);
 }
 
 /// The same of two bodies that are pushed apart: K [1/kg]; R1.
 template <class Real>
 Real inverse_mass_at(
-    const BodyPair<Real>& bodies, const Vector3<Real>& normal, const Vector3<Real>& point)
+    const Body<Real>& a, const Body<Real>& b, const Vector3<Real>& direction,
+    const Arms<Real>& arms)
 {
-  return inverse_mass_at(bodies.a, normal, point) + inverse_mass_at(bodies.b, normal, point);
+  return inverse_mass_at(a, direction, arms.a) + inverse_mass_at(b, direction, arms.b);
+}
+
+/// The mass [kg] that a push feels, 1/K; zero where no push moves the point.
+template <class Real>
+Real effective_mass(const Real& inverse_mass)
+{
+  return inverse_mass == Real(0) ? Real(0) : Real(Real(1) / inverse_mass);
 }
 // [inverse_mass]
 
 // [impulse]
+/// Velocity [m/s] of B's surface at a contact point as seen from A's; S11.
+template <class Real>
+Vector3<Real>
+relative_velocity(const Motion<Real>& a, const Motion<Real>& b, const Arms<Real>& arms)
+{
+  return velocity_at_arm(b, arms.b) - velocity_at_arm(a, arms.a);
+}
+
 /// How fast [m/s] two surfaces part at a contact point; negative where they approach.
 template <class Real>
 Real parting_speed(
-    const BodyPair<Real>& bodies, const Vector3<Real>& normal, const Vector3<Real>& point)
+    const Body<Real>& a, const Body<Real>& b, const Vector3<Real>& normal, const Arms<Real>& arms)
 {
-  return relative_velocity(bodies.a.motion, bodies.b.motion, point).dot(normal);
+  return relative_velocity(a.motion, b.motion, arms).dot(normal);
 }
 
 /// The impulse [N s] along the normal of a bounce with a restitution [1], 0 to 1; R2.
@@ -55,52 +89,56 @@ Real parting_speed(
 /// Zero where the surfaces part or rest already, and where both bodies are immovable.
 template <class Real>
 Real bounce_impulse(
-    const BodyPair<Real>& bodies, const Vector3<Real>& normal, const Vector3<Real>& point,
-    Real restitution)
+    const Body<Real>& a, const Body<Real>& b, const Vector3<Real>& normal, const Arms<Real>& arms,
+    const Real& restitution)
 {
-  const Real speed = parting_speed(bodies, normal, point);
-  const Real inverse_mass = inverse_mass_at(bodies, normal, point);
-  if (speed >= Real(0) || inverse_mass == Real(0))
-  {
-    return Real(0);
-  }
-  return -(Real(1) + restitution) * speed / inverse_mass;
+  const Real speed = std::min(Real(0), parting_speed(a, b, normal, arms));
+  const Real mass = effective_mass(inverse_mass_at(a, b, normal, arms));
+  return -(Real(1) + restitution) * speed * mass;
 }
 // [impulse]
 
 // [pushed]
-/// A body after an impulse [N s], world, at a point [m], world.
+/// Gives a body an impulse [N s], world, at an arm [m], world.
 template <class Real>
-Body<Real> pushed(Body<Real> body, const Vector3<Real>& impulse, const Vector3<Real>& point)
+void push(Body<Real>& body, const Vector3<Real>& arm, const Vector3<Real>& impulse)
 {
-  const Vector3<Real> arm = point - body.motion.center;
   body.motion.velocity += body.inverse_mass * impulse;
   body.motion.angular_velocity += body.inverse_inertia * arm.cross(impulse);
-  return body;
 }
 
-/// Two bodies after an impulse [N s] apart: as much against the normal on A as along it on B; R3.
+/// Gives B an impulse [N s], world, at a contact point, and A its opposite; R3.
 template <class Real>
-BodyPair<Real> pushed_apart(
-    const BodyPair<Real>& bodies, const Vector3<Real>& normal, const Vector3<Real>& point,
-    Real impulse)
+void push_apart(Body<Real>& a, Body<Real>& b, const Arms<Real>& arms, const Vector3<Real>& impulse)
 {
-  const Vector3<Real> push = impulse * normal;
-  return {pushed<Real>(bodies.a, -push, point), pushed<Real>(bodies.b, push, point)};
+  push<Real>(a, arms.a, -impulse);
+  push<Real>(b, arms.b, impulse);
 }
 // [pushed]
 
+// [accumulated]
+/// What a contact point has been given along its normal [N s] after one more push: never less than
+/// nothing, for a push can be taken back, but a contact does not pull; R7.
+template <class Real>
+Real accumulated(const Real& so_far, const Real& change)
+{
+  return std::max(Real(0), Real(so_far + change));
+}
+// [accumulated]
+
 // [collide]
-/// Two bodies after they bounced at one contact point; R5.
+/// Two bodies after they bounced at one contact point [m], world; R5.
 ///
 /// They stay as they are where `bounce_impulse` is zero.
 template <class Real>
 BodyPair<Real> collide(
-    const BodyPair<Real>& bodies, const Vector3<Real>& normal, const Vector3<Real>& point,
-    Real restitution)
+    BodyPair<Real> bodies, const Vector3<Real>& normal, const Vector3<Real>& point,
+    const Real& restitution)
 {
-  const Real impulse = bounce_impulse(bodies, normal, point, restitution);
-  return pushed_apart(bodies, normal, point, impulse);
+  const Arms<Real> arms = arms_to(bodies, point);
+  const Real impulse = bounce_impulse(bodies.a, bodies.b, normal, arms, restitution);
+  push_apart<Real>(bodies.a, bodies.b, arms, impulse * normal);
+  return bodies;
 }
 // [collide]
 

@@ -4,8 +4,8 @@
 /// \brief Shifts bodies of a world at a contact point: as an impulse does velocities, but
 /// positions.
 
-#include "05_resolution/islands/island_points.hpp"
 #include "01_math/turning/rotation_by.hpp"
+#include "05_resolution/islands/island_points.hpp"
 
 namespace cookbook
 {
@@ -25,8 +25,8 @@ inline void turn(RigidBody& body, const Vector3<double>& rotation)
 /// Gives a body the velocities that lead from where it was to where it is, in a time [s].
 inline void velocities_from(const RigidBody& before, RigidBody& now, double time)
 {
-  now.velocity = (now.position - before.position) / time;
-  now.angular_velocity = turn_between<double>(before.orientation, now.orientation) / time;
+  now.motion.velocity = (now.motion.center - before.motion.center) / time;
+  now.motion.angular_velocity = turn_between<double>(before.orientation, now.orientation) / time;
 }
 
 /// Shifts a body by a push [kg m], world, at an arm [m], world, from its centre of mass.
@@ -34,30 +34,29 @@ inline void shift(RigidBody& body, const Vector3<double>& arm, const Vector3<dou
 {
   if (!is_fixed(body))
   {
-    body.position += body.inverse_mass * push;
+    body.motion.center += body.inverse_mass * push;
     turn(body, body.inverse_inertia * arm.cross(push));
   }
 }
 
-/// The arm [m], world, of a contact point on a body as it is now.
-inline Vector3<double> arm_now(const RigidBody& body, const Vector3<double>& on_body)
+/// The arms [m], world, of a contact point as its bodies are turned now.
+inline Arms<double> arms_now(const IslandPoint& point)
 {
-  return body.axes * on_body;
+  return arms_of(*point.a, *point.b, *point.sum);
 }
 
 /// The inverse mass [1/kg] at a point along a unit direction, as the bodies are now; R1.
 inline double shift_inverse_mass(const IslandPoint& point, const Vector3<double>& direction)
 {
-  const Vector3<double> arm_a = arm_now(*point.a, point.sum->on_a);
-  const Vector3<double> arm_b = arm_now(*point.b, point.sum->on_b);
-  return inverse_mass_between(*point.a, *point.b, arm_a, arm_b, direction);
+  return inverse_mass_at<double>(*point.a, *point.b, direction, arms_now(point));
 }
 
 /// Shifts B by a push [kg m], world, at a point, and A by its opposite.
 inline void shift_apart(IslandPoint& point, const Vector3<double>& push)
 {
-  shift(*point.a, arm_now(*point.a, point.sum->on_a), -push);
-  shift(*point.b, arm_now(*point.b, point.sum->on_b), push);
+  const Arms<double> arms = arms_now(point);
+  shift(*point.a, arms.a, -push);
+  shift(*point.b, arms.b, push);
 }
 // [body_shift]
 

@@ -14,16 +14,16 @@ namespace cookbook
 {
 
 // [islands]
-/// The island of every body: the lowest number of all bodies that hang together with it by contacts
-/// between movable bodies; −1 for a body that cannot move, which joins none.
+/// Writes the island of every body: the lowest number of all bodies that hang together with it by
+/// contacts between movable bodies; −1 for a body that cannot move, which joins none.
 ///
-/// `pairs` are the numbers of two bodies that touch. Their order changes nothing.
-inline std::vector<int>
-islands(const std::vector<bool>& movable, std::span<const std::pair<int, int>> pairs)
+/// `moves(i)` says whether a body can. `pairs` are the numbers of two bodies that touch; their
+/// order changes nothing.
+template <class Moves, class Pairs>
+void find_islands(std::vector<int>& island_of, const Moves& moves, const Pairs& pairs)
 {
-  std::vector<int> parent(movable.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto up = [&](int i) -> int& { return parent[static_cast<std::size_t>(i)]; };
+  std::iota(island_of.begin(), island_of.end(), 0);
+  const auto up = [&](int i) -> int& { return island_of[static_cast<std::size_t>(i)]; };
   const auto root = [&](int i)
   {
     while (up(i) != i)
@@ -32,7 +32,6 @@ islands(const std::vector<bool>& movable, std::span<const std::pair<int, int>> p
     }
     return i;
   };
-  const auto moves = [&](int i) { return movable[static_cast<std::size_t>(i)]; };
   for (const auto& [a, b] : pairs)
   {
     if (moves(a) && moves(b))
@@ -41,11 +40,20 @@ islands(const std::vector<bool>& movable, std::span<const std::pair<int, int>> p
       up(std::max(root_a, root_b)) = std::min(root_a, root_b);
     }
   }
-  for (int i = 0; i < static_cast<int>(parent.size()); ++i)
+  for (int i = 0; i < static_cast<int>(island_of.size()); ++i)
   {
     up(i) = moves(i) ? root(i) : -1;
   }
-  return parent;
+}
+
+/// The island of every body.
+inline std::vector<int>
+islands(const std::vector<bool>& movable, std::span<const std::pair<int, int>> pairs)
+{
+  std::vector<int> island_of(movable.size());
+  find_islands(
+      island_of, [&](int i) { return movable[static_cast<std::size_t>(i)]; }, pairs);
+  return island_of;
 }
 // [islands]
 

@@ -1,13 +1,14 @@
 #pragma once
 
 /// \file
-/// \brief Bodies of a world that hang together by contacts, as solvers are given them.
+/// \brief Bodies of a world that hang together by contacts, found anew in each step.
 
 #include "05_resolution/contacts/world_contact.hpp"
 #include "05_resolution/islands/find_islands.hpp"
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -19,66 +20,95 @@ namespace cookbook
 /// Movable bodies that hang together, and their contacts; both in order of number.
 struct Island
 {
-  std::vector<int> bodies;   ///< numbers of bodies
-  std::vector<int> contacts; ///< numbers of contacts
+  std::span<const int> bodies;   ///< numbers of bodies
+  std::span<const int> contacts; ///< numbers of contacts
 };
 
-/// What a solver may see and change.
-struct IslandView
+/// Numbers sorted into groups, one group after the other.
+class Groups
 {
-  std::span<RigidBody> bodies;      ///< all bodies of the world
-  std::span<WorldContact> contacts; ///< all contacts of the world
-  Vector3<double> gravity;          ///< [m/s²], world
+public:
+  /// Sorts the numbers below `count` by `group_of(i)`, from 0 to below `groups`, or −1 for none.
+  template <class GroupOf>
+  void sort(std::size_t groups, std::size_t count, const GroupOf& group_of)
+  {
+    starts_.assign(groups + 1, 0);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const int group = group_of(i);
+      if (group >= 0)
+      {
+        ++starts_[static_cast<std::size_t>(group) + 1];
+      }
+    }
+    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+    members_.resize(static_cast<std::size_t>(starts_.back()));
+    next_ = starts_;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const int group = group_of(i);
+      if (group >= 0)
+      {
+        const int place = next_[static_cast<std::size_t>(group)]++;
+        members_[static_cast<std::size_t>(place)] = static_cast<int>(i);
+      }
+    }
+  }
+
+  /// The numbers of a group, the least first.
+  std::span<const int> operator[](std::size_t group) const
+  {
+    return std::span(members_).subspan(
+        static_cast<std::size_t>(starts_[group]),
+        static_cast<std::size_t>(starts_[group + 1] - starts_[group]));
+  }
+
+private:
+  std::vector<int> starts_, next_, members_;
 };
 
-/// The number of the island of every body, −1 for fixed ones.
-inline std::vector<int>
-island_numbers(std::span<const RigidBody> bodies, std::span<const WorldContact> contacts)
+/// All islands of a world, in order of their first bodies; a body that touches nothing is one too.
+class Islands
 {
-  std::vector<bool> movable;
-  for (const RigidBody& body : bodies)
+public:
+  /// Finds them anew, in the room that there is.
+  void find(std::span<const RigidBody> bodies, std::span<const WorldContact> contacts)
   {
-    movable.push_back(!is_fixed(body));
+    numbers_.resize(bodies.size());
+    pairs_.clear();
+    for (const WorldContact& contact : contacts)
+    {
+      pairs_.emplace_back(contact.a, contact.b);
+    }
+    find_islands(
+        numbers_, [&](int i) { return !is_fixed(bodies[place_of(i)]); }, pairs_);
+    count_ = 0;
+    place_.resize(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+    {
+      place_[i] = numbers_[i] == static_cast<int>(i) ? static_cast<int>(count_++) : -1;
+    }
+    const auto group = [&](int body)
+    {
+      const int number = numbers_[place_of(body)];
+      return number >= 0 ? place_[place_of(number)] : -1;
+    };
+    bodies_.sort(count_, bodies.size(), [&](std::size_t i) { return group(static_cast<int>(i)); });
+    contacts_.sort(
+        count_, contacts.size(),
+        [&](std::size_t i) { return std::max(group(contacts[i].a), group(contacts[i].b)); });
   }
-  std::vector<std::pair<int, int>> pairs;
-  for (const WorldContact& contact : contacts)
-  {
-    pairs.emplace_back(contact.a, contact.b);
-  }
-  return islands(movable, pairs);
-}
 
-/// The islands themselves, from their numbers, in order of their first bodies; a body that touches
-/// nothing is one too.
-inline std::vector<Island>
-islands_of(const std::vector<int>& first, std::span<const WorldContact> contacts)
-{
-  std::vector<Island> islands;
-  std::vector<std::size_t> place(first.size());
-  for (std::size_t i = 0; i < first.size(); ++i)
-  {
-    if (first[i] == static_cast<int>(i))
-    {
-      place[i] = islands.size();
-      islands.emplace_back();
-    }
-    if (first[i] >= 0)
-    {
-      islands[place[static_cast<std::size_t>(first[i])]].bodies.push_back(static_cast<int>(i));
-    }
-  }
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-  {
-    const int of_a = first[static_cast<std::size_t>(contacts[i].a)];
-    const int of_b = first[static_cast<std::size_t>(contacts[i].b)];
-    const int island = std::max(of_a, of_b); // −1 where both are fixed
-    if (island >= 0)
-    {
-      islands[place[static_cast<std::size_t>(island)]].contacts.push_back(static_cast<int>(i));
-    }
-  }
-  return islands;
-}
+  std::size_t size() const { return count_; }                  ///< how many there are
+  const std::vector<int>& numbers() const { return numbers_; } ///< of every body, as `islands`
+  Island operator[](std::size_t i) const { return {bodies_[i], contacts_[i]}; } ///< one of them
+
+private:
+  std::size_t count_ = 0;
+  std::vector<int> numbers_, place_;
+  std::vector<std::pair<int, int>> pairs_;
+  Groups bodies_, contacts_;
+};
 // [island]
 
 } // namespace cookbook

@@ -32,8 +32,8 @@ inline void correct_speed(PositionPoint& one, double threshold)
   {
     const double wanted = one.parted > threshold ? one.parted : 0;
     const double change = wanted - parting_speed(one.point);
-    push_apart(
-        *one.point.a, *one.point.b, one.point.arm_a, one.point.arm_b,
+    push_apart<double>(
+        *one.point.a, *one.point.b, one.point.arms,
         one.point.normal_mass * change * one.point.contact->normal());
   }
 }
@@ -47,24 +47,17 @@ position_points(IslandView world, const Island& island, double small)
   std::vector<PositionPoint> points;
   for (const IslandPoint& point : points_of(world, island))
   {
-    const Vector3<double> owed = point.sum->friction * small / point.friction_mass;
+    const Vector3<double> owed = point.sum->friction * small / point.sliding.least;
     points.push_back({point, owed});
     point.sum->impulse = 0;
   }
   return points;
 }
 
-/// Brings the arms of a point up to date with how its bodies are turned.
-inline void update_arms(IslandPoint& point)
-{
-  point.arm_a = arm_now(*point.a, point.sum->on_a);
-  point.arm_b = arm_now(*point.b, point.sum->on_b);
-}
-
 /// Begins a small step at a point.
 inline void begin(PositionPoint& one)
 {
-  update_arms(one.point);
+  one.point.arms = arms_now(one.point);
   hold(one);
   one.parted = parting_speed(one.point);
   one.pressed = 0;
@@ -76,7 +69,7 @@ inline void begin(PositionPoint& one)
 inline void end(PositionPoint& one, double small, double threshold)
 {
   const bool touches = one.pressed > 0 || gap(one.point) <= threshold * small;
-  update_arms(one.point);
+  one.point.arms = arms_now(one.point);
   if (touches)
   {
     find_masses(one.point);
@@ -84,7 +77,7 @@ inline void end(PositionPoint& one, double small, double threshold)
   correct_speed(one, threshold);
   one.point.sum->impulse += one.pressed / small;
   one.owed = touches ? slip(one) : Vector3<double>(0, 0, 0);
-  one.point.sum->friction = one.owed * one.point.friction_mass / small;
+  one.point.sum->friction = one.owed * one.point.sliding.least / small;
 }
 
 /// Moves the bodies of an island on by a step [s]; R15, R16.
@@ -113,7 +106,7 @@ inline void position_based(
         [&](RigidBody& was, RigidBody& body)
         {
           was = body;
-          body.velocity += small * world.gravity;
+          body.motion.velocity += small * world.gravity;
           move(body, small);
         });
     for (int pass = 0; pass < settings.iterations; ++pass)

@@ -48,15 +48,16 @@ struct PositionPoint
 inline Vector3<double> between(const PositionPoint& one)
 {
   const RigidBody &a = *one.point.a, &b = *one.point.b;
-  return b.position + b.orientation * one.own_b - a.position - a.orientation * one.own_a;
+  return b.motion.center + b.orientation * one.own_b - a.motion.center - a.orientation * one.own_a;
 }
 
 /// Has a point stick with what meets there now, but for the slip that it owes.
 inline void hold(PositionPoint& one)
 {
   const RigidBody &a = *one.point.a, &b = *one.point.b;
-  one.own_a = a.orientation.conjugate() * arm_now(a, one.point.sum->on_a);
-  one.own_b = b.orientation.conjugate() * arm_now(b, one.point.sum->on_b);
+  const Arms<double> arms = arms_now(one.point);
+  one.own_a = a.orientation.conjugate() * arms.a;
+  one.own_b = b.orientation.conjugate() * arms.b;
   one.held = between(one) - one.owed;
 }
 
@@ -67,7 +68,7 @@ inline void correct_gap(PositionPoint& one, double compliance, double most)
   const double inverse_mass = shift_inverse_mass(one.point, normal);
   const double error = std::max(gap(one.point), -most);
   const double change = compliant_change(error, inverse_mass, compliance, one.pressed);
-  const double sum = std::max(0.0, one.pressed + change);
+  const double sum = accumulated(one.pressed, change);
   shift_apart(one.point, (sum - one.pressed) * normal);
   one.pressed = sum;
 }
@@ -91,13 +92,12 @@ inline void correct_slip(PositionPoint& one)
   {
     return;
   }
-  const double inverse_mass = shift_inverse_mass(one.point, way / length);
-  const Vector3<double> wanted = one.rubbed - way / inverse_mass;
-  const double most = one.point.contact->friction * one.pressed, size = wanted.norm();
-  const Vector3<double> sum = std::min(1.0, most / size) * wanted;
+  const double mass = effective_mass(shift_inverse_mass(one.point, way / length));
+  const Vector3<double> wanted = one.rubbed - mass * way;
+  const Vector3<double> sum = within_cone(wanted, one.point.contact->friction * one.pressed);
   shift_apart(one.point, sum - one.rubbed);
   one.rubbed = sum;
-  if (size > most)
+  if (sum != wanted)
   {
     one.held = between(one);
   }

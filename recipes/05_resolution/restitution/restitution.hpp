@@ -73,16 +73,14 @@ Real bounced_speed(Real speed, const ContactStep<Real>& step, Real restitution, 
 /// fast already, and where no push moves the point.
 template <class Real>
 BodyPair<Real> pushed_to(
-    const BodyPair<Real>& bodies, const Vector3<Real>& normal, const Vector3<Real>& point,
-    Real target)
+    BodyPair<Real> bodies, const Vector3<Real>& normal, const Vector3<Real>& point,
+    const Real& target)
 {
-  const Real missing = target - parting_speed(bodies, normal, point);
-  const Real inverse_mass = inverse_mass_at(bodies, normal, point);
-  if (missing <= Real(0) || inverse_mass == Real(0))
-  {
-    return bodies;
-  }
-  return pushed_apart<Real>(bodies, normal, point, missing / inverse_mass);
+  const Arms<Real> arms = arms_to(bodies, point);
+  const Real missing = target - parting_speed(bodies.a, bodies.b, normal, arms);
+  const Real mass = effective_mass(inverse_mass_at(bodies.a, bodies.b, normal, arms));
+  push_apart<Real>(bodies.a, bodies.b, arms, std::max(Real(0), missing) * mass * normal);
+  return bodies;
 }
 // [pushed_to]
 

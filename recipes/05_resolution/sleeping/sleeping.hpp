@@ -32,6 +32,7 @@ struct SleepState
   Real way = Real(0);                                     ///< [m], gone since
   Real still = Real(0);                                   ///< [s], since the watch began
   bool asleep = false; ///< whether the body is left out of the simulation
+  bool calm = true;    ///< at the first body of an island: whether all of it may sleep
 };
 
 /// The speed [m/s] that no point of a body exceeds; `radius` [m] is that of its farthest point.
@@ -78,21 +79,26 @@ void settle(
     std::vector<SleepState<Real>>& states, const std::vector<int>& island_of,
     const SleepLimits<Real>& limits)
 {
-  std::vector<bool> calm(states.size(), true);
-  const auto island = [&](std::size_t i) { return static_cast<std::size_t>(island_of[i]); };
+  const auto calm = [&](std::size_t i) -> bool&
+  { return states[static_cast<std::size_t>(island_of[i])].calm; };
+  for (SleepState<Real>& state : states)
+  {
+    state.calm = true;
+  }
   for (std::size_t i = 0; i < states.size(); ++i)
   {
     if (island_of[i] >= 0 && !may_sleep(states[i], limits))
     {
-      calm[island(i)] = false;
+      calm(i) = false;
     }
   }
   for (std::size_t i = 0; i < states.size(); ++i)
   {
-    if (island_of[i] >= 0 && states[i].asleep != calm[island(i)])
+    if (island_of[i] >= 0 && states[i].asleep != calm(i))
     {
-      states[i] = calm[island(i)] ? states[i] : SleepState<Real>{};
-      states[i].asleep = calm[island(i)];
+      const bool rests = calm(i);
+      states[i] = rests ? states[i] : SleepState<Real>{};
+      states[i].asleep = states[i].calm = rests;
     }
   }
 }

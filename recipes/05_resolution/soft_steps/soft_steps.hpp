@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
+#include <span>
 
 namespace cookbook
 {
@@ -47,7 +47,7 @@ inline double largest_turn(IslandView world, const Island& island, double time)
   for (const int i : island.bodies)
   {
     const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
-    fastest = std::max(fastest, body.round ? 0 : body.angular_velocity.squaredNorm());
+    fastest = std::max(fastest, body.round ? 0 : body.motion.angular_velocity.squaredNorm());
   }
   return time * std::sqrt(fastest);
 }
@@ -59,7 +59,7 @@ inline constexpr double noticed_turn = 0.05;
 inline constexpr double confusing_turn = 1;
 
 /// Turns impulses of a whole frame into those of one of its small steps, or back.
-inline void scale_impulses(std::vector<IslandPoint>& points, double scale)
+inline void scale_impulses(std::span<IslandPoint> points, double scale)
 {
   for (IslandPoint& point : points)
   {
@@ -75,7 +75,7 @@ inline void scale_impulses(std::vector<IslandPoint>& points, double scale)
 inline void
 soft_steps(IslandView world, const Island& island, double step, const SoftSettings& settings)
 {
-  std::vector<IslandPoint> points = points_of(world, island);
+  const std::span<IslandPoint> points = points_of(world, island);
   const double small = step / settings.substeps;
   const Softness<double> spring =
       softness(settings.frequency / small, settings.damping_ratio, small);
@@ -86,7 +86,7 @@ soft_steps(IslandView world, const Island& island, double step, const SoftSettin
   {
     for (const int body : island.bodies)
     {
-      world.bodies[static_cast<std::size_t>(body)].velocity += small * world.gravity;
+      world.bodies[static_cast<std::size_t>(body)].motion.velocity += small * world.gravity;
     }
     for (IslandPoint& point : points)
     {

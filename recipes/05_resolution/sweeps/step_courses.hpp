@@ -1,18 +1,17 @@
 #pragma once
 
 /// \file
-/// \brief How all bodies of a world went through a step, and which balls may have passed through
-/// something.
+/// \brief How all bodies of a world went through a step.
 
-#include "05_resolution/contacts/broad_phase.hpp"
 #include "05_resolution/contacts/world_contact.hpp"
+#include "05_resolution/sweeps/body_sizes.hpp"
 #include "05_resolution/sweeps/course.hpp"
+#include "05_resolution/sweeps/free_flight.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <span>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -32,16 +31,60 @@ struct StepCourses
 };
 
 /// True if a body is a ball.
-inline bool is_ball(const StepCourses& step, int i)
+inline bool is_ball(const Scene& scene, int i)
 {
-  return std::holds_alternative<SphereShape>(step.scene.bodies[place_of(i)].shape);
+  return std::holds_alternative<SphereShape>(scene.bodies[place_of(i)].shape);
 }
 
 /// How far [m] a body reaches from its centre.
-inline double reach(const StepCourses& step, int i)
+inline double reach(const Scene& scene, int i)
 {
   return std::visit(
-      [](const auto& shape) { return reach_of(shape); }, step.scene.bodies[place_of(i)].shape);
+      [](const auto& shape) { return reach_of(shape); }, scene.bodies[place_of(i)].shape);
+}
+
+/// How far [m] the nearest point of a body's surface is from its centre.
+inline double thinness(const Scene& scene, int i)
+{
+  return std::visit(
+      [](const auto& shape) { return thinness_of(shape); }, scene.bodies[place_of(i)].shape);
+}
+
+/// True if a body is a box some point of which went by more than half of its smallest size. What
+/// goes by less cannot get behind a surface.
+inline bool is_fast_box(const StepCourses& step, int i)
+{
+  return !is_ball(step.scene, i) && step.ways[place_of(i)] > thinness(step.scene, i);
+}
+
+/// Whether any box may be fast: no sines, and no more than 1.6 times too soon.
+inline bool may_have_fast_boxes(
+    const Scene& scene, std::span<const RigidBody> starts, std::span<const RigidBody> ends)
+{
+  for (std::size_t i = 0; i < ends.size(); ++i)
+  {
+    const BoxShape* const box = std::get_if<BoxShape>(&scene.bodies[i].shape);
+    if (!box || is_fixed(ends[i]))
+    {
+      continue;
+    }
+    // A turn by an angle moves a quaternion by a chord of at least the angle over pi.
+    const auto from = starts[i].orientation.coeffs(), to = ends[i].orientation.coeffs();
+    const double chord = std::sqrt(std::min((to - from).squaredNorm(), (to + from).squaredNorm()));
+    const double way = (ends[i].motion.center - starts[i].motion.center).norm();
+    if (way + 3.15 * chord * reach_of(*box) > thinness_of(*box))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// How far [m] any point of a body goes in a time [s] in which its centre goes by a way [m].
+inline double
+farthest_way(const StepCourses& step, int i, const Course& course, double way, double time)
+{
+  return way + time * course.spin.norm() * reach(step.scene, i);
 }
 
 /// Writes down the courses of all bodies, from where a step began to where it ended.
@@ -54,113 +97,86 @@ set_out(StepCourses& step, std::span<const RigidBody> starts, std::span<const Ri
     const Course course = step.falls[i]
                               ? falling_course(starts[i], ends[i], duration, step.scene.gravity)
                               : straight_course(starts[i], ends[i], duration);
-    const double turning = duration * course.spin.norm() * reach(step, static_cast<int>(i));
-    step.ways.push_back((ends[i].position - starts[i].position).norm() + turning);
+    const double way = (ends[i].motion.center - starts[i].motion.center).norm();
+    step.ways.push_back(farthest_way(step, static_cast<int>(i), course, way, duration));
     step.courses.push_back(course);
   }
 }
 // [step_courses]
 
-// [in_danger]
-/// The radius [m] of the smallest ball; infinite if there is none.
-inline double smallest_ball(const StepCourses& step)
+// [on_the_way]
+/// A body that is not a ball in a pose of its course, spinning about its own axes as it would in
+/// another pose: no other energy.
+inline RigidBody turned_like(RigidBody moving, const RigidBody& pose)
 {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < static_cast<int>(step.scene.bodies.size()); ++i)
-  {
-    if (is_ball(step, i) && !step.gone[place_of(i)])
-    {
-      smallest = std::min(smallest, reach(step, i));
-    }
-  }
-  return smallest;
+  const Vector3<double> spin = moving.axes.transpose() * moving.motion.angular_velocity;
+  moving.orientation = pose.orientation;
+  update_axes(moving);
+  moving.motion.angular_velocity = moving.axes * spin;
+  return moving;
 }
 
-/// Whether a ball may have passed through another body, or that through it: if it fell freely, or
-/// if the two went by more than its radius. What goes by less cannot get behind a surface.
-inline bool in_danger(const StepCourses& step, int ball, int other)
-{
-  const double way = step.ways[place_of(ball)] + step.ways[place_of(other)];
-  return is_ball(step, ball) && (step.falls[place_of(ball)] || way > reach(step, ball));
-}
-
-/// All that a body may have touched in a step that ended at a pose.
-inline Bounds bounds_on_way(const StepCourses& step, int i, const RigidBody& end)
+/// A body at a time [s] of its course, as fast as it is there: `own` if that course is one of free
+/// flight, with the velocities of its end otherwise.
+inline RigidBody
+on_the_way(const StepCourses& step, int i, double time, bool own, const RigidBody& end)
 {
   const Course& course = step.courses[place_of(i)];
-  const auto& shape = step.scene.bodies[place_of(i)].shape;
-  const double bulge = step.scene.step * step.scene.step / 8 * course.acceleration.norm();
-  const double wider = course.spin.isZero(0) ? bulge : bulge + reach(step, i);
-  Bounds bounds{bounds_of(course.start, shape, wider), i};
-  bounds.box.extend(bounds_of(end, shape, wider));
-  return bounds;
+  const RigidBody pose = course.pose_at(time);
+  const bool fast = is_fast_box(step, i);
+  if (own)
+  {
+    RigidBody body = flown(course.start, course.acceleration, time - course.since);
+    body.motion.center = pose.motion.center;
+    return fast ? turned_like(body, pose) : body;
+  }
+  RigidBody body = fast ? turned_like(end, pose) : pose;
+  body.motion.center = pose.motion.center;
+  body.motion.velocity = end.motion.velocity;
+  if (!fast)
+  {
+    body.motion.angular_velocity = end.motion.angular_velocity;
+  }
+  return body;
 }
 
-/// The pairs of bodies of which one is a ball that may have passed through the other.
-inline std::vector<std::pair<int, int>>
-pairs_in_danger(const StepCourses& step, std::span<const RigidBody> ends)
+/// How a body goes on from a touch.
+enum class Onward
 {
-  const double harmless = smallest_ball(step) / 2;
-  const auto fast = [&](int i)
-  {
-    const bool falling_ball = step.falls[place_of(i)] && is_ball(step, i);
-    return falling_ball || step.ways[place_of(i)] > harmless;
-  };
-  std::vector<Bounds> bounds;
-  bool any = false;
-  for (int i = 0; i < static_cast<int>(ends.size()); ++i)
-  {
-    if (!step.gone[place_of(i)])
-    {
-      bounds.push_back(bounds_on_way(step, i, ends[place_of(i)]));
-      any = any || fast(i);
-    }
-  }
-  std::vector<std::pair<int, int>> pairs;
-  const auto ask = [&](int i, int j)
-  {
-    if ((fast(i) || fast(j)) && (in_danger(step, i, j) || in_danger(step, j, i)))
-    {
-      pairs.emplace_back(i, j);
-    }
-    return true;
-  };
-  if (any)
-  {
-    each_overlap(bounds, ask);
-  }
-  return pairs;
-}
-/// Whether two bodies may be close enough to touch from a time [s] to the end of the step.
-inline bool may_meet(const StepCourses& step, int i, int j, double time)
-{
-  const double left = step.scene.step - time;
-  const auto way = [&](const Course& of)
-  { return left * (of.velocity_at(time).norm() + left * of.acceleration.norm()); };
-  const Course &a = step.courses[place_of(i)], &b = step.courses[place_of(j)];
-  const double near = reach(step, i) + reach(step, j) + way(a) + way(b);
-  return std::holds_alternative<PlaneShape>(step.scene.bodies[place_of(i)].shape) ||
-         std::holds_alternative<PlaneShape>(step.scene.bodies[place_of(j)].shape) ||
-         (a.place_at(time) - b.place_at(time)).norm() <= near;
-}
-// [in_danger]
+  free,  ///< by itself
+  leans, ///< by itself, but not into what it leans on
+  held,  ///< the same without turning
+  frozen ///< it stays where it is for the rest of the step
+};
 
-// [pressed]
-/// Whether two bodies, the smaller number first, pressed on each other: then the solver has kept
-/// them apart, more or less.
-inline bool pressed(const StepCourses& step, const std::pair<int, int>& pair)
+/// A body at the end of a step [s] that follows its course by itself; the course learns how it
+/// turns.
+inline RigidBody gone_on(Course& course, double step, Onward how)
 {
-  const auto before = [](const WorldContact& contact, const std::pair<int, int>& of)
-  { return std::pair(contact.a, contact.b) < of; };
-  const auto found = std::lower_bound(step.contacts.begin(), step.contacts.end(), pair, before);
-  if (found == step.contacts.end() || std::pair(found->a, found->b) != pair)
+  const double time = step - course.since;
+  const bool turns = how == Onward::free || how == Onward::leans;
+  RigidBody end = course.start;
+  if (turns)
   {
-    return false;
+    end = flown(course.start, course.acceleration, time);
   }
-  return std::any_of(
-      found->points().begin(), found->points().end(),
-      [](const WorldPoint& point) { return point.impulse > 0; });
+  else
+  {
+    end.motion.velocity += time * course.acceleration;
+  }
+  course.spin = turns ? spin_between(course.start, end, time) : Vector3<double>::Zero();
+  end.motion.center = course.place_at(step);
+  return end;
 }
-// [pressed]
+
+/// Takes down how far any point of a body goes from a time [s] on, if that is farther than before.
+inline void note_way(StepCourses& step, int i, const RigidBody& end, double time)
+{
+  const Course& course = step.courses[place_of(i)];
+  const double center = (end.motion.center - course.start.motion.center).norm();
+  double& way = step.ways[place_of(i)];
+  way = std::max(way, farthest_way(step, i, course, center, step.scene.step - time));
+}
+// [on_the_way]
 
 } // namespace cookbook

@@ -1,14 +1,15 @@
 #pragma once
 
 /// \file
-/// \brief The bounce of a ball off what it has touched on its way: the whole impulse at one point.
+/// \brief The bounce of two bodies that touch on their way: the whole impulse, at all points at
+/// once.
 
 #include "05_resolution/contacts/contact_cache.hpp"
+#include "05_resolution/sweeps/next_touch.hpp"
 #include "05_resolution/sweeps/simultaneous_impacts.hpp"
 
 #include <algorithm>
 #include <cstddef>
-#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -16,52 +17,125 @@
 namespace cookbook
 {
 
-// [ball_touch]
-/// A ball and what it touches first.
-struct BallTouch
+// [touch_contact]
+/// Where a box touches another shape: the points of its manifold, of all that is nearly as near as
+/// what touches first, so that a box that lands flat does so on all corners.
+struct MeetOnCourse
 {
-  double time;                  ///< [s], of the step
-  int ball, other;              ///< numbers of bodies
-  Vector3<double> normal;       ///< [1], unit, world, from the ball to the other
-  std::pair<int, int> versions; ///< of the two courses, which may have changed since
+  WorldContact& contact;
+  const RigidBody& a;
+  const RigidBody& b;
 
-  /// Whether it comes later: the earliest is on top of a queue.
-  bool operator<(const BallTouch& next) const
+  template <class Shape>
+  void operator()(const BoxShape& box, const Shape& other) const
   {
-    return std::tie(next.time, next.ball, next.other) < std::tie(time, ball, other);
+    const Obb<double> here = placed(a, box);
+    const auto there = placed(b, other);
+    const double apart = std::max(0.0, way_between(here, there).length);
+    contact.memory = meet({}, here, there, 2 * apart + 1e-3 * thinness_of(box));
+    if (contact.memory.manifold)
+    {
+      anchor(contact, a, b);
+    }
+  }
+  template <class Shape, class Other>
+  void operator()(const Shape&, const Other&) const
+  {
   }
 };
 
-// [ball_touch]
-
-// [bounce_at]
-/// The contact of two bodies of a scene at one point, where a ball has touched something.
-inline WorldContact touch_contact(
-    const Scene& scene, std::pair<int, int> bodies, const RigidBody& a, const RigidBody& b,
-    const Vector3<double>& normal)
+/// The contact of two bodies of a scene where they touch: that of a ball has one point. Without a
+/// manifold if there is none.
+inline WorldContact
+touch_contact(const Scene& scene, const CourseTouch& touch, const RigidBody& a, const RigidBody& b)
 {
-  WorldContact contact = new_contact(scene, bodies.first, bodies.second);
-  const SphereShape& ball =
-      std::get<SphereShape>(scene.bodies[static_cast<std::size_t>(bodies.first)].shape);
-  const Vector3<double> place = a.position + ball.radius * normal;
-  contact.memory.manifold = Manifold<double>{normal, 0, ContactPoints<double, 8>({place, 0, 0})};
-  anchor(contact, a, b);
+  WorldContact contact = new_contact(scene, touch.first, touch.other);
+  const auto& shape = scene.bodies[place_of(touch.first)].shape;
+  if (const SphereShape* const ball = std::get_if<SphereShape>(&shape))
+  {
+    const Vector3<double> place = a.motion.center + ball->radius * touch.normal;
+    contact.memory.manifold =
+        Manifold<double>{touch.normal, 0, ContactPoints<double, 8>({place, 0, 0})};
+    anchor(contact, a, b);
+    return contact;
+  }
+  std::visit(MeetOnCourse{contact, a, b}, shape, scene.bodies[place_of(touch.other)].shape);
   return contact;
 }
 
+/// Calls `hold(place)` [m], world, for the points of a contact of a box; for the centre of a ball,
+/// or where there is none.
+template <class Hold>
+void for_each_place(const WorldContact& contact, const RigidBody& body, const Hold& hold)
+{
+  if (body.round || !contact.memory.manifold)
+  {
+    return hold(body.motion.center);
+  }
+  for (const ContactPoint<double>& point : contact.memory.manifold->points)
+  {
+    hold(point.position);
+  }
+}
+
+/// The first of these places.
+inline Vector3<double> place_of_touch(const WorldContact& contact, const RigidBody& body)
+{
+  return contact.memory.manifold ? contact.memory.manifold->points[0].position : body.motion.center;
+}
+
+/// How deep [m] two boxes that touch may be in each other and still be about to pass; zero if they
+/// are not. Both are as they are at the touch.
+inline double
+ghost_depth(const Scene& scene, const WorldContact& contact, const RigidBody& a, const RigidBody& b)
+{
+  const auto* const box_a = std::get_if<BoxShape>(&scene.bodies[place_of(contact.a)].shape);
+  const auto* const box_b = std::get_if<BoxShape>(&scene.bodies[place_of(contact.b)].shape);
+  const double margin = contact_margin(scene);
+  if (!box_a || !box_b || !contact.memory.manifold ||
+      !is_ghost(placed(a, *box_a), placed(b, *box_b), contact.normal(), 0, margin))
+  {
+    return 0;
+  }
+  return 0.1 * std::min({margin, thinness_of(*box_a), thinness_of(*box_b)});
+}
+// [touch_contact]
+
+// [bounce_at]
 /// Lets two bodies bounce where they touch, with friction, and says at what speed [m/s] they met;
 /// R2, R6. An approach up to a threshold [m/s] only ends; 0, and nothing changes, if they part.
 inline double bounce(RigidBody& a, RigidBody& b, WorldContact& contact, double threshold)
 {
-  const IslandPoint point = island_point(a, b, contact, contact.points()[0]);
-  const double approach = std::max(0.0, -parting_speed(point));
-  const double target = approach > threshold ? contact.restitution * approach : 0;
-  if (approach > 0)
+  double fastest = 0;
+  std::vector<ImpactPoint> points;
+  if (!contact.memory.manifold)
   {
-    std::vector<ImpactPoint> points{{point, target}};
+    return 0;
+  }
+  for (WorldPoint& sum : contact.points())
+  {
+    const IslandPoint point = island_point(a, b, contact, sum);
+    const double approach = std::max(0.0, -parting_speed(point));
+    points.push_back({point, approach > threshold ? contact.restitution * approach : 0});
+    fastest = std::max(fastest, approach);
+  }
+  if (fastest > 0)
+  {
     RigidBody* const bodies[] = {&a, &b};
     bounce(points, bodies);
   }
+  return fastest;
+}
+
+/// Stops the centre of a body from going on into another along a normal, at a place [m] of that,
+/// and says at what speed [m/s] it did: for a box that spins too fast to know which of its corners
+/// comes next.
+inline double stop_center(
+    Body<double>& a, Body<double>& b, const Vector3<double>& normal, const Vector3<double>& place)
+{
+  const Arms<double> arms{Vector3<double>::Zero(), place - b.motion.center};
+  const double approach = std::max(0.0, -parting_speed(a, b, normal, arms));
+  push_apart<double>(a, b, arms, bounce_impulse(a, b, normal, arms, 0.0) * normal);
   return approach;
 }
 // [bounce_at]

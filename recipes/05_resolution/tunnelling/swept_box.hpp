@@ -66,33 +66,60 @@ Direction<Real> box_gap(const Obb<Real>& a, const Obb<Real>& b)
 }
 // [box_gap]
 
-// [swept_boxes]
+// [advance_boxes]
+/// What two boxes see of each other at one time.
+template <class Real>
+struct BoxOutlook
+{
+  Direction<Real> ahead; ///< from A to B, and how far apart [m] they are there
+  bool closes;           ///< whether they go on inwards where they touch
+  Real lasts;            ///< [1], for how long the gap is certain to last
+};
+
 /// The most steps that an advance of two boxes takes.
 inline constexpr int most_box_advances = 50;
 
+/// Advances two boxes by what their gap allows, from a time to 1, to a gap of `touching` [m].
+///
+/// Nothing where they do not touch on the way. After `most_box_advances` they stop short, where
+/// they are.
+template <class Real, class Look>
+std::optional<SweptHit<Real>> advance_boxes(Real time, const Real& touching, const Look& look)
+{
+  for (int i = 0;; ++i)
+  {
+    const BoxOutlook<Real> now = look(time);
+    if (i == most_box_advances || (now.ahead.length <= touching && now.closes))
+    {
+      return SweptHit<Real>{time, now.ahead.unit};
+    }
+    if (!(time + now.lasts <= Real(1)))
+    {
+      return std::nullopt;
+    }
+    time += now.lasts;
+  }
+}
+// [advance_boxes]
+
+// [swept_boxes]
 /// The first touch of two boxes that move and turn, to a gap of `touching` [m]; P20.
 ///
-/// Nothing where they do not touch on the way; time 0 where they do at the start. After
-/// `most_box_advances` they stop short, where they are. The normal points from A to B.
+/// Nothing where they do not touch on the way; time 0 where they do at the start. The normal points
+/// from A to B.
 template <class Real>
 std::optional<SweptHit<Real>>
 swept_boxes(const SweptBox<Real>& a, const SweptBox<Real>& b, Real touching)
 {
   const Vector3<Real> approach = a.displacement - b.displacement;
   const Real turning = turning_reach(a) + turning_reach(b);
-  Real time(0);
-  Direction<Real> gap = box_gap(a.box, b.box);
-  for (int i = 0; i < most_box_advances && gap.length > touching; ++i)
+  const auto look = [&](const Real& time)
   {
+    const Direction<Real> gap = box_gap(box_at(a, time), box_at(b, time));
     const Real closing = approach.dot(gap.unit) + turning;
-    if (!(time * closing + gap.length <= closing))
-    {
-      return std::nullopt;
-    }
-    time += gap.length / closing;
-    gap = box_gap(box_at(a, time), box_at(b, time));
-  }
-  return SweptHit<Real>{time, gap.unit};
+    return BoxOutlook<Real>{gap, true, lasting_time(gap.length, closing, Real(0))};
+  };
+  return advance_boxes(Real(0), touching, look);
 }
 // [swept_boxes]
 

@@ -32,6 +32,20 @@ struct Outlook
   Real pull = Real(0);   ///< [m], how fast that rate grows by itself, where it is steady
 };
 
+/// How long a gap [m] lasts that loses `closing` [m] in the whole time, a rate that grows by no
+/// more than `bend` [m] in that time; P23. Without end if it loses nothing.
+template <class Real>
+Real lasting_time(const Real& gap, const Real& closing, const Real& bend)
+{
+  using std::sqrt;
+  if (!(closing > Real(0)) && !(bend > Real(0)))
+  {
+    return std::numeric_limits<Real>::max();
+  }
+  const Real root = bend > Real(0) ? sqrt(closing * closing + Real(2) * bend * gap) : closing;
+  return closing > Real(0) ? Real(2) * gap / (closing + root) : (root - closing) / bend;
+}
+
 /// The most steps that an advance takes.
 inline constexpr int most_advances = 64;
 
@@ -46,7 +60,7 @@ template <class Real, class Look>
 std::optional<SweptHit<Real>>
 first_touch(const Real& start, const Real& bend, const Real& rounding, const Look& look)
 {
-  using std::max, std::sqrt;
+  using std::max;
   const bool bends = bend > Real(0);
   Real time = start;
   Outlook<Real> now = look(time);
@@ -62,10 +76,7 @@ first_touch(const Real& start, const Real& bend, const Real& rounding, const Loo
     {
       return SweptHit<Real>{time, now.ahead.unit};
     }
-    // The time in which `closing` and `bend` together use the gap up.
-    const Real root = bends ? sqrt(closing * closing + Real(2) * bend * gap) : closing;
-    const Real safe =
-        closing > Real(0) ? Real(2) * gap / (closing + root) : (root - closing) / bend;
+    const Real safe = lasting_time(gap, closing, bend);
     const bool stuck = bends && (gap <= rounding || 2 * i >= most_advances);
     time += stuck ? max(safe, Real(2) / Real(most_advances)) : safe;
     if (!(time <= Real(1)))

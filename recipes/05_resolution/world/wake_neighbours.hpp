@@ -14,10 +14,9 @@ namespace cookbook
 
 /// Wakes whatever touches a body, and all that hangs together with it.
 inline void wake_neighbours(
-    std::vector<SleepState<double>>& states, std::span<const RigidBody> bodies,
+    std::vector<SleepState<double>>& states, const std::vector<int>& numbers,
     std::span<const WorldContact> contacts, int body)
 {
-  const std::vector<int> numbers = island_numbers(bodies, contacts);
   for (const WorldContact& contact : contacts)
   {
     if (contact.a == body || contact.b == body)

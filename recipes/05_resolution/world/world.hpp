@@ -1,199 +1,157 @@
 #pragma once
 
 /// \file
-/// \brief A world of bodies that fall, meet, bounce and rest: everything in this book, in one step.
+/// \brief A world of bodies that fall, meet, bounce and rest, for a game.
 
-#include "05_resolution/contacts/contact_cache.hpp"
-#include "05_resolution/sweeps/ball_sweeps.hpp"
-#include "05_resolution/sweeps/free_flight.hpp"
-#include "05_resolution/sweeps/simultaneous_impacts.hpp"
 #include "05_resolution/world/wake_neighbours.hpp"
 #include "05_resolution/world/world_checks.hpp"
+#include "05_resolution/world/world_step.hpp"
 
+#include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <stdexcept>
+#include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace cookbook
 {
 
-/// Moves the bodies of one island on by a step [s], and sets the impulses of its contacts.
-using IslandSolver = std::function<void(IslandView, const Island&, double)>;
-
 // [world]
-/// Bodies in motion, from a scene that makes sense. No body of it becomes NaN or infinite.
+/// Bodies in motion, from a scene that makes sense. No body of it becomes NaN or infinite. A copy
+/// goes on as the original would, to the bit.
+///
+/// Bodies are known by numbers, those of the scene first; a number is never given to another body.
+/// What is asked of a body that is not there, or not any more, is answered by std::out_of_range.
 class World
 {
 public:
-  /// The scene as it starts; InvalidScene if it makes no sense.
+  /// The scene as it starts; InvalidScene if it makes no sense, or if there is no solver.
   World(const Scene& scene, IslandSolver solver, bool may_sleep = false)
-      : scene_(checked(scene)),
-        solver_(std::move(solver)),
-        may_sleep_(may_sleep),
-        forces_(scene.bodies.size(), Vector3<double>::Zero()),
-        gone_(scene.bodies.size(), false),
-        sleep_(scene.bodies.size())
+      : solver_(std::move(solver))
   {
-    for (const SceneBody& body : scene_.bodies)
+    if (!solver_)
     {
-      bounds_.push_back({{}, static_cast<int>(bodies_.size())});
-      has_balls_ = has_balls_ || std::holds_alternative<SphereShape>(body.shape);
-      bodies_.push_back(rigid_body(body));
+      throw InvalidScene("a world needs a solver, such as solver_named(\"direct\")");
+    }
+    state_.scene = checked(scene);
+    state_.may_sleep = may_sleep;
+    for (const SceneBody& body : state_.scene.bodies)
+    {
+      enter(body);
     }
   }
 
-  const Scene& scene() const { return scene_; }                           ///< as it started
-  const std::vector<RigidBody>& bodies() const { return bodies_; }        ///< in its order
-  const std::vector<WorldContact>& contacts() const { return contacts_; } ///< of the last step
-  const std::vector<RigidBody>& bodies_before() const { return before_; } ///< as that began
-  double time() const { return double(steps_) * scene_.step; }            ///< [s], since the start
-  bool sleeps(std::size_t body) const { return sleep_[body].asleep; }     ///< whether a body does
+  const Scene& scene() const { return state_.scene; }                    ///< what there is
+  const std::vector<RigidBody>& bodies() const { return state_.bodies; } ///< in its order
+  /// All contacts of the last step.
+  const std::vector<WorldContact>& contacts() const { return state_.contacts; }
+  /// The bodies as the last step began.
+  const std::vector<RigidBody>& bodies_before() const { return state_.before; }
+  double time() const { return double(state_.steps) * scene().step; } ///< [s], since the start
+  /// Whether a body sleeps.
+  bool sleeps(std::size_t body) const { return state_.sleep[body].asleep; }
+  /// Whether a body is there: it was put in, and not taken out.
+  bool has(std::size_t body) const { return body < bodies().size() && !state_.gone[body]; }
 
-  /// How far apart [m] two bodies may be and still be in contact: what a fall from rest covers in
-  /// two steps, so that a solver knows of a touch before there is an overlap.
-  double margin() const { return 2 * scene_.gravity.norm() * scene_.step * scene_.step; }
+  /// How far apart [m] two bodies may be and still be in contact.
+  double margin() const { return contact_margin(scene()); }
 
-  /// Adds a force [N], world, on a body's centre, in the next step only; std::invalid_argument, and
-  /// nothing changes, if it is not finite.
-  void push(std::size_t body, const Vector3<double>& force)
+  /// Puts a body in, and says its number; InvalidScene, and nothing changes, if it makes no sense.
+  std::size_t add(const SceneBody& body)
   {
-    if (!force.allFinite())
-    {
-      throw std::invalid_argument("the force on " + scene_.bodies.at(body).name + " is not finite");
-    }
-    forces_.at(body) += force;
-    wake(sleep_, island_numbers(bodies_, contacts_), static_cast<int>(body));
+    state_.scene.bodies.push_back(checked(body));
+    enter(body);
+    return bodies().size() - 1;
   }
 
-  /// Takes a body out: from the next step on it stays where it is, and nothing touches it.
+  /// Takes a body out: from the next step on it stays where it is, and nothing touches it. What has
+  /// leaned on it wakes.
   void remove(std::size_t body)
   {
-    wake_neighbours(sleep_, bodies_, contacts_, static_cast<int>(body));
-    fix(bodies_.at(body));
-    gone_[body] = true;
-    std::erase_if(bounds_, [body](const Bounds& bound) { return place_of(bound.body) == body; });
+    check_there(body);
+    state_.islands.find(state_.bodies, state_.contacts);
+    wake_neighbours(
+        state_.sleep, state_.islands.numbers(), state_.contacts, static_cast<int>(body));
+    fix(state_.bodies[body]);
+    state_.gone[body] = true;
+    std::erase_if(
+        state_.bounds, [body](const Bounds& bound) { return place_of(bound.body) == body; });
+  }
+
+  /// Gives a body another velocity [m/s] and angular velocity [rad/s], world, and wakes it with all
+  /// that hangs together with it. A fixed one stays as it is. InvalidShape, and nothing changes, if
+  /// a number is not finite.
+  void set_velocity(
+      std::size_t body, const Vector3<double>& velocity, const Vector3<double>& angular_velocity)
+  {
+    check_there(body);
+    check_finite("velocity", velocity);
+    check_finite("angular_velocity", angular_velocity);
+    RigidBody& set = state_.bodies[body];
+    if (!is_fixed(set))
+    {
+      wake_island_of(body);
+      set.motion = {set.motion.center, velocity, angular_velocity};
+    }
+  }
+
+  /// Pulls all bodies by another gravity [m/s²], world, from the next step on; they wake.
+  void set_gravity(const Vector3<double>& gravity)
+  {
+    check_finite("gravity", gravity);
+    state_.scene.gravity = gravity;
+    state_.sleep.assign(bodies().size(), {});
+  }
+
+  /// Has two bodies pass through each other from the next step on, and wakes both.
+  void ignore(std::size_t a, std::size_t b)
+  {
+    check_there(a);
+    check_there(b);
+    std::vector<std::pair<int, int>>& ignored = state_.scene.ignored;
+    const std::pair<int, int> pair = std::minmax(static_cast<int>(a), static_cast<int>(b));
+    if (!ignores(scene(), pair))
+    {
+      ignored.insert(std::upper_bound(ignored.begin(), ignored.end(), pair), pair);
+    }
+    wake_island_of(a);
+    wake_island_of(b);
   }
 
   /// Goes on by one step of the scene.
-  void step()
-  {
-    find_contacts();
-    start_ = before_ = bodies_;
-    falls_.assign(bodies_.size(), false);
-    const std::vector<int> numbers = island_numbers(bodies_, contacts_);
-    if (may_sleep_)
-    {
-      settle(sleep_, numbers, SleepLimits<double>{});
-    }
-    for (const Island& island : islands_of(numbers, contacts_))
-    {
-      if (!sleep_[place_of(island.bodies.front())].asleep)
-      {
-        advance(island);
-      }
-    }
-    if (has_balls_)
-    {
-      sweep_balls([&](int body) { wake(sleep_, numbers, body); });
-    }
-    finish();
-    ++steps_;
-  }
+  void step() { cookbook::step(state_, solver_); }
 
 private:
-  void find_contacts()
+  void enter(const SceneBody& body)
   {
-    for (Bounds& bound : bounds_)
-    {
-      const std::size_t i = place_of(bound.body);
-      bound.box = bounds_of(bodies_[i], scene_.bodies[i].shape, margin() / 2);
-    }
-    contacts_ = next_contacts(
-        scene_, bodies_, contacts_, overlapping_pairs(bounds_), margin(),
-        [this](int body) { return is_fixed(bodies_[place_of(body)]) || sleeps(place_of(body)); });
+    state_.bounds.push_back({{}, static_cast<int>(bodies().size())});
+    state_.bodies.push_back(rigid_body(body));
+    state_.gone.push_back(false);
+    state_.sleep.emplace_back();
+    state_.has_balls = state_.has_balls || bodies().back().round;
   }
 
-  /// Moves an island: forces, bounces, contacts; and what no contact has pushed flies on.
-  void advance(const Island& island)
+  /// Wakes a body and all that hangs together with it; where none may sleep, none has to be found.
+  void wake_island_of(std::size_t body)
   {
-    const IslandView view{bodies_, contacts_, scene_.gravity};
-    const bool touches = !island.contacts.empty();
-    for (const int i : island.bodies)
+    if (state_.may_sleep)
     {
-      RigidBody& body = bodies_[place_of(i)];
-      body.velocity += scene_.step * body.inverse_mass * forces_[place_of(i)];
-    }
-    if (touches)
-    {
-      simultaneous_impacts(view, island, scene_.step);
-    }
-    for (const int i : island.bodies)
-    {
-      start_[place_of(i)] = bodies_[place_of(i)];
-    }
-    if (touches)
-    {
-      solver_(view, island, scene_.step);
-    }
-    for (const int i : island.bodies)
-    {
-      fall_unless_pushed(place_of(i), touches);
+      state_.islands.find(state_.bodies, state_.contacts);
+      wake(state_.sleep, state_.islands.numbers(), static_cast<int>(body));
     }
   }
 
-  /// Has a body fall freely that nothing has pushed.
-  void fall_unless_pushed(std::size_t i, bool solved)
+  void check_there(std::size_t body) const
   {
-    falls_[i] = !solved || !was_pushed(bodies_[i], start_[i], scene_.gravity, scene_.step);
-    if (falls_[i])
+    if (!has(body))
     {
-      bodies_[i] = flown(start_[i], scene_.gravity, scene_.step);
+      throw std::out_of_range("there is no body " + std::to_string(body));
     }
   }
 
-  /// Has balls bounce off what they would have passed through; `woken(i)` is told of who is hit.
-  void sweep_balls(const std::function<void(int)>& woken)
-  {
-    StepCourses step{scene_, contacts_, falls_, gone_};
-    set_out(step, start_, bodies_);
-    BallSweeps(step, bodies_, woken).run();
-  }
-
-  /// Watches who rests, and keeps bodies whose numbers have overflowed where they were, fixed.
-  void finish()
-  {
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-    {
-      RigidBody& body = bodies_[i];
-      if (!is_finite(body))
-      {
-        body = before_[i];
-        fix(body);
-      }
-      if (may_sleep_ && !is_fixed(body) && !sleeps(i))
-      {
-        const double radius = bounds_of(body, scene_.bodies[i].shape, 0).sizes().norm() / 2;
-        sleep_[i] = watched(
-            sleep_[i], body.velocity, body.angular_velocity, radius, scene_.step,
-            SleepLimits<double>{});
-      }
-      forces_[i].setZero();
-    }
-  }
-
-  Scene scene_;
   IslandSolver solver_;
-  bool may_sleep_, has_balls_ = false;
-  long steps_ = 0;
-  std::vector<RigidBody> bodies_, before_, start_;
-  std::vector<Vector3<double>> forces_;
-  std::vector<bool> gone_, falls_;
-  std::vector<SleepState<double>> sleep_;
-  std::vector<Bounds> bounds_;
-  std::vector<WorldContact> contacts_;
+  WorldState state_;
 };
 // [world]
 

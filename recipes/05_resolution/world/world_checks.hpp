@@ -78,30 +78,44 @@ inline void check(const SceneBody& body)
   }
   check_range("friction", body.friction, 0, 1e6);
   check_range("restitution", body.restitution, 0, 1);
+  check_range("damping", body.damping, 0, 1e6);
+  check_range("spin_damping", body.spin_damping, 0, 1e6);
   if (body.mass > 0)
   {
     checked(mass_properties(body));
   }
 }
 
+/// The body itself, or InvalidScene.
+inline const SceneBody& checked(const SceneBody& body)
+{
+  try
+  {
+    check(body);
+  }
+  catch (const InvalidShape& wrong)
+  {
+    throw InvalidScene(std::string(body.name).append(": ").append(wrong.what()));
+  }
+  return body;
+}
+
 /// The scene itself, or InvalidScene.
 inline const Scene& checked(const Scene& scene)
 {
-  std::string at = "scene";
   try
   {
     check_finite("gravity", scene.gravity);
     check_range("step", scene.step, 1e-9, 1e3);
     check_range("duration", scene.duration, 0, 1e9);
-    for (const SceneBody& body : scene.bodies)
-    {
-      at = body.name;
-      check(body);
-    }
   }
   catch (const InvalidShape& wrong)
   {
-    throw InvalidScene(at.append(": ").append(wrong.what()));
+    throw InvalidScene(std::string("scene: ").append(wrong.what()));
+  }
+  for (const SceneBody& body : scene.bodies)
+  {
+    checked(body);
   }
   return scene;
 }

@@ -134,20 +134,29 @@ Cells heaps(bool quick)
 // [heaps]
 
 // [crossover]
-/// Who may touch, asked of every pair and by a sweep: from which number on is sorting worth it?
+/// Who may touch, asked of every pair, by a sweep along x and by a tree: a grid, and a tower, which
+/// is where a sweep along x sees nothing.
 Cells crossover(const measure::Effort& effort)
 {
-  Cells table{{"boxes in a grid", "every pair [µs]", "sorted and swept [µs]", "ratio"}};
-  for (const int count : {4, 8, 16, 64, 256, 1024, 4096})
+  Cells table{
+      {"boxes", "grid: every pair [µs]", "swept", "tree", "tower: every pair", "swept", "tree"}};
+  for (const int count : {4, 16, 64, 256, 1024, 4096})
   {
-    std::vector<Bounds> bounds = grid_bounds(count);
-    const auto timings = measure::time_interleaved(
-        {{"every pair", [&] { measure::keep(every_overlapping_pair(bounds).size()); }, 1},
-         {"sweep", [&] { measure::keep(overlapping_pairs(bounds).size()); }, 1}},
-        effort);
-    table.push_back(
-        {std::to_string(count), number(timings[0].ns / 1e3), number(timings[1].ns / 1e3),
-         number(timings[0].ns / timings[1].ns)});
+    std::vector<std::string> row{std::to_string(count)};
+    for (std::vector<Bounds> bounds : {grid_bounds(count), row_bounds(count, 1)})
+    {
+      BroadPhase tree;
+      const auto timings = measure::time_interleaved(
+          {{"every pair", [&] { measure::keep(every_overlapping_pair(bounds).size()); }, 1},
+           {"sweep", [&] { measure::keep(swept_pairs(bounds).size()); }, 1},
+           {"tree", [&] { measure::keep(tree.pairs(bounds).size()); }, 1}},
+          effort);
+      for (const auto& timing : timings)
+      {
+        row.push_back(number(timing.ns / 1e3));
+      }
+    }
+    table.push_back(row);
   }
   return table;
 }

@@ -3,12 +3,12 @@
 /// \file
 /// \brief Random boxes, and pairs of them in a certain position: the same on every machine.
 
+#include "02_primitives/shapes/trial/number_draw.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_pair.hpp"
 #include "common/math/norm.hpp"
 
 #include <cmath>
 #include <cstdint>
-#include <random>
 #include <utility>
 
 namespace cookbook
@@ -27,17 +27,10 @@ inline Matrix3<double> quaternion_rotation(double w, const Vector3<double>& v)
 }
 
 /// Random numbers and shapes made of +, −, ×, ÷ and √, which every machine rounds alike.
-class BoxDraw
+class BoxDraw : public NumberDraw<double>
 {
 public:
-  /// Begins a sequence.
-  explicit BoxDraw(std::uint32_t seed) : engine_(seed) {}
-
-  /// A number from `low` on and below `high`.
-  double between(double low, double high)
-  {
-    return low + (high - low) * (static_cast<double>(engine_()) * 0x1p-32);
-  }
+  using NumberDraw::NumberDraw;
 
   /// A whole number from 0 to `count` − 1.
   int whole(int count) { return static_cast<int>(engine_() % static_cast<std::uint32_t>(count)); }
@@ -53,11 +46,7 @@ public:
   double side() { return whole(2) == 0 ? -1 : 1; }
 
   /// Three numbers from `low` to `high`.
-  Vector3<double> vector(double low, double high)
-  {
-    const double x = between(low, high), y = between(low, high);
-    return {x, y, between(low, high)};
-  }
+  Vector3<double> vector(double low, double high) { return in_box(low, high); }
 
   /// A unit vector.
   Vector3<double> direction() { return normalize(vector(-1, 1)).unit; }
@@ -74,9 +63,6 @@ public:
   {
     return quaternion_rotation(1, angle / 2 * about);
   }
-
-private:
-  std::mt19937 engine_;
 };
 // [box_draw]
 

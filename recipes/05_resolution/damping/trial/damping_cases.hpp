@@ -61,7 +61,7 @@ inline std::vector<DampingMethod> damping_methods()
           "exp(−c·step)", [](double v, double a, double rate, double step)
           { return damping_factor(rate, step) * (v + step * a); }),
       damping_method(
-          "exp amid the kick", [](double v, double a, double rate, double step)
+          "exp mid-kick", [](double v, double a, double rate, double step)
           { return damped_kick(v, a, damping_factor(rate, step), step); }),
       {"damped_fall", [](const PhasePoint<double>& from, double a, double rate, double step)
        { return damped_fall(from, a, rate, step); }}};

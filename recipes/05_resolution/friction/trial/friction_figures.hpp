@@ -122,8 +122,8 @@ inline double way_error(const FrictionRule& rule, int axes)
 /// The cut to a regular polygon.
 inline FrictionRule polygon_rule(int axes)
 {
-  return {"polygon", [=](const Vector3<double>& wanted, double most, double) {
-            return within_polygon(wanted, most, axes);
+  return {"polygon", [=](const FrictionVisit& at) {
+            return within_polygon(at.against(), at.most, axes);
           }};
 }
 

@@ -54,28 +54,30 @@ inline constexpr double published_zero = 0.005;
 /// and is held against the impulse of this visit instead of the sum of all.
 template <class Real>
 BodyPair<Real> answered_as_published(
-    const BodyPair<Real>& bodies, const Vector3<Real>& normal, const Vector3<Real>& point,
-    int count, Real restitution, Real friction)
+    BodyPair<Real> bodies, const Vector3<Real>& normal, const Vector3<Real>& point, int count,
+    Real restitution, Real friction)
 {
-  const Real j = bounce_impulse(bodies, normal, point, restitution) / Real(count);
+  auto& [a, b] = bodies;
+  const Arms<Real> arms = arms_to(bodies, point);
+  const Real j = bounce_impulse(a, b, normal, arms, restitution) / Real(count);
   if (j == Real(0))
   {
     return bodies;
   }
-  const BodyPair<Real> bounced = pushed_apart(bodies, normal, point, j);
-  const Vector3<Real> sliding = sliding_velocity(bodies, normal, point);
+  const Vector3<Real> sliding = sliding_velocity(a, b, normal, arms);
+  push_apart<Real>(a, b, arms, j * normal);
   const Real speed = sliding.norm();
   if (speed * speed <= Real(published_zero))
   {
-    return bounced;
+    return bodies;
   }
   const Vector3<Real> direction = sliding / speed;
-  const Real rub = speed / inverse_mass_at(bounced, direction, point) / Real(count);
-  if (rub <= Real(published_zero))
+  const Real rub = speed / inverse_mass_at(a, b, direction, arms) / Real(count);
+  if (rub > Real(published_zero))
   {
-    return bounced;
+    push_apart<Real>(a, b, arms, -std::min(rub, Real(friction * j)) * direction);
   }
-  return rubbed<Real>(bounced, point, -std::min(rub, Real(friction * j)) * direction);
+  return bodies;
 }
 // [answered_as_published]
 

@@ -17,9 +17,21 @@ namespace cookbook
 {
 
 // [friction_rules]
-/// What is left of an impulse [N s] that would end the sliding: by the bound from the normal
-/// impulse [N s], and by the bound that was planned from the weight [N s].
-using FrictionCut = std::function<Vector3<double>(const Vector3<double>&, double, double)>;
+/// What a rule knows when it visits a touch.
+struct FrictionVisit
+{
+  Vector3<double> sliding;  ///< [m/s]
+  SlidingMass<double> mass; ///< [kg]
+  Vector3<double> so_far;   ///< [N s]
+  double most;              ///< [N s], the bound from the normal impulse
+  double planned;           ///< [N s], the bound that was planned from the weight
+
+  /// What goes against the sliding [N s], not cut yet.
+  Vector3<double> against() const { return so_far - mass.least * sliding; }
+};
+
+/// The impulse of friction [N s] after a visit.
+using FrictionCut = std::function<Vector3<double>(const FrictionVisit&)>;
 
 /// A rule of friction.
 struct FrictionRule
@@ -31,14 +43,14 @@ struct FrictionRule
 /// The rules that compete; the last is the one to take.
 inline std::vector<FrictionRule> friction_rules()
 {
-  using V = Vector3<double>;
   return {
       {"dead zone, as published", nullptr},
       {"box: constant bound",
-       [](const V& wanted, double, double planned) { return within_pyramid(wanted, planned); }},
+       [](const FrictionVisit& at) { return within_pyramid(at.against(), at.planned); }},
       {"pyramid: two axes",
-       [](const V& wanted, double most, double) { return within_pyramid(wanted, most); }},
-      {"cone", [](const V& wanted, double most, double) { return within_cone(wanted, most); }}};
+       [](const FrictionVisit& at) { return within_pyramid(at.against(), at.most); }},
+      {"cone", [](const FrictionVisit& at)
+       { return friction_impulse(at.sliding, at.mass, at.so_far, at.most); }}};
 }
 // [friction_rules]
 
@@ -54,23 +66,22 @@ inline void visit(OneContactScene& scene, Touch& touch, const FrictionCut& cut)
     return;
   }
   const Vector3<double> up = Vector3<double>::UnitY();
-  BodyPair<double> bodies{scene.solids[touch.a].body, scene.solids[touch.b].body};
-  const double missing = -touch.gap / scene.step - parting_speed(bodies, up, touch.point);
-  const double sum = std::max(0.0, touch.pushed + missing / touch.inverse_mass);
+  Body<double>&a = scene.solids[touch.a].body, &b = scene.solids[touch.b].body;
+  const Arms<double> arms = arms_to<double>({a, b}, touch.point);
+  const double missing = -touch.gap / scene.step - parting_speed(a, b, up, arms);
+  const double sum = accumulated(touch.pushed, touch.mass * missing);
   if (sum == 0 && touch.pushed == 0)
   {
     return;
   }
-  bodies = pushed_apart(bodies, up, touch.point, sum - touch.pushed);
+  push_apart<double>(a, b, arms, (sum - touch.pushed) * up);
   touch.pushed = sum;
   const double planned = sum > 0 ? touch.friction * touch.weight * scene.step : 0;
-  const Vector3<double> wanted =
-      gripping_impulse(bodies, up, touch.point, touch.rubbed, touch.sliding_inverse_mass);
-  const Vector3<double> rub = cut(wanted, touch.friction * sum, planned);
-  bodies = rubbed<double>(bodies, touch.point, rub - touch.rubbed);
+  const Vector3<double> rub = cut(
+      {sliding_velocity(a, b, up, arms), touch.sliding, touch.rubbed, touch.friction * sum,
+       planned});
+  push_apart<double>(a, b, arms, rub - touch.rubbed);
   touch.rubbed = rub;
-  scene.solids[touch.a].body = bodies.a;
-  scene.solids[touch.b].body = bodies.b;
 }
 
 /// Prepares a touch for a step, and gives once more what it gave in the step before.
@@ -84,13 +95,11 @@ inline void prepare(OneContactScene& scene, Touch& touch)
     touch.rubbed.setZero();
     return;
   }
-  BodyPair<double> bodies{scene.solids[touch.a].body, scene.solids[touch.b].body};
-  touch.inverse_mass = inverse_mass_at(bodies, up, touch.point);
-  touch.sliding_inverse_mass = sliding_inverse_mass(bodies, up, touch.point);
-  bodies = pushed_apart(bodies, up, touch.point, touch.pushed);
-  bodies = rubbed(bodies, touch.point, touch.rubbed);
-  scene.solids[touch.a].body = bodies.a;
-  scene.solids[touch.b].body = bodies.b;
+  Body<double>&a = scene.solids[touch.a].body, &b = scene.solids[touch.b].body;
+  const Arms<double> arms = arms_to<double>({a, b}, touch.point);
+  touch.mass = effective_mass(inverse_mass_at(a, b, up, arms));
+  touch.sliding = sliding_mass(a, b, up, arms);
+  push_apart<double>(a, b, arms, touch.pushed * up + touch.rubbed);
 }
 // [visit]
 
@@ -106,8 +115,8 @@ inline int meeting(const OneContactScene& scene, const Touch& touch)
   return count;
 }
 
-/// One step as published: five passes over the touches that meet, then gravity and motion, then 45
-/// % of the depth beyond a centimetre is taken away.
+/// One step as published: five passes over the touches that meet, then gravity and motion, then
+/// 45 % of the depth beyond a centimetre is taken away.
 inline void advance_as_published(OneContactScene& scene)
 {
   for (Touch& touch : scene.touches)

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Boxes and balls on the floor y = 0, and the places where they may touch: always the same.
 
-#include "05_resolution/impulse/impulse.hpp"
+#include "05_resolution/friction/friction.hpp"
 
 #include <vector>
 
@@ -50,8 +50,8 @@ struct Touch
   double friction;                                  ///< [1]
   double weight;                                    ///< [N], what it bears if all share b's weight
   Vector3<double> point = Vector3<double>::Zero();  ///< [m], world
-  double inverse_mass = 0;                          ///< [1/kg], K along the normal
-  double sliding_inverse_mass = 0;                  ///< [1/kg], K along the surface
+  double mass = 0;                                  ///< [kg], that a push along the normal feels
+  SlidingMass<double> sliding{};                    ///< [kg], what one along the surface feels
   double gap = 0;                                   ///< [m], negative: a depth
   double pushed = 0;                                ///< [N s], along the normal
   Vector3<double> rubbed = Vector3<double>::Zero(); ///< [N s], along the surface
@@ -65,7 +65,7 @@ struct OneContactScene
   Vector3<double> gravity{0, -9.81, 0};            ///< [m/s²]
   Vector3<double> force = Vector3<double>::Zero(); ///< [N], on the first that moves
   double step = 1.0 / 240;                         ///< [s]
-  int passes = 10;                                 ///< over all touches, a step
+  int passes = 20;                                 ///< over all touches, a step
 };
 // [touch]
 

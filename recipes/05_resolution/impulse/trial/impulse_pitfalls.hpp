@@ -24,8 +24,9 @@ BodyPair<Real> bounce_divided(
   {
     for (const ContactPoint<Real>& point : manifold.points)
     {
-      const Real whole = bounce_impulse(bodies, manifold.normal, point.position, restitution);
-      bodies = pushed_apart<Real>(bodies, manifold.normal, point.position, whole / count);
+      const Arms<Real> arms = arms_to(bodies, point.position);
+      const Real whole = bounce_impulse(bodies.a, bodies.b, manifold.normal, arms, restitution);
+      push_apart<Real>(bodies.a, bodies.b, arms, whole / count * manifold.normal);
     }
   }
   return bodies;

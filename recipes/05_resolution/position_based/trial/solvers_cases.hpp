@@ -130,7 +130,7 @@ inline Vector3<double> place_after(
   }
   const auto same = [&](const SceneBody& body) { return body.name == name; };
   const auto found = std::find_if(scene.bodies.begin(), scene.bodies.end(), same);
-  return world.bodies()[static_cast<std::size_t>(found - scene.bodies.begin())].position;
+  return world.bodies()[static_cast<std::size_t>(found - scene.bodies.begin())].motion.center;
 }
 
 /// How far apart [m] the top of five cubes comes to be in orders of insertion, after 2 s.

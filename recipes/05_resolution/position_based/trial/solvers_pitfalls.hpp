@@ -17,7 +17,8 @@ namespace cookbook
 /// overlaps as they were before all that are pushed apart.
 inline void published_frame(IslandView world, const Island& island, double step)
 {
-  std::vector<IslandPoint> points = points_of(world, island);
+  const std::span<IslandPoint> all = points_of(world, island);
+  std::vector<IslandPoint> points(all.begin(), all.end());
   std::erase_if(points, [](const IslandPoint& point) { return gap(point) > 0; });
   std::vector<double> stale;
   for (IslandPoint& point : points)
@@ -38,16 +39,16 @@ inline void published_frame(IslandView world, const Island& island, double step)
   for (const int number : island.bodies)
   {
     RigidBody& body = world.bodies[static_cast<std::size_t>(number)];
-    body.velocity = 0.98 * (body.velocity + step * world.gravity);
-    body.angular_velocity *= 0.98;
+    body.motion.velocity = 0.98 * (body.motion.velocity + step * world.gravity);
+    body.motion.angular_velocity *= 0.98;
     move(body, step);
   }
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     RigidBody &a = *points[i].a, &b = *points[i].b;
     const double push = 0.45 * std::max(0.0, stale[i] - 0.01) / (a.inverse_mass + b.inverse_mass);
-    a.position -= push * a.inverse_mass * points[i].contact->normal();
-    b.position += push * b.inverse_mass * points[i].contact->normal();
+    a.motion.center -= push * a.inverse_mass * points[i].contact->normal();
+    b.motion.center += push * b.inverse_mass * points[i].contact->normal();
   }
 }
 // [published_frame]

@@ -18,6 +18,7 @@ constexpr Limits sizes{1e-9, 1e9};  // [m]
 constexpr Limits masses{1e-9, 1e30};
 constexpr Limits frictions{0, 1000};
 constexpr Limits restitutions{0, 1};
+constexpr Limits dampings{0, 1e6};
 constexpr Limits steps{1e-6, 1};   // [s]
 constexpr double most_steps = 1e7; // of a whole scene
 
@@ -29,7 +30,8 @@ const std::vector<std::string> scene_members{"gravity",  "step",        "duratio
 /// The members that a body of a shape can have; of any shape where that is not known yet.
 std::vector<std::string> body_members(const std::string& shape = "")
 {
-  std::vector<std::string> names{"name", "shape", "mass", "friction", "restitution"};
+  std::vector<std::string> names{"name",        "shape",   "mass",        "friction",
+                                 "restitution", "damping", "spin_damping"};
   const auto add = [&](bool applies, const std::vector<std::string>& more)
   {
     if (applies || shape.empty())
@@ -132,6 +134,8 @@ SceneBody read_body(JsonObject object, const SceneBody& defaults)
   read_motion(object, body);
   body.friction = object.number("friction", frictions, defaults.friction);
   body.restitution = object.number("restitution", restitutions, defaults.restitution);
+  body.damping = object.number("damping", dampings, defaults.damping);
+  body.spin_damping = object.number("spin_damping", dampings, defaults.spin_damping);
   return body;
 }
 

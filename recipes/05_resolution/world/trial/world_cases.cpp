@@ -6,7 +6,7 @@
 #include "05_resolution/scenes/trial/world_scenes.hpp"
 #include "05_resolution/world/solver_names.hpp"
 #include "05_resolution/world/trial/world_runs.hpp"
-#include "05_resolution/world/world.hpp"
+#include "05_resolution/world/world_inputs.hpp"
 #include "common/program/table.hpp"
 
 #include <algorithm>
@@ -88,7 +88,8 @@ Verdict stays_unloaded(const std::string& solver)
     }
     if (step > 120)
     {
-      fastest = std::max({fastest, world.bodies()[1].velocity.y(), world.bodies()[2].velocity.y()});
+      fastest = std::max(
+          {fastest, world.bodies()[1].motion.velocity.y(), world.bodies()[2].motion.velocity.y()});
     }
   };
   run_world(scene, settings);
@@ -186,7 +187,7 @@ Verdict refuses(const std::string& solver)
   {
     try
     {
-      world.push(3, {std::numeric_limits<double>::quiet_NaN(), 0, 0});
+      apply_force(world, 3, {std::numeric_limits<double>::quiet_NaN(), 0, 0});
     }
     catch (const std::invalid_argument&)
     {

@@ -22,7 +22,8 @@ inline Frame frame_of(const World& world)
   Frame frame{world.time(), {}};
   for (const RigidBody& body : world.bodies())
   {
-    frame.bodies.push_back({body.position, body.orientation, body.velocity, body.angular_velocity});
+    frame.bodies.push_back(
+        {body.motion.center, body.orientation, body.motion.velocity, body.motion.angular_velocity});
   }
   return frame;
 }
@@ -44,7 +45,7 @@ inline double energy(std::span<const RigidBody> bodies, const Vector3<double>& g
   {
     if (!is_fixed(body))
     {
-      sum += kinetic_energy(body) - gravity.dot(body.position) / body.inverse_mass;
+      sum += kinetic_energy(body) - gravity.dot(body.motion.center) / body.inverse_mass;
     }
   }
   return sum;
@@ -58,7 +59,7 @@ inline Vector3<double> momentum(std::span<const RigidBody> bodies)
   {
     if (!is_fixed(body))
     {
-      sum += body.velocity / body.inverse_mass;
+      sum += body.motion.velocity / body.inverse_mass;
     }
   }
   return sum;
@@ -95,9 +96,8 @@ inline double residual(const World& world)
     const RigidBody& b = world.bodies()[static_cast<std::size_t>(contact.b)];
     for (const WorldPoint& point : contact.points())
     {
-      const double speed =
-          velocity_between(a, b, axes(contact.a) * point.on_a, axes(contact.b) * point.on_b)
-              .dot(contact.normal());
+      const Arms<double> arms{axes(contact.a) * point.on_a, axes(contact.b) * point.on_b};
+      const double speed = parting_speed<double>(a, b, contact.normal(), arms);
       const bool touches = gap(a, b, contact.normal(), point) <= 0;
       const double wrong = point.impulse > 0 ? std::abs(speed) : touches ? -speed : 0;
       most = std::max(most, wrong);
@@ -144,7 +144,7 @@ inline FarthestMove farthest_move(const World& world)
   FarthestMove most;
   for (std::size_t i = 0; i < world.bodies().size(); ++i)
   {
-    const Vector3<double> way = world.bodies()[i].position - world.scene().bodies[i].position;
+    const Vector3<double> way = world.bodies()[i].motion.center - world.scene().bodies[i].position;
     const double height = way.dot(up);
     most.along = std::max(most.along, std::abs(height));
     most.sideways = std::max(most.sideways, (way - height * up).norm());

@@ -33,6 +33,51 @@ inline std::vector<std::pair<int, int>> every_overlapping_pair(const std::vector
 }
 // [every_pair]
 
+// [sweep]
+/// The same by sorting and sweeping: all lower ends along x in order, and each body against those
+/// that begin before it ends. Quick as long as few do.
+inline std::vector<std::pair<int, int>> swept_pairs(std::vector<Bounds>& bounds)
+{
+  const auto low = [](const Bounds& one) { return one.box.min().x(); };
+  std::sort(
+      bounds.begin(), bounds.end(),
+      [&](const Bounds& a, const Bounds& b)
+      { return std::pair(low(a), a.body) < std::pair(low(b), b.body); });
+  std::vector<std::pair<int, int>> pairs;
+  for (std::size_t i = 0; i < bounds.size(); ++i)
+  {
+    const double end = bounds[i].box.max().x();
+    for (std::size_t j = i + 1; j < bounds.size() && low(bounds[j]) <= end; ++j)
+    {
+      if (bounds[i].box.intersects(bounds[j].box))
+      {
+        pairs.push_back(std::minmax(bounds[i].body, bounds[j].body));
+      }
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+// [sweep]
+
+/// The bounds of a box of 1 m about a place [m].
+inline Bounds unit_bounds(const Vector3<double>& middle, int body)
+{
+  const Vector3<double> half = Vector3<double>::Constant(0.5);
+  return {{middle - half, middle + half}, body};
+}
+
+/// A row of boxes of 1 m along an axis, each 1 cm into the next.
+inline std::vector<Bounds> row_bounds(int count, int axis)
+{
+  std::vector<Bounds> bounds;
+  for (int i = 0; i < count; ++i)
+  {
+    bounds.push_back(unit_bounds(0.99 * i * Vector3<double>::Unit(axis), i));
+  }
+  return bounds;
+}
+
 /// A square grid of boxes of 1 m, each 1 cm into its neighbours; row L6.
 inline std::vector<Bounds> grid_bounds(int count)
 {
@@ -40,9 +85,7 @@ inline std::vector<Bounds> grid_bounds(int count)
   std::vector<Bounds> bounds;
   for (int i = 0; i < count; ++i)
   {
-    const Vector3<double> middle(0.99 * (i % side), 0, 0.99 * (i / side));
-    const Vector3<double> half = Vector3<double>::Constant(0.5);
-    bounds.push_back({{middle - half, middle + half}, i});
+    bounds.push_back(unit_bounds({0.99 * (i % side), 0, 0.99 * (i / side)}, i));
   }
   return bounds;
 }

@@ -1,0 +1,77 @@
+#pragma once
+
+/// \file
+/// \brief How far to go along a change of velocities that Newton's method asks for.
+
+#include "05_resolution/direct_solver/direct_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace cookbook
+{
+
+/// How fast the energy falls along a change of velocities.
+inline double missing_along(const DirectSystem& system, const std::vector<Vector6>& change)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < change.size(); ++i)
+  {
+    sum += system.missing[i].dot(change[i]);
+  }
+  return sum;
+}
+
+/// True if all points push in the way that they did before, and none slips.
+inline bool
+push_as_before(const std::vector<DirectPoint>& now, const std::vector<DirectPoint>& before)
+{
+  return std::equal(
+      now.begin(), now.end(), before.begin(),
+      [](const DirectPoint& one, const DirectPoint& then)
+      { return one.pressed == then.pressed && one.grip == then.grip && one.grip != Grip::slip; });
+}
+
+// [direct_advance]
+/// How far a change of velocities was followed.
+struct Advance
+{
+  double part; ///< [1], of the way
+  bool exact;  ///< all of it, and no point pushes in another way than before
+};
+
+/// Goes along a change of velocities to where the energy stops falling.
+inline Advance advance(DirectSystem& system, const std::vector<Vector6>& change)
+{
+  system.points_before = system.points;
+  system.velocities_before = system.velocities;
+  const double steep = missing_along(system, change);
+  double low = 0, high = 1, at_low = steep, at_high = 0, part = 1;
+  for (int tries = 0; tries < 20; ++tries)
+  {
+    for (std::size_t i = 0; i < change.size(); ++i)
+    {
+      system.velocities[i] = system.velocities_before[i] + part * change[i];
+    }
+    find_missing(system);
+    if (part == 1 && push_as_before(system.points, system.points_before))
+    {
+      return {part, true};
+    }
+    const double now = missing_along(system, change);
+    if (std::abs(now) <= 0.2 * std::abs(steep) || (part == 1 && now > 0))
+    {
+      return {part, false};
+    }
+    (now > 0 ? low : high) = part;
+    (now > 0 ? at_low : at_high) = now;
+    const double secant = at_low / (at_low - at_high);
+    part = low + (high - low) * (tries % 3 == 2 ? 0.5 : std::clamp(secant, 0.01, 0.99));
+  }
+  return {part, false};
+}
+// [direct_advance]
+
+} // namespace cookbook

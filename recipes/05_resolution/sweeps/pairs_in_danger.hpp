@@ -1,0 +1,118 @@
+#pragma once
+
+/// \file
+/// \brief Which bodies may have passed through others in a step.
+
+#include "05_resolution/contacts/broad_phase.hpp"
+#include "05_resolution/sweeps/step_courses.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace cookbook
+{
+
+// [in_danger]
+/// The radius [m] of the smallest ball; infinite if there is none.
+inline double smallest_ball(const StepCourses& step)
+{
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < static_cast<int>(step.scene.bodies.size()); ++i)
+  {
+    if (is_ball(step.scene, i) && !step.gone[place_of(i)])
+    {
+      smallest = std::min(smallest, reach(step.scene, i));
+    }
+  }
+  return smallest;
+}
+
+/// Whether a ball may have passed through another body, or that through it: if it fell freely, or
+/// if the two went by more than its radius. What goes by less cannot get behind a surface.
+inline bool in_danger(const StepCourses& step, int ball, int other)
+{
+  const double way = step.ways[place_of(ball)] + step.ways[place_of(other)];
+  return is_ball(step.scene, ball) && (step.falls[place_of(ball)] || way > reach(step.scene, ball));
+}
+
+/// All that a body may have touched in a step that ended at a pose.
+inline Bounds bounds_on_way(const StepCourses& step, int i, const RigidBody& end)
+{
+  const Course& course = step.courses[place_of(i)];
+  const auto& shape = step.scene.bodies[place_of(i)].shape;
+  const double bulge = step.scene.step * step.scene.step / 8 * course.acceleration.norm();
+  const double wider = course.spin.isZero(0) ? bulge : bulge + reach(step.scene, i);
+  Bounds bounds{bounds_of(course.start, shape, wider), i};
+  bounds.box.extend(bounds_of(end, shape, wider));
+  return bounds;
+}
+
+/// The pairs of bodies of which one may have passed through the other.
+inline std::vector<std::pair<int, int>>
+pairs_in_danger(const StepCourses& step, std::span<const RigidBody> ends)
+{
+  const double harmless = smallest_ball(step) / 2;
+  const auto fast = [&](int i)
+  {
+    const bool falling_ball = step.falls[place_of(i)] && is_ball(step.scene, i);
+    return falling_ball || step.ways[place_of(i)] > harmless || is_fast_box(step, i);
+  };
+  std::vector<Bounds> bounds;
+  bool any = false;
+  for (int i = 0; i < static_cast<int>(ends.size()); ++i)
+  {
+    if (!step.gone[place_of(i)])
+    {
+      bounds.push_back(bounds_on_way(step, i, ends[place_of(i)]));
+      any = any || fast(i);
+    }
+  }
+  std::vector<std::pair<int, int>> pairs;
+  const auto ask = [&](int i, int j)
+  {
+    const bool ball = in_danger(step, i, j) || in_danger(step, j, i);
+    if (is_fast_box(step, i) || is_fast_box(step, j) || ((fast(i) || fast(j)) && ball))
+    {
+      pairs.emplace_back(i, j);
+    }
+  };
+  if (any)
+  {
+    BoundsTree tree;
+    tree.build(bounds);
+    each_overlap(tree, ask);
+  }
+  return pairs;
+}
+
+/// Whether two bodies may be close enough to touch from a time [s] to the end of the step.
+inline bool may_meet(const StepCourses& step, int i, int j, double time)
+{
+  const double left = step.scene.step - time;
+  const auto way = [&](const Course& of)
+  { return left * (of.velocity_at(time).norm() + left * of.acceleration.norm()); };
+  const Course &a = step.courses[place_of(i)], &b = step.courses[place_of(j)];
+  const double near = reach(step.scene, i) + reach(step.scene, j) + way(a) + way(b);
+  return std::holds_alternative<PlaneShape>(step.scene.bodies[place_of(i)].shape) ||
+         std::holds_alternative<PlaneShape>(step.scene.bodies[place_of(j)].shape) ||
+         (a.place_at(time) - b.place_at(time)).norm() <= near;
+}
+// [in_danger]
+
+// [pressed]
+/// Whether two bodies, the smaller number first, pressed on each other: then the solver has kept
+/// them apart, more or less.
+inline bool pressed(const StepCourses& step, const std::pair<int, int>& pair)
+{
+  const auto before = [](const WorldContact& contact, const std::pair<int, int>& of)
+  { return std::pair(contact.a, contact.b) < of; };
+  const auto found = std::lower_bound(step.contacts.begin(), step.contacts.end(), pair, before);
+  return found != step.contacts.end() && std::pair(found->a, found->b) == pair && presses(*found);
+}
+// [pressed]
+
+} // namespace cookbook

@@ -1,0 +1,187 @@
+#pragma once
+
+/// \file
+/// \brief What bodies would pass through in a step: found in the order of time, and bounced off.
+
+#include "05_resolution/sweeps/touch_bounce.hpp"
+#include "05_resolution/sweeps/touch_queue.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace cookbook
+{
+
+// [step_sweeps]
+/// The most touches of one body in one step; from then on it only stops, and a box does not turn;
+/// after as many more a box stays where it is.
+inline constexpr int most_touches_a_step = 64;
+
+/// Corrects a step in which bodies would have passed through something.
+class StepSweeps
+{
+public:
+  /// The step, and the bodies at its end; `woken(i)` is told of who is hit.
+  StepSweeps(StepCourses& step, std::span<RigidBody> ends, const std::function<void(int)>& woken)
+      : step_(step),
+        ends_(ends),
+        woken_(woken),
+        duration_(step.scene.step),
+        threshold_(bounce_threshold(step.scene.gravity.norm(), duration_)),
+        touched_(ends.size(), 0),
+        is_held_(ends.size(), false),
+        touches_(step)
+  {
+  }
+
+  /// Has bodies bounce off what they touch, one touch after the other.
+  void run()
+  {
+    for (const auto& [i, j] : pairs_in_danger(step_, ends_))
+    {
+      touches_.look_for(i, j, 0);
+    }
+    while (const std::optional<CourseTouch> touch = touches_.next())
+    {
+      meet(*touch);
+    }
+  }
+
+private:
+  RigidBody at(int i, double time) const
+  {
+    const bool own = step_.falls[place_of(i)] || touches_.has_changed(i);
+    return on_the_way(step_, i, time, own, ends_[place_of(i)]);
+  }
+
+  /// A box that has touched something so often that it stays where it is.
+  bool is_frozen(int i) const
+  {
+    return !is_ball(step_.scene, i) && touched_[place_of(i)] > 2 * most_touches_a_step;
+  }
+
+  void meet(const CourseTouch& touch)
+  {
+    const int first = touch.first, other = touch.other;
+    const std::pair<int, int> pair = std::minmax(first, other);
+    RigidBody a = at(first, touch.time), b = at(other, touch.time);
+    WorldContact contact = touch_contact(step_.scene, touch, a, b);
+    const double depth = ghost_depth(step_.scene, contact, a, b);
+    if (depth > touches_.slack_of(pair))
+    {
+      touches_.allow(pair, depth);
+      touches_.look_for(first, other, touch.time);
+      return;
+    }
+    const bool ball = is_ball(step_.scene, first), both_balls = is_ball(step_.scene, other);
+    const bool tired = ++touched_[place_of(first)] > most_touches_a_step;
+    const double slow = tired
+                            ? std::numeric_limits<double>::infinity()
+                            : std::min(threshold_, thinness(step_.scene, first) / (2 * duration_));
+    double approach = bounce(a, b, contact, slow);
+    const bool rests = approach <= slow, leans = rests && !tired && !goes_on(step_, other);
+    if (!ball && rests && touches_.slack_of(pair) == 0)
+    {
+      touches_.allow(pair, rest_depth(step_.scene, first, other));
+      if (approach == 0)
+      {
+        touches_.look_for(first, other, touch.time);
+        return;
+      }
+    }
+    // What has come to rest leans on what does not give way. Two balls that have are left alone:
+    // what they sink by, the next step finds. A box that touches and is not pushed is held, and in
+    // the end frozen.
+    const bool held = !ball && (tired || approach == 0);
+    const bool frozen = is_frozen(first);
+    if (held)
+    {
+      approach = std::max(approach, stop_center(a, b, touch.normal, place_of_touch(contact, a)));
+    }
+    if (frozen || (ball && rests && !leans && (tired || approach == 0 || both_balls)))
+    {
+      touches_.leave(pair);
+    }
+    const Onward how = frozen  ? Onward::frozen
+                       : held  ? Onward::held
+                       : leans ? Onward::leans
+                               : Onward::free;
+    if (approach > 0 || how != Onward::free || !step_.falls[place_of(first)])
+    {
+      go_on(first, a, touch, contact, how);
+    }
+    if (approach > 0)
+    {
+      woken_(first);
+      woken_(other);
+    }
+    if (approach > 0 || frozen)
+    {
+      pass_on(b, touch, contact, frozen ? Onward::frozen : Onward::free);
+    }
+  }
+
+  /// Has the other of two bodies that have touched go on, or only takes down its velocities.
+  void
+  pass_on(const RigidBody& body, const CourseTouch& touch, const WorldContact& contact, Onward how)
+  {
+    RigidBody& end = ends_[place_of(touch.other)];
+    if (goes_on(step_, touch.other))
+    {
+      go_on(touch.other, body, touch, contact, how);
+    }
+    else
+    {
+      end.motion.velocity = body.motion.velocity;
+      end.motion.angular_velocity = body.motion.angular_velocity;
+    }
+  }
+
+  /// Lets a body go on from where it is when it touches, for the rest of the step.
+  void go_on(
+      int i, const RigidBody& body, const CourseTouch& touch, const WorldContact& contact,
+      Onward how)
+  {
+    how = is_frozen(i) ? Onward::frozen : how;
+    Course& course = step_.courses[place_of(i)];
+    const bool again = how == Onward::held && is_held_[place_of(i)];
+    const Vector3<double> velocity = again ? course.velocity_at(touch.time) : body.motion.velocity;
+    is_held_[place_of(i)] = how == Onward::held;
+    course = {body, touch.time, velocity, course.acceleration, course.spin};
+    RigidBody& end = ends_[place_of(i)];
+    if (how == Onward::frozen)
+    {
+      course.velocity.setZero();
+      course.acceleration.setZero();
+    }
+    end = gone_on(course, duration_, how);
+    if (how == Onward::leans || how == Onward::held)
+    {
+      for_each_place(
+          contact, body,
+          [&](const Vector3<double>& place)
+          { hold_back(course, step_.courses[place_of(touch.other)], touch.normal, place); });
+      end = gone_on(course, duration_, how);
+    }
+    note_way(step_, i, end, touch.time);
+    touches_.look_around(i, touch.time);
+  }
+
+  StepCourses& step_;
+  std::span<RigidBody> ends_;
+  const std::function<void(int)>& woken_;
+  double duration_;
+  double threshold_;          // [m/s], of a bounce
+  std::vector<int> touched_;  // how often each body has touched something
+  std::vector<bool> is_held_; // whether each body does not turn any more
+  TouchQueue touches_;
+};
+// [step_sweeps]
+
+} // namespace cookbook

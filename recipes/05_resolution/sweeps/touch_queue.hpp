@@ -1,0 +1,105 @@
+#pragma once
+
+/// \file
+/// \brief The touches of a step to come, the earliest first.
+
+#include "05_resolution/sweeps/next_touch.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace cookbook
+{
+
+// [touch_queue]
+/// The touches of a step to come; those of a course that has changed since are forgotten.
+class TouchQueue
+{
+public:
+  /// Of these courses, which may change.
+  explicit TouchQueue(const StepCourses& step) : step_(step), versions_(step.courses.size(), 0) {}
+
+  /// Writes down when two bodies touch, if they do so after a time [s].
+  void look_for(int i, int j, double time)
+  {
+    const std::pair<int, int> pair = std::minmax(i, j);
+    const bool left = std::find(left_.begin(), left_.end(), pair) != left_.end();
+    if (left || ignores(step_.scene, pair))
+    {
+      return;
+    }
+    const auto [first, other] = first_of(step_, i, j);
+    if (const auto hit = next_touch(step_, first, other, time, slack_of(pair)))
+    {
+      const double at = hit->time * step_.scene.step;
+      touches_.push({at, first, other, hit->normal, versions(first, other)});
+    }
+  }
+
+  /// Looks anew for what a body touches whose course has changed at a time [s].
+  void look_around(int i, double time)
+  {
+    ++versions_[place_of(i)];
+    const auto watched = [&](int one)
+    { return is_ball(step_.scene, one) || is_fast_box(step_, one); };
+    for (int j = 0; j < static_cast<int>(versions_.size()); ++j)
+    {
+      if (j != i && (watched(i) || watched(j)) && !step_.gone[place_of(j)] &&
+          may_meet(step_, i, j, time))
+      {
+        look_for(i, j, time);
+      }
+    }
+  }
+
+  /// The next touch, which is taken out; nothing if there is none.
+  std::optional<CourseTouch> next()
+  {
+    while (!touches_.empty())
+    {
+      const CourseTouch touch = touches_.top();
+      touches_.pop();
+      if (touch.versions == versions(touch.first, touch.other))
+      {
+        return touch;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// Whether a body's course has changed.
+  bool has_changed(int i) const { return versions_[place_of(i)] > 0; }
+
+  /// Two bodies that nobody looks at for the rest of the step.
+  void leave(const std::pair<int, int>& pair) { left_.push_back(pair); }
+
+  /// Lets two boxes overlap by a little [m] for the rest of the step: they pass each other, or rest
+  /// on each other.
+  void allow(const std::pair<int, int>& pair, double depth) { slacks_.push_back({pair, depth}); }
+
+  /// By how much [m] two boxes may overlap.
+  double slack_of(const std::pair<int, int>& pair) const
+  {
+    const auto found = std::find_if(
+        slacks_.rbegin(), slacks_.rend(), [&](const auto& slack) { return slack.first == pair; });
+    return found == slacks_.rend() ? 0 : found->second;
+  }
+
+private:
+  std::pair<int, int> versions(int a, int b) const
+  {
+    return {versions_[place_of(a)], versions_[place_of(b)]};
+  }
+
+  const StepCourses& step_;
+  std::vector<int> versions_; // how often each course has changed
+  std::vector<std::pair<int, int>> left_;
+  std::vector<std::pair<std::pair<int, int>, double>> slacks_;
+  std::priority_queue<CourseTouch> touches_;
+};
+// [touch_queue]
+
+} // namespace cookbook

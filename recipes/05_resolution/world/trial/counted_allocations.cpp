@@ -1,0 +1,61 @@
+#include "05_resolution/world/trial/counted_allocations.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <new>
+
+namespace
+{
+
+long count = 0;
+
+void* counted(std::size_t size, std::size_t alignment)
+{
+  ++count;
+  const std::size_t blocks = size / alignment + 1; // as many as hold it
+  if (void* const room = std::aligned_alloc(alignment, blocks * alignment))
+  {
+    return room;
+  }
+  throw std::bad_alloc();
+}
+
+constexpr std::size_t usual = __STDCPP_DEFAULT_NEW_ALIGNMENT__;
+
+} // namespace
+
+long cookbook::counted_allocations()
+{
+  return count;
+}
+
+// Those of arrays, and those that do not throw, call these.
+void* operator new(std::size_t size)
+{
+  return counted(size, usual);
+}
+
+void* operator new(std::size_t size, std::align_val_t alignment)
+{
+  return counted(size, std::max(usual, static_cast<std::size_t>(alignment)));
+}
+
+void operator delete(void* room) noexcept
+{
+  std::free(room);
+}
+
+void operator delete(void* room, std::size_t) noexcept
+{
+  std::free(room);
+}
+
+void operator delete(void* room, std::align_val_t) noexcept
+{
+  std::free(room);
+}
+
+void operator delete(void* room, std::size_t, std::align_val_t) noexcept
+{
+  std::free(room);
+}

@@ -1,0 +1,56 @@
+#pragma once
+
+/// \file
+/// \brief What a game does to the bodies of a world between two steps: impulses, forces,
+/// velocities.
+
+#include "05_resolution/world/world.hpp"
+
+namespace cookbook
+{
+
+// [world_inputs]
+/// Gives a body an impulse [N s], world, at a point [m], world; it wakes. std::out_of_range if
+/// there is no such body; InvalidShape, and nothing changes, if a number is not finite.
+inline void apply_impulse(
+    World& world, std::size_t body, const Vector3<double>& impulse, const Vector3<double>& point)
+{
+  check_finite("impulse", impulse);
+  check_finite("point", point);
+  Body<double> pushed = world.bodies().at(body);
+  push<double>(pushed, point - pushed.motion.center, impulse);
+  world.set_velocity(body, pushed.motion.velocity, pushed.motion.angular_velocity);
+}
+
+/// The same at a body's centre, so that it does not turn.
+inline void apply_impulse(World& world, std::size_t body, const Vector3<double>& impulse)
+{
+  apply_impulse(world, body, impulse, world.bodies().at(body).motion.center);
+}
+
+/// Has a force [N], world, act on a body at a point [m], world, in the next step: all of its
+/// impulse at once.
+inline void apply_force(
+    World& world, std::size_t body, const Vector3<double>& force, const Vector3<double>& point)
+{
+  check_finite("force", force);
+  apply_impulse(world, body, world.scene().step * force, point);
+}
+
+/// The same at a body's centre.
+inline void apply_force(World& world, std::size_t body, const Vector3<double>& force)
+{
+  apply_force(world, body, force, world.bodies().at(body).motion.center);
+}
+
+/// Has a torque [N m], world, act on a body in the next step.
+inline void apply_torque(World& world, std::size_t body, const Vector3<double>& torque)
+{
+  check_finite("torque", torque);
+  const RigidBody& turned = world.bodies().at(body);
+  const Vector3<double> gained = turned.inverse_inertia * (world.scene().step * torque);
+  world.set_velocity(body, turned.motion.velocity, turned.motion.angular_velocity + gained);
+}
+// [world_inputs]
+
+} // namespace cookbook

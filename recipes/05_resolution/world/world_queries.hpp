@@ -1,0 +1,127 @@
+#pragma once
+
+/// \file
+/// \brief What a ray meets first among the bodies of a world, and what a shape overlaps.
+
+#include "02_primitives/casts/casts.hpp"
+#include "02_primitives/meshes/ray_enters_box.hpp"
+#include "02_primitives/overlaps/overlaps.hpp"
+#include "02_primitives/shape_bounds/shape_bounds.hpp"
+#include "02_primitives/shapes/checked_more_shapes.hpp"
+#include "05_resolution/world/world.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace cookbook
+{
+
+// [world_queries]
+/// What a ray has met.
+struct BodyHit
+{
+  std::size_t body;   ///< its number
+  Hit<double, 3> hit; ///< where, as chapter 2's casts say
+};
+
+/// Bounds of a body that hold it in spite of rounding; infinite for a plane.
+inline Eigen::AlignedBox<double, 3> sure_bounds(const RigidBody& body, const SceneBody& of)
+{
+  const Eigen::AlignedBox<double, 3> box = bounds_of(body, of.shape, 0);
+  const double far = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+  const Vector3<double> little =
+      Vector3<double>::Constant(8 * std::numeric_limits<double>::epsilon() * far);
+  return {box.min() - little, box.max() + little};
+}
+
+/// Answers questions about the bodies of a world as they are now; after a step it is made anew.
+class WorldQueries
+{
+public:
+  /// Sorts the bodies that are there by where they are; the world has to outlive the answers.
+  explicit WorldQueries(const World& world) : world_(world)
+  {
+    std::vector<Bounds> bounds;
+    for (std::size_t i = 0; i < world.bodies().size(); ++i)
+    {
+      if (world.has(i))
+      {
+        bounds.push_back(
+            {sure_bounds(world.bodies()[i], world.scene().bodies[i]), static_cast<int>(i)});
+      }
+    }
+    tree_.build(bounds);
+  }
+
+  /// The body that a ray meets first, the one with the least number of several; nothing if none.
+  /// InvalidShape if the ray is none.
+  std::optional<BodyHit> cast(const Ray<double>& ray) const
+  {
+    checked(ray);
+    std::optional<BodyHit> first;
+    const RayForBoxes<double> prepared = ray_for_boxes(ray, tree_.finite_box());
+    const double longest = ray.direction.cwiseAbs().maxCoeff();
+    const auto may_come_first = [&](const Eigen::AlignedBox<double, 3>& box)
+    {
+      const double enter = ray_enters_box(prepared, box);
+      return enter < std::numeric_limits<double>::infinity() &&
+             (!first || enter <= first->hit.t * longest * (1 + 1e-12));
+    };
+    tree_.each_that(
+        may_come_first,
+        [&](int body)
+        {
+          const auto hit = std::visit(
+              [&](const auto& shape) { return cookbook::cast(ray, placed(at(body), shape)); },
+              shape_of(body));
+          const std::size_t number = place_of(body);
+          if (hit &&
+              (!first || hit->t < first->hit.t || (hit->t == first->hit.t && number < first->body)))
+          {
+            first = BodyHit{number, *hit};
+          }
+        });
+    return first;
+  }
+
+  /// The numbers of all bodies that a ball or a box overlaps or touches, the least first;
+  /// InvalidShape if it is none.
+  template <class Shape>
+  std::vector<std::size_t> overlapping(const Shape& shape) const
+  {
+    checked(shape);
+    const Eigen::AlignedBox<double, 3> around = bounds_of(shape);
+    std::vector<std::size_t> found;
+    tree_.each_that(
+        [&](const Eigen::AlignedBox<double, 3>& box) { return box.intersects(around); },
+        [&](int body)
+        {
+          const bool meets = std::visit(
+              [&](const auto& of) { return overlaps(placed(at(body), of), shape); },
+              shape_of(body));
+          if (meets)
+          {
+            found.push_back(place_of(body));
+          }
+        });
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+private:
+  const RigidBody& at(int body) const { return world_.bodies()[place_of(body)]; }
+  const decltype(SceneBody::shape)& shape_of(int body) const
+  {
+    return world_.scene().bodies[place_of(body)].shape;
+  }
+
+  const World& world_;
+  BoundsTree tree_;
+};
+// [world_queries]
+
+} // namespace cookbook

@@ -1,0 +1,172 @@
+/// \file
+/// What a game does to a world between two steps: bodies put in and taken out, pushed, watched.
+
+#include "05_resolution/scenes/trial/scene_bodies.hpp"
+#include "05_resolution/scenes/trial/world_scenes.hpp"
+#include "05_resolution/world/solvers.hpp"
+#include "05_resolution/world/world_inputs.hpp"
+
+#include "tests/catch.hpp"
+
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+using namespace cookbook;
+
+namespace
+{
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+} // namespace
+
+// [world_inputs]
+TEST_CASE(
+    "2 N s at a metre from the centre of 4 kg: .5 m/s, and a spin of r × P / I; 3 N for a step")
+{
+  Scene scene{.gravity = {0, 0, 0}, .step = 0.5};
+  scene.bodies.push_back(box_body("box", {1, 2, 1}, {5, 0, 0}, 4));
+  World world(scene, solver_named("direct"));
+  apply_impulse(world, 0, {0, 2, 0}, {6, 0, 0});
+  CHECK(world.bodies()[0].motion.velocity == Vector3<double>(0, 0.5, 0));
+  // I about z is 4 (1² + 2²) / 3.
+  CHECK(world.bodies()[0].motion.angular_velocity.z() == Catch::Approx(2 * 3 / 20.0));
+  apply_impulse(world, 0, {0, -2, 0}, {6, 0, 0});
+  CHECK(world.bodies()[0].motion.angular_velocity.norm() <= 1e-16);
+  apply_force(world, 0, {3, 0, 0});
+  CHECK(world.bodies()[0].motion.velocity.x() == Catch::Approx(3 * 0.5 / 4));
+  apply_torque(world, 0, {0, 0, 7});
+  CHECK(world.bodies()[0].motion.angular_velocity.z() == Catch::Approx(7 * 0.5 * 3 / 20));
+  world.set_velocity(0, {0, 0, 1}, {0, 0, 0});
+  world.step();
+  CHECK(world.bodies()[0].motion.center == Vector3<double>(5, 0, 0.5));
+}
+
+TEST_CASE("a body that is put in while others sleep wakes whom it hits only, and keeps its number")
+{
+  Scene scene = named_scene("tower_3");
+  scene.bodies.push_back(cube_body("far", {50, 0.5, 0}));
+  World world(scene, solver_named("direct"), true);
+  while (world.time() < 2)
+  {
+    world.step();
+  }
+  REQUIRE((world.sleeps(1) && world.sleeps(4)));
+  const std::size_t added = world.add(cube_body("late", {0, 3.6, 0}));
+  CHECK(added == 5);
+  while (!(world.bodies()[added].motion.velocity.y() > -0.1 && world.time() > 2.1))
+  {
+    world.step();
+  }
+  CHECK_FALSE(world.sleeps(1));
+  CHECK(world.sleeps(4));
+  world.remove(added);
+  CHECK_FALSE(world.has(added));
+  CHECK(world.add(cube_body("next", {0, 9, 0})) == 6);
+  while (world.time() < 6)
+  {
+    world.step();
+  }
+  CHECK(world.bodies()[6].motion.center.y() == Catch::Approx(3.5).margin(1e-6));
+}
+
+TEST_CASE("who uses a world badly is told by name, and nothing changes")
+{
+  using Catch::Matchers::ContainsSubstring;
+  CHECK_THROWS_WITH(World({}, nullptr), ContainsSubstring("needs a solver"));
+  World world(named_scene("tower_2"), solver_named("direct"));
+  world.remove(2);
+  const Vector3<double> zero(0, 0, 0);
+  CHECK_THROWS_WITH(world.set_velocity(2, zero, zero), ContainsSubstring("no body 2"));
+  CHECK_THROWS_WITH(world.remove(2), ContainsSubstring("no body 2"));
+  CHECK_THROWS_AS(apply_impulse(world, 7, zero), std::out_of_range);
+  CHECK_THROWS_WITH(
+      world.set_velocity(1, {not_a_number, 0, 0}, zero), ContainsSubstring("velocity.x"));
+  CHECK_THROWS_WITH(world.set_gravity({0, infinity, 0}), ContainsSubstring("gravity.y"));
+  CHECK_THROWS_WITH(
+      world.add({"thin", BoxShape{{1, 0, 1}}, 1}), ContainsSubstring("thin: half_extents.y"));
+  CHECK(world.bodies().size() == 3);
+  CHECK(world.bodies()[1].motion.velocity == zero);
+  world.set_velocity(0, {1, 0, 0}, zero); // the ground is fixed
+  CHECK(world.bodies()[0].motion.velocity == zero);
+}
+
+TEST_CASE(
+    "gravity that is turned round wakes who sleeps, and lets him fall up: 4.905 m in a second")
+{
+  World world(named_scene("tower_1"), solver_named("direct"), true);
+  while (world.time() < 2)
+  {
+    world.step();
+  }
+  REQUIRE(world.sleeps(1));
+  const double height = world.bodies()[1].motion.center.y();
+  world.set_gravity({0, 9.81, 0});
+  for (int i = 0; i < 60; ++i)
+  {
+    world.step();
+  }
+  // Free flight is exact: g t² / 2.
+  CHECK(world.bodies()[1].motion.center.y() - height == Catch::Approx(9.81 / 2).epsilon(1e-9));
+}
+// [world_inputs]
+
+// [ignore]
+TEST_CASE("two that ignore each other fall through each other, and rest on all others")
+{
+  Scene scene = named_scene("tower_1");
+  scene.bodies.push_back(cube_body("ghost", {0.2, 3, 0}));
+  World world(scene, solver_named("direct"));
+  world.ignore(2, 1);
+  world.ignore(1, 2);
+  while (world.time() < 2)
+  {
+    world.step();
+  }
+  CHECK(world.bodies()[1].motion.center.y() == Catch::Approx(0.5).margin(1e-6));
+  CHECK(world.bodies()[2].motion.center.y() == Catch::Approx(0.5).margin(1e-6));
+  CHECK(world.scene().ignored.size() == 1);
+}
+// [ignore]
+
+// [damped_bodies]
+TEST_CASE(
+    "a velocity of 8 m/s wears off at 2/s to 8/e after half a second; a spin by itself", "[R32]")
+{
+  Scene scene{.gravity = {0, 0, 0}};
+  scene.bodies.push_back(ball_body("ball", 1, {0, 0, 0}));
+  scene.bodies[0].velocity = {8, 0, 0};
+  scene.bodies[0].angular_velocity = {0, 3, 0};
+  scene.bodies[0].damping = 2;
+  World world(scene, solver_named("direct"));
+  for (int i = 0; i < 30; ++i)
+  {
+    world.step();
+  }
+  CHECK(world.bodies()[0].motion.velocity.x() == Catch::Approx(8 / std::numbers::e));
+  CHECK(world.bodies()[0].motion.angular_velocity.y() == Catch::Approx(3));
+}
+
+TEST_CASE("a ball that rolls over the ground with its spin damped comes to rest, and sleeps")
+{
+  Scene scene;
+  scene.bodies = {ground(), ball_body("ball", 0.5, {0, 0.5, 0})};
+  scene.bodies[1].velocity = {2, 0, 0};
+  scene.bodies[1].angular_velocity = {0, 0, -4};
+  scene.bodies[1].spin_damping = 1;
+  for (const char* const solver : {"direct", "soft_steps"})
+  {
+    World world(scene, solver_named(solver), true);
+    while (world.time() < 30)
+    {
+      world.step();
+    }
+    CAPTURE(solver);
+    CHECK(world.sleeps(1));
+    CHECK(world.bodies()[1].motion.center.x() > 2);
+  }
+}
+// [damped_bodies]

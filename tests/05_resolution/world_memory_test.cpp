@@ -1,0 +1,40 @@
+/// \file
+/// What a world asks of memory: a scene that has settled steps without an allocation.
+
+#include "05_resolution/scenes/trial/world_scenes.hpp"
+#include "05_resolution/world/solvers.hpp"
+#include "05_resolution/world/trial/counted_allocations.hpp"
+
+#include "tests/catch.hpp"
+
+#include <string>
+
+using namespace cookbook;
+
+// [no_allocation]
+TEST_CASE("once a tower, a pyramid or a pile has settled, a step allocates nothing")
+{
+  for (const std::string name : {"tower", "pyramid", "pile_30"})
+  {
+    for (const std::string solver : {"soft_steps", "direct"})
+    {
+      for (const bool may_sleep : {false, true})
+      {
+        CAPTURE(name, solver, may_sleep);
+        World world(named_scene(name), solver_named(solver), may_sleep);
+        while (world.time() < 5)
+        {
+          world.step();
+        }
+        const long before = counted_allocations();
+        REQUIRE(before > 0);
+        while (world.time() < 6)
+        {
+          world.step();
+        }
+        CHECK(counted_allocations() == before);
+      }
+    }
+  }
+}
+// [no_allocation]
