@@ -85,6 +85,16 @@ std::string Table::text() const
   return all;
 }
 
+std::string text_table(const Cells& rows)
+{
+  Table table(rows.front());
+  for (std::size_t i = 1; i < rows.size(); ++i)
+  {
+    table.row(rows[i]);
+  }
+  return table.text();
+}
+
 std::string html_table(const Cells& rows)
 {
   std::string html = "<table class=\"doxtable\">";

@@ -37,6 +37,9 @@ private:
 /// Rows of cells, the first of them a head.
 using Cells = std::vector<std::vector<std::string>>;
 
+/// A table in text.
+std::string text_table(const Cells& rows);
+
 /// A table in HTML.
 std::string html_table(const Cells& rows);
 

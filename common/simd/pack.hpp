@@ -71,6 +71,8 @@ struct Pack
   friend Pack operator*(const Pack& a, const Pack& b) { return of(a.lanes * b.lanes); }
   friend Pack operator/(const Pack& a, const Pack& b) { return of(a.lanes / b.lanes); }
   friend Pack operator-(const Pack& a) { return of(-a.lanes); }
+  Pack& operator+=(const Pack& other) { return *this = *this + other; } ///< adds lane by lane
+  Pack& operator-=(const Pack& other) { return *this = *this - other; } ///< takes away
   friend Pack max(const Pack& a, const Pack& b)
   {
     return of(picked(a.lanes > b.lanes, a.lanes, b.lanes));

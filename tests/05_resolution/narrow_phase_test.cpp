@@ -142,8 +142,10 @@ TEST_CASE(
         {
           CAPTURE(solver, on_box, radius);
           const auto [speed, turning] = rolled(solver, on_box, radius);
-          CHECK(speed == Catch::Approx(5).epsilon(1e-9));
-          CHECK(turning == Catch::Approx(5).epsilon(1e-9));
+          // Float rounds each of the some hundred pushes that stop the slide.
+          const double rounding = solver == "wide_steps" ? 1e-5 : 1e-9;
+          CHECK(speed == Catch::Approx(5).epsilon(rounding));
+          CHECK(turning == Catch::Approx(5).epsilon(rounding));
         }
       }
     }

@@ -354,18 +354,27 @@ TEST_CASE(
   // Direct, soft steps, warm and cold impulses, positions.
   check_verdicts(
       world_verdicts(), solver_names(),
-      {{"S3", {"direct"}},
+      {{"S3", {"direct", "wide_steps"}},
        {"S6", {"direct"}},
        {"S7", {"direct", "position_based"}},
        {"S8", {"direct"}},
-       {"S18", {"direct", "soft_steps"}},
-       {"S20", {"direct", "soft_steps", "sequential_impulses", "cold_impulses", "position_based"}},
-       {"S21", {"direct", "soft_steps", "sequential_impulses", "cold_impulses", "position_based"}},
-       {"S22", {"direct", "soft_steps", "sequential_impulses", "cold_impulses", "position_based"}},
+       {"S18", {"direct", "soft_steps", "wide_steps"}},
+       {"S20",
+        {"direct", "soft_steps", "wide_steps", "sequential_impulses", "cold_impulses",
+         "position_based"}},
+       {"S21",
+        {"direct", "soft_steps", "wide_steps", "sequential_impulses", "cold_impulses",
+         "position_based"}},
+       {"S22",
+        {"direct", "soft_steps", "wide_steps", "sequential_impulses", "cold_impulses",
+         "position_based"}},
        {"a ball over them",
-        {"direct", "soft_steps", "sequential_impulses", "cold_impulses", "position_based"}},
+        {"direct", "soft_steps", "wide_steps", "sequential_impulses", "cold_impulses",
+         "position_based"}},
        {"S23", {"direct"}},
-       {"L3", {"direct", "soft_steps", "sequential_impulses", "cold_impulses", "position_based"}}});
+       {"L3",
+        {"direct", "soft_steps", "wide_steps", "sequential_impulses", "cold_impulses",
+         "position_based"}}});
 }
 // [cases]
 

@@ -42,7 +42,7 @@ void add(Bits& bits, const BodyPair<double>& bodies)
 #endif
 
 #if defined TAKE_sequential_impulses || defined TAKE_soft_steps || defined TAKE_position_based ||  \
-    defined TAKE_direct_solver
+    defined TAKE_direct_solver || defined TAKE_wide_solver
 /// Prints what a solver makes of small piles of boxes, one frame each.
 template <class Solver>
 void print_piles(const char* name, Solver solver)
@@ -127,6 +127,7 @@ void push_eight_times(IslandView view, const Island& island, double step)
       add_friction(point);
     }
   }
+  store(points);
   for (const int body : island.bodies)
   {
     move(view.bodies[place_of(body)], step);
@@ -332,6 +333,34 @@ int main()
       {
         soft_steps(view, island, 1.0 / 60, SoftSettings{});
         return true;
+      });
+#endif
+#ifdef TAKE_wide_solver
+  print_piles(
+      "wide_solver",
+      [lanes = WideContacts()](IslandView view, const Island& island) mutable
+      {
+        wide_steps(view, island, 1.0 / 60, SoftSettings{}, lanes);
+        return true;
+      });
+#endif
+#ifdef TAKE_contact_graph
+  print(
+      "contact_graph",
+      [](Draw& draw, Bits& bits)
+      {
+        std::vector<std::pair<int, int>> pairs;
+        for (int i = 0; i < 20; ++i)
+        {
+          pairs.emplace_back(
+              draw.one_in(2) + 2 * draw.one_in(2), 4 + draw.one_in(2) + 2 * draw.one_in(4));
+        }
+        ContactGraph graph;
+        graph.color(8, pairs, [](int body) { return body > 0; });
+        for (const int color : graph.color_of_each())
+        {
+          bits(color);
+        }
       });
 #endif
 #ifdef TAKE_position_based

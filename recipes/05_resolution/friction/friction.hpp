@@ -30,12 +30,9 @@ Vector3<Real> sliding_velocity(
 template <class Real>
 Vector3<Real> within_cone(const Vector3<Real>& impulse, const Real& most)
 {
+  using std::max;
   const Real length = impulse.norm();
-  if (length <= most)
-  {
-    return impulse;
-  }
-  return impulse * (std::max(Real(0), most) / length);
+  return either(length <= most, impulse, [&] { return impulse * (max(Real(0), most) / length); });
 }
 // [within_cone]
 
@@ -53,7 +50,7 @@ Real coupling_at(
 
 /// A direction whose K is less than this share of the largest is not told from one that nothing
 /// moves.
-inline constexpr double almost_none = 1e-6;
+inline constexpr float almost_none = 1e-6f;
 
 /// What a push along the surface feels. It stays as it is while impulses are found.
 template <class Real>
@@ -63,13 +60,13 @@ struct SlidingMass
   Real least;           ///< [kg], in the direction that is moved most, 1/K; zero: none is moved
 };
 
-/// The mass that a push along the surface feels, from K in two directions of it, u and v.
+/// The mass that a push along the surface feels, from K in a direction u of it and in one across.
 template <class Real>
 SlidingMass<Real> sliding_mass(
-    const Body<Real>& a, const Body<Real>& b, const Vector3<Real>& normal, const Arms<Real>& arms)
+    const Body<Real>& a, const Body<Real>& b, const Vector3<Real>& normal, const Vector3<Real>& u,
+    const Arms<Real>& arms)
 {
   using std::sqrt;
-  const Vector3<Real> u = normal.unitOrthogonal();
   const Vector3<Real> v = normal.cross(u);
   const Real half(Real(1) / Real(2));
   const Real uu = inverse_mass_at(a, b, u, arms), vv = inverse_mass_at(a, b, v, arms);
@@ -77,14 +74,21 @@ SlidingMass<Real> sliding_mass(
   const Real apart = half * (uu - vv);
   const Real least = effective_mass<Real>(half * (uu + vv) + sqrt(apart * apart + uv * uv));
   const Real alone = least * (uu + vv) - Real(1); // the lesser K, as a share of the largest
-  if (!(alone > Real(almost_none)))
-  {
-    return {least * (u * u.transpose() + v * v.transpose()), least};
-  }
+  const Matrix3<Real> all = u * u.transpose() + v * v.transpose();
   const Matrix3<Real> across = (vv * least) * (u * u.transpose()) +
                                (uu * least) * (v * v.transpose()) -
                                (uv * least) * (u * v.transpose() + v * u.transpose());
-  return {(least / alone) * across, least};
+  const auto one_alone = alone <= Real(almost_none);
+  const Real share = either(one_alone, least, [&] { return least / alone; });
+  return {share * either(one_alone, all, [&] { return across; }), least};
+}
+
+/// The same, from any direction of the surface.
+template <class Real>
+SlidingMass<Real> sliding_mass(
+    const Body<Real>& a, const Body<Real>& b, const Vector3<Real>& normal, const Arms<Real>& arms)
+{
+  return sliding_mass<Real>(a, b, normal, normal.unitOrthogonal(), arms);
 }
 // [sliding_mass]
 
@@ -102,7 +106,8 @@ Vector3<Real> friction_impulse(
     const Real& most)
 {
   const Vector3<Real> holding = so_far - mass.ending * sliding;
-  return holding.norm() <= most ? holding : within_cone<Real>(so_far - mass.least * sliding, most);
+  const auto cut = [&] { return within_cone<Real>(so_far - mass.least * sliding, most); };
+  return either(holding.norm() <= most, holding, cut);
 }
 // [friction_impulse]
 

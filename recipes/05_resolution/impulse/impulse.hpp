@@ -59,11 +59,19 @@ Real inverse_mass_at(
   return inverse_mass_at(a, direction, arms.a) + inverse_mass_at(b, direction, arms.b);
 }
 
+/// The first of two, if a test says so; otherwise what the second gives. So it can be asked of
+/// packs, too, which choose in every lane.
+template <class Any, class Second>
+Any either(bool first, const Any& yes, const Second& second)
+{
+  return first ? yes : Any(second());
+}
+
 /// The mass [kg] that a push feels, 1/K; zero where no push moves the point.
 template <class Real>
 Real effective_mass(const Real& inverse_mass)
 {
-  return inverse_mass == Real(0) ? Real(0) : Real(Real(1) / inverse_mass);
+  return either(inverse_mass <= Real(0), Real(0), [&] { return Real(1) / inverse_mass; });
 }
 // [inverse_mass]
 
@@ -122,7 +130,8 @@ void push_apart(Body<Real>& a, Body<Real>& b, const Arms<Real>& arms, const Vect
 template <class Real>
 Real accumulated(const Real& so_far, const Real& change)
 {
-  return std::max(Real(0), Real(so_far + change));
+  using std::max;
+  return max(Real(0), Real(so_far + change));
 }
 // [accumulated]
 

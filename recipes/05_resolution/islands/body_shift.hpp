@@ -42,7 +42,7 @@ inline void shift(RigidBody& body, const Vector3<double>& arm, const Vector3<dou
 /// The arms [m], world, of a contact point as its bodies are turned now.
 inline Arms<double> arms_now(const IslandPoint& point)
 {
-  return arms_of(*point.a, *point.b, *point.sum);
+  return arms_of(*point.a, *point.b, *point.known);
 }
 
 /// The inverse mass [1/kg] at a point along a unit direction, as the bodies are now; R1.

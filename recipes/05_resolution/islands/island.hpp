@@ -5,10 +5,10 @@
 
 #include "05_resolution/contacts/world_contact.hpp"
 #include "05_resolution/islands/find_islands.hpp"
+#include "05_resolution/islands/groups.hpp"
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -22,49 +22,6 @@ struct Island
 {
   std::span<const int> bodies;   ///< numbers of bodies
   std::span<const int> contacts; ///< numbers of contacts
-};
-
-/// Numbers sorted into groups, one group after the other.
-class Groups
-{
-public:
-  /// Sorts the numbers below `count` by `group_of(i)`, from 0 to below `groups`, or −1 for none.
-  template <class GroupOf>
-  void sort(std::size_t groups, std::size_t count, const GroupOf& group_of)
-  {
-    starts_.assign(groups + 1, 0);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const int group = group_of(i);
-      if (group >= 0)
-      {
-        ++starts_[static_cast<std::size_t>(group) + 1];
-      }
-    }
-    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-    members_.resize(static_cast<std::size_t>(starts_.back()));
-    next_ = starts_;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const int group = group_of(i);
-      if (group >= 0)
-      {
-        const int place = next_[static_cast<std::size_t>(group)]++;
-        members_[static_cast<std::size_t>(place)] = static_cast<int>(i);
-      }
-    }
-  }
-
-  /// The numbers of a group, the least first.
-  std::span<const int> operator[](std::size_t group) const
-  {
-    return std::span(members_).subspan(
-        static_cast<std::size_t>(starts_[group]),
-        static_cast<std::size_t>(starts_[group + 1] - starts_[group]));
-  }
-
-private:
-  std::vector<int> starts_, next_, members_;
 };
 
 /// All islands of a world, in order of their first bodies; a body that touches nothing is one too.

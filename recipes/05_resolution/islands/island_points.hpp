@@ -3,7 +3,7 @@
 /// \file
 /// \brief The contact points of an island as solvers that go from point to point need them.
 
-#include "05_resolution/friction/friction.hpp"
+#include "05_resolution/islands/contact_constraint.hpp"
 #include "05_resolution/islands/island.hpp"
 
 #include <algorithm>
@@ -18,16 +18,12 @@ namespace cookbook
 
 // [island_points]
 /// A contact point of an island.
-struct IslandPoint
+struct IslandPoint : ContactConstraint<double>
 {
   RigidBody* a;                ///< the body that the normal points away from
   RigidBody* b;                ///< the body that it points to
   const WorldContact* contact; ///< whose point it is
-  WorldPoint* sum;             ///< its impulses so far, which the next frame finds again
-  Arms<double> arms;           ///< [m], world, at the start of the frame
-  double normal_mass;          ///< [kg], that an impulse along the normal feels
-  SlidingMass<double> sliding; ///< [kg], what one across it feels
-  double apart;                ///< [m], the gap; solvers with small steps carry it on
+  WorldPoint* known;           ///< what the next frame finds again
 };
 
 /// What a solver may see and change.
@@ -42,86 +38,89 @@ struct IslandView
 /// Moves the bodies of one island on by a step [s], and sets the impulses of its contacts.
 using IslandSolver = std::function<void(IslandView, const Island&, double)>;
 
-/// Finds what impulses at a point feel, with the bodies as they are turned now; R1.
+/// Finds what impulses at a point feel, with the bodies as they are turned now.
 inline void find_masses(IslandPoint& point)
 {
-  const Vector3<double>& normal = point.contact->normal();
-  const Body<double>&a = *point.a, &b = *point.b;
-  point.normal_mass = effective_mass(inverse_mass_at(a, b, normal, point.arms));
-  point.sliding = sliding_mass(a, b, normal, point.arms);
+  find_masses<double>(point, *point.a, *point.b, point.normal.unitOrthogonal());
 }
 
-/// A contact point of an island, its bodies as they are.
+/// A contact point of two bodies as they are, without its masses; friction of the frame before is
+/// turned into the plane of the contact as it is now.
+inline ContactConstraint<double> constraint_of(
+    const RigidBody& a, const RigidBody& b, const WorldContact& contact, const WorldPoint& of)
+{
+  const Vector3<double>& normal = contact.normal();
+  const Vector3<double> friction = of.friction - of.friction.dot(normal) * normal;
+  const double apart = gap(a, b, normal, of);
+  return {normal, arms_of(a, b, of), contact.friction, apart, of.impulse, friction, 0, {}};
+}
+
+/// A contact point of an island.
 inline IslandPoint
 island_point(RigidBody& a, RigidBody& b, const WorldContact& contact, WorldPoint& of)
 {
-  const double apart = gap(a, b, contact.normal(), of);
-  IslandPoint point{&a, &b, &contact, &of, arms_of(a, b, of), 0, {}, apart};
+  IslandPoint point{constraint_of(a, b, contact, of), &a, &b, &contact, &of};
   find_masses(point);
   return point;
 }
 
-/// The points of an island, contact by contact, in the room that the world has for them; friction
-/// of the frame before is turned into the plane of the contact as it is now.
+/// The points of an island, contact by contact, in the room that the world has for them.
 inline std::span<IslandPoint> points_of(IslandView world, const Island& island)
 {
   std::vector<IslandPoint>& points = world.room;
   points.clear();
   for (const int number : island.contacts)
   {
-    WorldContact& contact = world.contacts[static_cast<std::size_t>(number)];
-    RigidBody& a = world.bodies[static_cast<std::size_t>(contact.a)];
-    RigidBody& b = world.bodies[static_cast<std::size_t>(contact.b)];
-    const Vector3<double>& normal = contact.normal();
+    WorldContact& contact = world.contacts[place_of(number)];
+    RigidBody& a = world.bodies[place_of(contact.a)];
+    RigidBody& b = world.bodies[place_of(contact.b)];
     for (WorldPoint& point : contact.points())
     {
-      point.friction -= point.friction.dot(normal) * normal;
       points.push_back(island_point(a, b, contact, point));
     }
   }
   return points;
 }
 
+/// Writes down what points have been given, for the next frame to begin with.
+inline void store(std::span<const IslandPoint> points)
+{
+  for (const IslandPoint& point : points)
+  {
+    point.known->impulse = point.impulse;
+    point.known->friction = point.friction;
+  }
+}
+
 /// How far apart [m] the surfaces are at a point where the bodies are now.
 inline double gap(const IslandPoint& point)
 {
-  return gap(*point.a, *point.b, point.contact->normal(), *point.sum);
+  return gap(*point.a, *point.b, point.normal, *point.known);
 }
 
 /// How fast [m/s] the surfaces part at a point.
 inline double parting_speed(const IslandPoint& point)
 {
-  return parting_speed<double>(*point.a, *point.b, point.contact->normal(), point.arms);
+  return parting_speed<double>(*point.a, *point.b, point);
 }
-// [island_points]
 
-// [pushes]
-/// Pushes along the normal at a point, or takes back at most what it has got; R7.
+/// Pushes the bodies of a point along the normal, or takes back at most what it has got; R7.
 inline void add_impulse(IslandPoint& point, double change)
 {
-  const double sum = accumulated(point.sum->impulse, change);
-  const Vector3<double> push = (sum - point.sum->impulse) * point.contact->normal();
-  push_apart<double>(*point.a, *point.b, point.arms, push);
-  point.sum->impulse = sum;
+  add_impulse<double>(*point.a, *point.b, point, change);
 }
 
-/// Takes away what slips at a point, with a friction within the cone; R6.
+/// Takes away what slips at a point; R6.
 inline void add_friction(IslandPoint& point)
 {
-  const WorldContact& contact = *point.contact;
-  const Vector3<double> sum = friction_impulse(
-      sliding_velocity<double>(*point.a, *point.b, contact.normal(), point.arms), point.sliding,
-      point.sum->friction, contact.friction * point.sum->impulse);
-  push_apart<double>(*point.a, *point.b, point.arms, sum - point.sum->friction);
-  point.sum->friction = sum;
+  add_friction<double>(*point.a, *point.b, point);
 }
 
-/// Gives the bodies once more what the frame before, or the step before, has ended with.
-inline void warm_start(IslandPoint& point)
+/// Gives the bodies of a point what the frame before has ended with.
+inline void warm_start(const IslandPoint& point)
 {
-  const Vector3<double> push = point.sum->impulse * point.contact->normal() + point.sum->friction;
-  push_apart<double>(*point.a, *point.b, point.arms, push);
+  warm_start<double>(*point.a, *point.b, point);
 }
-// [pushes]
+// [island_points]
 
 } // namespace cookbook

@@ -34,7 +34,7 @@ inline void correct_speed(PositionPoint& one, double threshold)
     const double change = wanted - parting_speed(one.point);
     push_apart<double>(
         *one.point.a, *one.point.b, one.point.arms,
-        one.point.normal_mass * change * one.point.contact->normal());
+        one.point.normal_mass * change * one.point.normal);
   }
 }
 // [small_step]
@@ -47,9 +47,9 @@ position_points(IslandView world, const Island& island, double small)
   std::vector<PositionPoint> points;
   for (const IslandPoint& point : points_of(world, island))
   {
-    const Vector3<double> owed = point.sum->friction * small / point.sliding.least;
+    const Vector3<double> owed = point.friction * small / point.sliding.least;
     points.push_back({point, owed});
-    point.sum->impulse = 0;
+    point.known->impulse = 0;
   }
   return points;
 }
@@ -75,9 +75,9 @@ inline void end(PositionPoint& one, double small, double threshold)
     find_masses(one.point);
   }
   correct_speed(one, threshold);
-  one.point.sum->impulse += one.pressed / small;
+  one.point.known->impulse += one.pressed / small;
   one.owed = touches ? slip(one) : Vector3<double>(0, 0, 0);
-  one.point.sum->friction = one.owed * one.point.sliding.least / small;
+  one.point.known->friction = one.owed * one.point.sliding.least / small;
 }
 
 /// Moves the bodies of an island on by a step [s]; R15, R16.

@@ -64,7 +64,7 @@ inline void hold(PositionPoint& one)
 /// Takes an overlap away, or as much of it as the compliance asks; R15.
 inline void correct_gap(PositionPoint& one, double compliance, double most)
 {
-  const Vector3<double>& normal = one.point.contact->normal();
+  const Vector3<double>& normal = one.point.normal;
   const double inverse_mass = shift_inverse_mass(one.point, normal);
   const double error = std::max(gap(one.point), -most);
   const double change = compliant_change(error, inverse_mass, compliance, one.pressed);
@@ -76,7 +76,7 @@ inline void correct_gap(PositionPoint& one, double compliance, double most)
 /// How far [m] B's surface has slipped at a point since it began to stick.
 inline Vector3<double> slip(const PositionPoint& one)
 {
-  const Vector3<double>& normal = one.point.contact->normal();
+  const Vector3<double>& normal = one.point.normal;
   const Vector3<double> way = between(one) - one.held;
   return way - way.dot(normal) * normal;
 }
@@ -94,7 +94,7 @@ inline void correct_slip(PositionPoint& one)
   }
   const double mass = effective_mass(shift_inverse_mass(one.point, way / length));
   const Vector3<double> wanted = one.rubbed - mass * way;
-  const Vector3<double> sum = within_cone(wanted, one.point.contact->friction * one.pressed);
+  const Vector3<double> sum = within_cone(wanted, one.point.coefficient * one.pressed);
   shift_apart(one.point, sum - one.rubbed);
   one.rubbed = sum;
   if (sum != wanted)

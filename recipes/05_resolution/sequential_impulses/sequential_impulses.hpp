@@ -69,7 +69,7 @@ inline double complementarity_residual(const std::vector<SequentialPoint>& point
   double most = 0;
   for (const auto& [point, target] : points)
   {
-    const double pressed = point.sum->impulse / point.normal_mass;
+    const double pressed = point.impulse / point.normal_mass;
     most = std::max(most, std::abs(std::min(pressed, parting_speed(point) - target)));
   }
   return most;
@@ -83,7 +83,7 @@ inline void position_pass(std::vector<SequentialPoint>& points, const Sequential
 {
   for (SequentialPoint& one : points)
   {
-    const Vector3<double>& normal = one.point.contact->normal();
+    const Vector3<double>& normal = one.point.normal;
     const double apart = relaxation(-gap(one.point), settings.slop, settings.correction);
     if (apart > 0)
     {
@@ -112,8 +112,8 @@ inline std::vector<SequentialPoint> sequential_points(
     }
     else
     {
-      point.sum->impulse = 0;
-      point.sum->friction.setZero();
+      point.impulse = 0;
+      point.friction.setZero();
     }
     points.push_back({point, target_speed(point, step, settings)});
   }
@@ -130,6 +130,10 @@ inline void sequential_impulses(
   for (int i = 0; i < settings.iterations; ++i)
   {
     velocity_pass(points);
+  }
+  for (const SequentialPoint& one : points)
+  {
+    store({&one.point, 1});
   }
   for (const int body : island.bodies)
   {

@@ -28,16 +28,20 @@ struct SoftSettings
 // [soft_steps]
 /// Corrects a point once, as a spring that pushes out of an overlap, or as a stop that allows a gap
 /// to close in one small step [s] and no sooner; then its friction.
-inline void
-correct(IslandPoint& point, const Softness<double>& spring, double small, double correction_speed)
+template <class Real>
+void correct(
+    Body<Real>& a, Body<Real>& b, ContactConstraint<Real>& at, const Softness<Real>& spring,
+    const Real& small, const Real& correction_speed)
 {
-  const double apart = point.apart;
-  const bool open = apart > 0;
-  const Softness<double> how = open ? rigid<double>() : spring;
-  const double bias = open ? apart / small : std::max(how.bias_rate * apart, -correction_speed);
-  const double wanted = point.normal_mass * how.mass_scale * (parting_speed(point) + bias);
-  add_impulse(point, -wanted - how.impulse_scale * point.sum->impulse);
-  add_friction(point);
+  using std::max;
+  const auto closed = at.apart <= Real(0);
+  const Real push_out = max(Real(spring.bias_rate * at.apart), Real(-correction_speed));
+  const Real bias = either(closed, push_out, [&] { return at.apart / small; });
+  const Real mass_scale = either(closed, spring.mass_scale, [] { return Real(1); });
+  const Real impulse_scale = either(closed, spring.impulse_scale, [] { return Real(0); });
+  const Real wanted = at.normal_mass * mass_scale * (parting_speed(a, b, at) + bias);
+  add_impulse<Real>(a, b, at, -wanted - impulse_scale * at.impulse);
+  add_friction(a, b, at);
 }
 
 /// The largest angle [rad] by which a box of an island turns in a time [s].
@@ -63,8 +67,8 @@ inline void scale_impulses(std::span<IslandPoint> points, double scale)
 {
   for (IslandPoint& point : points)
   {
-    point.sum->impulse *= scale;
-    point.sum->friction *= scale;
+    point.impulse *= scale;
+    point.friction *= scale;
   }
 }
 
@@ -94,7 +98,7 @@ soft_steps(IslandView world, const Island& island, double step, const SoftSettin
     }
     for (IslandPoint& point : points)
     {
-      correct(point, spring, small, correction_speed);
+      correct<double>(*point.a, *point.b, point, spring, small, correction_speed);
     }
     for (const int body : island.bodies)
     {
@@ -111,10 +115,11 @@ soft_steps(IslandView world, const Island& island, double step, const SoftSettin
     }
     for (IslandPoint& point : points)
     {
-      correct(point, rigid<double>(), small, correction_speed);
+      correct<double>(*point.a, *point.b, point, rigid<double>(), small, correction_speed);
     }
   }
   scale_impulses(points, settings.substeps);
+  store(points);
 }
 // [soft_steps]
 

@@ -27,7 +27,7 @@ inline double impact_target(const IslandPoint& point, const Vector3<double>& gra
     return -1;
   }
   const auto falls = [&](const RigidBody& body) { return is_fixed(body) ? 0.0 : 1.0; };
-  const double fall = gravity.dot(point.contact->normal());
+  const double fall = gravity.dot(point.normal);
   const double acceleration = fall * (falls(*point.b) - falls(*point.a));
   const double threshold = bounce_threshold(gravity.norm(), step);
   const double target = bounced_speed<double>(
@@ -37,12 +37,12 @@ inline double impact_target(const IslandPoint& point, const Vector3<double>& gra
 // [impact_target]
 
 // [impact_points]
-/// A point that bounces, or may be pushed by one that does.
+/// A point that bounces, or may be pushed by one that does; its impulses are what this impact alone
+/// has given.
 struct ImpactPoint
 {
   IslandPoint point;
-  double target;       ///< [m/s]
-  WorldPoint sum = {}; ///< what this impact alone has given
+  double target; ///< [m/s]
 };
 
 /// Brings points to a share of their targets, and keeps the others from closing, one after the
@@ -52,8 +52,8 @@ inline void reach_targets(std::vector<ImpactPoint>& points, double share)
   double fastest = 0;
   for (ImpactPoint& one : points)
   {
-    one.sum = {};
-    one.point.sum = &one.sum;
+    one.point.impulse = 0;
+    one.point.friction.setZero();
     fastest = std::max({fastest, one.target, -parting_speed(one.point)});
   }
   double missing = fastest;
@@ -62,11 +62,11 @@ inline void reach_targets(std::vector<ImpactPoint>& points, double share)
     missing = 0;
     for (ImpactPoint& one : points)
     {
-      const double before = one.sum.impulse;
+      const double before = one.point.impulse;
       const double target = share * one.target;
       add_impulse(one.point, one.point.normal_mass * (target - parting_speed(one.point)));
       add_friction(one.point);
-      missing = std::max(missing, std::abs(one.sum.impulse - before) / one.point.normal_mass);
+      missing = std::max(missing, std::abs(one.point.impulse - before) / one.point.normal_mass);
     }
   }
 }

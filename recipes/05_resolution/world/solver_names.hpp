@@ -12,7 +12,8 @@ namespace cookbook
 /// The names of all solvers, the recommended one first.
 inline std::vector<std::string> solver_names()
 {
-  return {"direct", "soft_steps", "sequential_impulses", "cold_impulses", "position_based"};
+  return {"direct",        "soft_steps",    "wide_steps", "sequential_impulses",
+          "cold_impulses", "position_based"};
 }
 
 } // namespace cookbook

@@ -7,6 +7,7 @@
 #include "05_resolution/position_based/position_based.hpp"
 #include "05_resolution/sequential_impulses/sequential_impulses.hpp"
 #include "05_resolution/soft_steps/soft_steps.hpp"
+#include "05_resolution/wide_solver/wide_solver.hpp"
 #include "05_resolution/world/solver_names.hpp"
 #include "05_resolution/world/world.hpp"
 
@@ -137,18 +138,30 @@ inline IslandSolver solver_named(const std::string& name, int substeps = 0)
     return [how = SoftSettings{.substeps = or_else(4)}](IslandView w, const Island& i, double h)
     { soft_steps(w, i, h, how); };
   }
+  if (name == "wide_steps")
+  {
+    return [how = SoftSettings{.substeps = or_else(4)},
+            lanes = WideContacts()](IslandView w, const Island& i, double h) mutable
+    { wide_steps(w, i, h, how, lanes); };
+  }
   if (name == "sequential_impulses" || name == "cold_impulses")
   {
     const bool warm = name == "sequential_impulses";
     return [how = SequentialSettings{.iterations = 8, .warm = warm},
             n = or_else(1)](IslandView w, const Island& i, double h)
     {
-      scale_impulses(points_of(w, i), 1.0 / n);
+      const auto scale = [&](double by)
+      {
+        const std::span<IslandPoint> points = points_of(w, i);
+        scale_impulses(points, by);
+        store(points);
+      };
+      scale(1.0 / n);
       for (int k = 0; k < n; ++k)
       {
         sequential_impulses(w, i, h / n, how);
       }
-      scale_impulses(points_of(w, i), n);
+      scale(n);
     };
   }
   if (name == "position_based")

@@ -101,38 +101,6 @@ Cells scene_table(const ChartedScene& scene, const std::vector<ChartedRun>& runs
   return table;
 }
 
-// [heaps]
-/// Heaps of more and more boxes, when they have come to rest: does a body cost more in a larger
-/// one?
-Cells heaps(bool quick)
-{
-  Cells table{
-      {"boxes in a heap, after 4 s", "direct [µs a body and step]", "for each doubling",
-       "soft steps, 4", "for each doubling"}};
-  double before_direct = 0, before_soft = 0, before = 0;
-  const auto growth = [&](double now, double then, int count)
-  {
-    const double doublings = std::log2(count / before);
-    return then > 0 ? "× " + number(std::pow(now / then, 1 / doublings)) : std::string("–");
-  };
-  for (const int count : {100, 200, 1000, 2000, 4000})
-  {
-    if (quick && count > 200)
-    {
-      break;
-    }
-    const Scene scene = named_scene("pile_" + std::to_string(count));
-    const double direct = settled_seconds(scene, {"direct", "direct", 0}, 4, 20);
-    const double soft = settled_seconds(scene, {"soft steps", "soft_steps", 4}, 4, 20);
-    table.push_back(
-        {std::to_string(count), number(direct * 1e6), growth(direct, before_direct, count),
-         number(soft * 1e6), growth(soft, before_soft, count)});
-    before_direct = direct, before_soft = soft, before = count;
-  }
-  return table;
-}
-// [heaps]
-
 // [crossover]
 /// Who may touch, asked of every pair, by a sweep along x and by a tree: a grid, and a tower, which
 /// is where a sweep along x sees nothing.
@@ -162,16 +130,6 @@ Cells crossover(const measure::Effort& effort)
 }
 // [crossover]
 
-std::string text_of(const Cells& cells)
-{
-  Table table(cells.front());
-  for (std::size_t i = 1; i < cells.size(); ++i)
-  {
-    table.row(cells[i]);
-  }
-  return table.text() + "\n";
-}
-
 // [run]
 void run(const Arguments& given)
 {
@@ -179,7 +137,7 @@ void run(const Arguments& given)
   std::string html;
   const auto show = [&html](const Cells& table)
   {
-    std::cout << text_of(table);
+    std::cout << text_table(table) << "\n";
     html += html_table(table);
   };
   std::vector<ChartedScene> scenes = charted_scenes;
@@ -197,7 +155,6 @@ void run(const Arguments& given)
       }
     }
   }
-  show(heaps(quick));
   show(crossover(quick ? measure::Effort{3, 0.001} : measure::Effort{11, 0.005}));
   save_figure(given, "world_chart.html", html);
 }

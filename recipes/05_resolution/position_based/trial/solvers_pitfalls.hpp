@@ -24,18 +24,19 @@ inline void published_frame(IslandView world, const Island& island, double step)
   for (IslandPoint& point : points)
   {
     stale.push_back(-gap(point));
-    point.sum->friction.setZero();
+    point.friction.setZero();
   }
   for (int pass = 0; pass < 5; ++pass)
   {
     for (IslandPoint& point : points)
     {
       const auto shared = static_cast<double>(point.contact->points().size());
-      point.sum->impulse = 0;
+      point.impulse = 0;
       add_impulse(point, -point.normal_mass * parting_speed(point) / shared);
       add_friction(point);
     }
   }
+  store(points);
   for (const int number : island.bodies)
   {
     RigidBody& body = world.bodies[static_cast<std::size_t>(number)];
@@ -47,8 +48,8 @@ inline void published_frame(IslandView world, const Island& island, double step)
   {
     RigidBody &a = *points[i].a, &b = *points[i].b;
     const double push = 0.45 * std::max(0.0, stale[i] - 0.01) / (a.inverse_mass + b.inverse_mass);
-    a.motion.center -= push * a.inverse_mass * points[i].contact->normal();
-    b.motion.center += push * b.inverse_mass * points[i].contact->normal();
+    a.motion.center -= push * a.inverse_mass * points[i].normal;
+    b.motion.center += push * b.inverse_mass * points[i].normal;
   }
 }
 // [published_frame]

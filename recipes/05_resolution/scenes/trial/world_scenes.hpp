@@ -3,9 +3,8 @@
 /// \file
 /// \brief The scenes that `world` knows by name.
 
-#include "05_resolution/scenes/trial/heap_scenes.hpp"
+#include "05_resolution/scenes/trial/crowd_scenes.hpp"
 #include "05_resolution/scenes/trial/motion_scenes.hpp"
-#include "05_resolution/scenes/trial/stack_scenes.hpp"
 #include "common/files/closest_name.hpp"
 
 #include <charconv>
@@ -40,6 +39,12 @@ inline const std::vector<SceneFamily>& scene_families()
       {"card_house", "thin cards that lean on each other, N levels", 2, 20, card_house},
       {"plates", "thin plates one on top of the other", 20, 1000, plates},
       {"pile", "boxes that fall in a heap", 200, 100'000, pile},
+      {"wall", "N courses of bricks in bond", 10, 100, wall},
+      {"wall_hit", "the same, hit by a heavy ball", 10, 100, wall_hit},
+      {"cubes", "cubes that fall together", 100, 100'000, cubes},
+      {"floor", "cubes side by side on the ground", 100, 100'000, floor_of_cubes},
+      {"pit", "balls that fall into a pit", 100, 10'000, pit},
+      {"swarm", "balls in flight without gravity", 100, 100'000, swarm},
       {"overlap", "cubes that begin inside each other", 0, 0, [](int) { return overlap(); }},
       {"incline", "a cube that slides down 30°", 0, 0, [](int) { return incline(0.5, 0.5); }},
       {"rolling", "a ball that slides until it rolls", 0, 0, [](int) { return rolling(); }},

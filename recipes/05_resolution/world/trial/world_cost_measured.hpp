@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <functional>
 #include <limits>
+#include <numeric>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,15 +32,16 @@ inline double seconds_of(const std::function<void()>& run)
 }
 
 // [step_seconds]
-/// The time [s] a step of each world, on average over all steps from the start on.
+/// The time [s] of each step of each world, from the start on: a list of steps for each world.
 ///
 /// The worlds take turns at every step, and all of it is repeated: a step is the same work each
 /// time, so the least of its times counts, and whatever else the machine does is left out.
-inline std::vector<double>
-step_seconds(const std::vector<TimedWorld>& worlds, int steps, int repetitions = 3)
+inline std::vector<std::vector<double>>
+each_step_seconds(const std::vector<TimedWorld>& worlds, int steps, int repetitions = 3)
 {
-  const std::size_t count = worlds.size() * static_cast<std::size_t>(steps);
-  std::vector<double> least(count, std::numeric_limits<double>::max());
+  const std::size_t count = static_cast<std::size_t>(steps);
+  const double never = std::numeric_limits<double>::max();
+  std::vector<std::vector<double>> least(worlds.size(), std::vector<double>(count, never));
   for (int repetition = 0; repetition < repetitions; ++repetition)
   {
     std::vector<std::function<void()>> built;
@@ -45,15 +49,31 @@ step_seconds(const std::vector<TimedWorld>& worlds, int steps, int repetitions =
     {
       built.push_back(world.build());
     }
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t step = 0; step < count; ++step)
     {
-      least[i] = std::min(least[i], seconds_of(built[i % worlds.size()]));
+      for (std::size_t world = 0; world < worlds.size(); ++world)
+      {
+        least[world][step] = std::min(least[world][step], seconds_of(built[world]));
+      }
     }
   }
-  std::vector<double> average(worlds.size(), 0.0);
-  for (std::size_t i = 0; i < count; ++i)
+  return least;
+}
+
+/// The mean of some times [s].
+inline double mean_of(std::span<const double> times)
+{
+  return std::accumulate(times.begin(), times.end(), 0.0) / static_cast<double>(times.size());
+}
+
+/// The time [s] a step of each world, on average over all steps from the start on.
+inline std::vector<double>
+step_seconds(const std::vector<TimedWorld>& worlds, int steps, int repetitions = 3)
+{
+  std::vector<double> average;
+  for (const std::vector<double>& times : each_step_seconds(worlds, steps, repetitions))
   {
-    average[i % worlds.size()] += least[i] / steps;
+    average.push_back(mean_of(times));
   }
   return average;
 }

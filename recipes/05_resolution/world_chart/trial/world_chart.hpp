@@ -38,6 +38,7 @@ inline std::vector<ChartedSolver> charted_solvers()
   for (const int substeps : {2, 4, 8, 16, 32})
   {
     all.push_back({"soft steps", "soft_steps", substeps});
+    all.push_back({"wide steps", "wide_steps", substeps});
   }
   for (const int substeps : {5, 10, 20, 40})
   {
@@ -171,24 +172,6 @@ inline std::vector<std::string> charted_row(const ChartedRun& run, bool tower, d
       number(run.end.overlap * 1e3),
       tower ? number(run.end.load_error) : "–",
       share};
-}
-
-/// What a body costs in each step [s] of a scene, once that has gone on for a time [s].
-inline double
-settled_seconds(const Scene& scene, const ChartedSolver& solver, double time, int steps)
-{
-  World settled(scene, solver_named(solver.name, solver.substeps));
-  while (settled.time() < time)
-  {
-    settled.step();
-  }
-  const TimedWorld world{
-      solver.line, [&settled]
-      {
-        const auto copy = std::make_shared<World>(settled);
-        return [copy] { copy->step(); };
-      }};
-  return step_seconds({world}, steps).front() / movable_bodies(scene);
 }
 
 } // namespace cookbook

@@ -1,0 +1,107 @@
+#pragma once
+
+/// \file
+/// \brief Scenes whose contacts are given colours: who touches whom at the start, and what it comes
+/// to.
+
+#include "05_resolution/contact_graph/contact_graph.hpp"
+#include "05_resolution/contacts/contact_cache.hpp"
+#include "05_resolution/scenes/trial/world_scenes.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cookbook
+{
+
+// [graph_scenes]
+/// Who touches whom in a scene as it starts.
+struct TouchingBodies
+{
+  Scene scene;
+  std::vector<bool> moves;                ///< whether a body can
+  std::vector<std::pair<int, int>> pairs; ///< of bodies that touch
+
+  explicit TouchingBodies(Scene of) : scene(std::move(of))
+  {
+    std::vector<RigidBody> bodies;
+    std::vector<Bounds> bounds;
+    const double margin = contact_margin(scene);
+    for (const SceneBody& body : scene.bodies)
+    {
+      bodies.push_back(rigid_body(body));
+      moves.push_back(!is_fixed(bodies.back()));
+      bounds.push_back(
+          {bounds_of(bodies.back(), body.shape, margin / 2), static_cast<int>(bounds.size())});
+    }
+    BroadPhase near;
+    std::vector<WorldContact> contacts;
+    next_contacts(
+        contacts, scene, bodies, {}, near.pairs(bounds), margin,
+        [this](int i) { return !moves[place_of(i)]; });
+    for (const WorldContact& contact : contacts)
+    {
+      pairs.emplace_back(contact.a, contact.b);
+    }
+  }
+
+  /// The contacts in colours.
+  ContactGraph colored() const
+  {
+    ContactGraph graph;
+    graph.color(moves.size(), pairs, [this](int i) { return bool(moves[place_of(i)]); });
+    return graph;
+  }
+
+  /// How many contacts the movable body has that has the most.
+  int most_at_one() const
+  {
+    std::vector<int> counts(moves.size(), 0);
+    for (const auto& [a, b] : pairs)
+    {
+      counts[place_of(a)] += moves[place_of(a)] ? 1 : 0;
+      counts[place_of(b)] += moves[place_of(b)] ? 1 : 0;
+    }
+    return *std::max_element(counts.begin(), counts.end());
+  }
+};
+
+/// A table with a movable top on so many legs: each leg shares the top.
+inline Scene table_on_legs(int legs)
+{
+  Scene scene{.name = "table_on_" + std::to_string(legs), .duration = 5, .bodies = {ground()}};
+  for (int i = 0; i < legs; ++i)
+  {
+    const Vector3<double> middle(0.25 * i, 0.5, 0);
+    scene.bodies.push_back(box_body(numbered("leg", i + 1), {0.1, 0.5, 0.1}, middle));
+  }
+  const double half = 0.125 * (legs - 1);
+  scene.bodies.push_back(box_body("top", {half + 0.2, 0.1, 0.5}, {half, 1.1, 0}, 10));
+  return scene;
+}
+// [graph_scenes]
+
+// [lanes_used]
+/// Contacts solved side by side, `width` at a time.
+struct SideBySide
+{
+  int groups;  ///< how many times
+  double used; ///< [1], the share of places that are taken
+};
+
+/// How well the colours of a graph fill groups of `width`.
+inline SideBySide side_by_side(const ContactGraph& graph, int width)
+{
+  int groups = 0;
+  for (int color = 0; color < graph.colors(); ++color)
+  {
+    groups += (static_cast<int>(graph[color].size()) + width - 1) / width;
+  }
+  const double contacts = static_cast<double>(graph.color_of_each().size());
+  return {groups, groups > 0 ? contacts / (groups * width) : 1};
+}
+// [lanes_used]
+
+} // namespace cookbook

@@ -1,0 +1,122 @@
+/// \file
+/// \brief Times scenes as games have them beside Bullet, and draws what a body costs in more and
+/// more crowded ones.
+
+#include "05_resolution/engine_chart/trial/engine_chart.hpp"
+#include "common/measure/timing.hpp"
+#include "common/plot/charts/chart.hpp"
+#include "common/program/program.hpp"
+#include "common/program/table.hpp"
+
+#include <iostream>
+#include <map>
+
+namespace
+{
+
+using namespace cookbook;
+
+/// Costs beside those of Bullet, where it is there.
+std::string beside(double cost, double bullet)
+{
+  return bullet > 0 ? number(cost / bullet) : "–";
+}
+
+// [scenes_beside]
+/// Every engine's cost of a scene, a row each.
+void add_rows(Cells& table, const std::string& scene, double duration, int repetitions)
+{
+  const std::vector<Engine> all = recommended_engines();
+  const std::vector<SceneCost> costs = scene_costs(named_scene(scene), all, duration, repetitions);
+  const SceneCost bullet = all.back().name.empty() ? costs.back() : SceneCost{0, 0, 0};
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    const SceneCost& cost = costs[i];
+    table.push_back(
+        {i == 0 ? scene : "", all[i].line, number(cost.mean * 1e6), beside(cost.mean, bullet.mean),
+         number(cost.settled * 1e6), beside(cost.settled, bullet.settled),
+         number(cost.worst / cost.mean)});
+  }
+}
+
+Cells scenes_beside(bool quick)
+{
+  Cells table{
+      {"scene", "engine", "µs a body and step, first 5 s", "× Bullet", "settled", "× Bullet",
+       "worst step, × mean"}};
+  const std::vector<std::string> all{"tower",     "tower_20",  "pyramid",    "pile_100",
+                                     "pile_1000", "pile_4000", "cubes_1000", "wall",
+                                     "wall_hit",  "domino_50", "pit",        "swarm_4000"};
+  const std::vector<std::string> few{"tower", "wall_hit_5", "pile_40", "pit_40"};
+  for (const std::string& scene : quick ? few : all)
+  {
+    add_rows(table, scene, 10, quick ? 1 : 2);
+  }
+  return table;
+}
+// [scenes_beside]
+
+// [growth]
+/// What a body costs in the last tenth of scenes of one kind, by how many there are; of more than
+/// 4,000, with the recommended engines only.
+using Growth = std::map<std::string, std::vector<Eigen::Vector2d>>;
+
+Growth growth(const std::string& family, const std::vector<int>& counts, double duration)
+{
+  Growth lines;
+  for (const int count : counts)
+  {
+    const std::vector<Engine> all = count > 4000 ? recommended_engines() : engines();
+    const std::vector<SceneCost> costs =
+        scene_costs(named_scene(family + "_" + std::to_string(count)), all, duration, 1);
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      lines[all[i].line].emplace_back(count, costs[i].settled * 1e6);
+    }
+  }
+  return lines;
+}
+
+std::string chart_of(const std::string& file, const std::string& what, const Growth& lines)
+{
+  plot::Chart chart(
+      file, "What a body costs in " + what, {"number of bodies", plot::Scale::log},
+      {"time a body and step [µs]", plot::Scale::log});
+  chart.describe("Time a body and step over the number of bodies in " + what + ".")
+      .note(measure::machine_line());
+  for (const auto& [name, points] : lines)
+  {
+    chart.line(name, points);
+  }
+  return chart.svg();
+}
+// [growth]
+
+// [run]
+void run(const Arguments& given)
+{
+  const bool quick = given.value("effort") == "quick";
+  const std::vector<int> counts =
+      quick ? std::vector{10, 20, 40, 80} : std::vector{100, 250, 1000, 4000, 16000};
+  save_figure(
+      given, "engine_chart.svg",
+      chart_of("engine_chart", "a heap that has fallen", growth("pile", counts, quick ? 1 : 3)));
+  save_figure(
+      given, "engine_chart_floor.svg",
+      chart_of("engine_chart_floor", "a flat crowd", growth("floor", counts, 1)));
+  const Cells table = scenes_beside(quick);
+  std::cout << text_table(table);
+  save_figure(given, "engine_chart.html", html_table(table));
+}
+// [run]
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const Arguments arguments{
+      .name = "engine_chart",
+      .summary = "Times scenes as games have them beside Bullet, and draws how costs grow.",
+      .options = {effort_option()}};
+  return run_program(argc, argv, arguments, run);
+}

@@ -1,0 +1,111 @@
+#pragma once
+
+/// \file
+/// \brief What scenes as games have them cost under our solvers and in Bullet: on average, once
+/// they have settled, and in their worst frame.
+
+#include "05_resolution/scenes/trial/world_scenes.hpp"
+#include "05_resolution/world/solvers.hpp"
+#include "05_resolution/world/trial/world_cost_measured.hpp"
+#include "05_resolution/world/trial/world_measures.hpp"
+#include "05_resolution/world_chart/trial/world_peer_bullet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cookbook
+{
+
+// [engines]
+/// What moves a scene: one of our solvers, or Bullet.
+struct Engine
+{
+  std::string line;      ///< what it is called in the chart
+  std::string name = ""; ///< of the solver; empty: Bullet
+  int substeps = 0;      ///< 0: the solver's own number
+};
+
+/// The solvers that are recommended for some scene; then Bullet, if it is there.
+inline std::vector<Engine> recommended_engines()
+{
+  std::vector<Engine> all{
+      {"direct", "direct"}, {"soft steps, 4", "soft_steps", 4}, {"wide steps, 4", "wide_steps", 4}};
+#if defined(COOKBOOK_HAS_BULLET)
+  all.push_back({"Bullet"});
+#endif
+  return all;
+}
+
+/// All that are compared.
+inline std::vector<Engine> engines()
+{
+  std::vector<Engine> all{
+      {"position based, 10", "position_based", 10}, {"sequential impulses", "sequential_impulses"}};
+  const std::vector<Engine> others = recommended_engines();
+  all.insert(all.end(), others.begin(), others.end());
+  return all;
+}
+
+/// A scene in an engine, to be timed.
+inline TimedWorld timed(const Scene& scene, const Engine& engine)
+{
+  return {
+      engine.line,
+      [scene, engine]() -> std::function<void()>
+      {
+#if defined(COOKBOOK_HAS_BULLET)
+        if (engine.name.empty())
+        {
+          return [world = std::make_shared<BulletWorld>(scene)] { world->step(); };
+        }
+#endif
+        return [world = std::make_shared<World>(scene, solver_named(engine.name, engine.substeps))]
+        { world->step(); };
+      }};
+}
+// [engines]
+
+// [scene_costs]
+/// What a scene costs in an engine, a body and step.
+struct SceneCost
+{
+  double mean;    ///< [s], over the first half of the time
+  double worst;   ///< [s], of the dearest step in it
+  double settled; ///< [s], over the last tenth of the time
+};
+
+/// The cost of a scene of so many bodies whose steps took these times [s].
+inline SceneCost scene_cost(std::span<const double> times, double bodies)
+{
+  const std::span<const double> first = times.first(times.size() / 2);
+  const std::span<const double> last = times.last(times.size() / 10);
+  return {
+      mean_of(first) / bodies, *std::max_element(first.begin(), first.end()) / bodies,
+      mean_of(last) / bodies};
+}
+
+/// What a scene costs in each engine, over a time [s] of which half is the beginning.
+inline std::vector<SceneCost> scene_costs(
+    const Scene& scene, const std::vector<Engine>& engines, double duration, int repetitions)
+{
+  std::vector<TimedWorld> worlds;
+  for (const Engine& engine : engines)
+  {
+    worlds.push_back(timed(scene, engine));
+  }
+  const int steps = static_cast<int>(std::lround(duration / scene.step));
+  std::vector<SceneCost> costs;
+  for (const std::vector<double>& times : each_step_seconds(worlds, steps, repetitions))
+  {
+    costs.push_back(scene_cost(times, movable_bodies(scene)));
+  }
+  return costs;
+}
+// [scene_costs]
+
+} // namespace cookbook

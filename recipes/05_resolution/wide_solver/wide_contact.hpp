@@ -1,0 +1,69 @@
+#pragma once
+
+/// \file
+/// \brief Up to four contacts side by side, and their points.
+
+#include "05_resolution/islands/island_points.hpp"
+#include "05_resolution/wide_solver/four_lanes.hpp"
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace cookbook
+{
+
+// [wide_contact]
+/// Up to four contacts of a colour, each in a lane of its own.
+struct WideContact
+{
+  std::array<WorldContact*, 4> contacts; ///< none: a lane without one
+  std::array<int, 4> a;                  ///< the numbers of bodies A; none: that of nobody
+  std::array<int, 4> b;                  ///< the numbers of bodies B
+  Body<Four> body_a;                     ///< the four bodies A, as far as a push changes them
+  Body<Four> body_b;                     ///< the four bodies B
+  Vector3<Four> across;                  ///< [1], world, a direction of each surface
+  std::size_t first;                     ///< the place of its first point
+  std::size_t points;                    ///< how many there are: the most of any lane
+};
+
+/// The points of the contact in a lane; none if there is no contact.
+inline std::span<WorldPoint> points_in(const WideContact& four, std::size_t lane)
+{
+  WorldContact* const contact = four.contacts[lane];
+  return contact != nullptr ? contact->points() : std::span<WorldPoint>();
+}
+
+/// A point that pushes nothing: it has no normal, no impulse, and no friction.
+inline ContactConstraint<Four> no_point()
+{
+  const Four none(0);
+  const Vector3<Four> zero(none, none, none);
+  const Matrix3<Four> zeros = Matrix3<Four>::Constant(none);
+  return {zero, {zero, zero}, none, none, none, zero, none, {zeros, none}};
+}
+
+/// Sets one lane of a vector.
+inline void set_lane(Vector3<Four>& to, std::size_t lane, const Vector3<double>& from)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    to[i].lanes[lane] = static_cast<float>(from[i]);
+  }
+}
+
+/// Sets one lane of a point, but for its masses.
+inline void
+set_lane(ContactConstraint<Four>& to, std::size_t lane, const ContactConstraint<double>& from)
+{
+  set_lane(to.normal, lane, from.normal);
+  set_lane(to.arms.a, lane, from.arms.a);
+  set_lane(to.arms.b, lane, from.arms.b);
+  set_lane(to.friction, lane, from.friction);
+  to.coefficient.lanes[lane] = static_cast<float>(from.coefficient);
+  to.apart.lanes[lane] = static_cast<float>(from.apart);
+  to.impulse.lanes[lane] = static_cast<float>(from.impulse);
+}
+// [wide_contact]
+
+} // namespace cookbook

@@ -1,0 +1,102 @@
+#pragma once
+
+/// \file
+/// \brief Soft steps, four contacts at a time: what one contact teaches, on packs of floats.
+
+#include "05_resolution/soft_steps/soft_steps.hpp"
+#include "05_resolution/wide_solver/wide_contacts.hpp"
+
+#include <algorithm>
+
+namespace cookbook
+{
+
+// [wide_steps]
+/// A spring of the same numbers in every lane.
+inline Softness<Four> in_every_lane(const Softness<double>& spring)
+{
+  const auto same = [](double number) { return Four(static_cast<float>(number)); };
+  return {same(spring.bias_rate), same(spring.mass_scale), same(spring.impulse_scale)};
+}
+
+/// Whether what an island is about to be pushed by fits into floats, and its squares, too.
+inline bool fits_floats(IslandView world, const Island& island)
+{
+  constexpr double most = 1e15;
+  const auto fits = [&](int i)
+  {
+    const RigidBody& body = world.bodies[place_of(i)];
+    const double turning = body.inverse_inertia.cwiseAbs().maxCoeff();
+    return body.inverse_mass * most >= 1 && body.inverse_mass <= most && turning <= most * most &&
+           body.motion.velocity.cwiseAbs().maxCoeff() <= most &&
+           body.motion.angular_velocity.cwiseAbs().maxCoeff() <= most;
+  };
+  return std::all_of(island.bodies.begin(), island.bodies.end(), fits);
+}
+
+/// Moves the bodies of an island on by a step [s], as soft_steps() does, four contacts at a time in
+/// float; R13, R16.
+///
+/// Contacts come colour by colour, so that the order differs from that of soft_steps(), and with it
+/// the answer; poses stay in double. What does not fit into floats is left to soft_steps(). `lanes`
+/// is kept from step to step for its room alone.
+inline void wide_steps(
+    IslandView world, const Island& island, double step, const SoftSettings& settings,
+    WideContacts& lanes)
+{
+  if (!fits_floats(world, island))
+  {
+    return soft_steps(world, island, step, settings);
+  }
+  const double small = step / settings.substeps;
+  const Softness<Four> spring =
+      in_every_lane(softness(settings.frequency / small, settings.damping_ratio, small));
+  const Four in_step(static_cast<float>(small));
+  const Four fastest(
+      largest_turn(world, island, step) > confusing_turn
+          ? 0.0f
+          : static_cast<float>(settings.correction_speed));
+  const auto each_body = [&](const auto& change)
+  {
+    for (const int i : island.bodies)
+    {
+      change(world.bodies[place_of(i)], lanes.body(i));
+    }
+  };
+  const auto correct_all = [&](const Softness<Four>& how)
+  {
+    lanes.change_each([&](Body<Four>& a, Body<Four>& b, ContactConstraint<Four>& at)
+                      { correct<Four>(a, b, at, how, in_step, fastest); });
+    each_body([](RigidBody& body, const LaneBody& lane) { take_motion(lane, body); });
+  };
+  lanes.take(world, island, settings.substeps);
+  for (int i = 0; i < settings.substeps; ++i)
+  {
+    each_body(
+        [&](RigidBody& body, LaneBody& lane)
+        {
+          body.motion.velocity += small * world.gravity;
+          put_motion(body, lane);
+        });
+    lanes.change_each([](Body<Four>& a, Body<Four>& b, ContactConstraint<Four>& at)
+                      { warm_start<Four>(a, b, at); });
+    correct_all(spring);
+    each_body(
+        [&](RigidBody& body, LaneBody& lane)
+        {
+          move(body, small);
+          put_motion(body, lane);
+        });
+    lanes.change_each([&](Body<Four>& a, Body<Four>& b, ContactConstraint<Four>& at)
+                      { at.apart += in_step * parting_speed<Four>(a, b, at); });
+    if (largest_turn(world, island, small) > noticed_turn)
+    {
+      lanes.find_masses(world, island);
+    }
+    correct_all(rigid<Four>());
+  }
+  lanes.store(settings.substeps);
+}
+// [wide_steps]
+
+} // namespace cookbook

@@ -1,0 +1,479 @@
+/// \file
+/// Four contacts at a time: each lane does to the bit what one contact alone would, and scenes come
+/// out as one by one.
+
+#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
+#include "05_resolution/contact_graph/trial/contact_graph_scenes.hpp"
+#include "05_resolution/direct_solver/trial/direct_solver_scenes.hpp"
+#include "05_resolution/wide_solver/trial/wide_solver_runs.hpp"
+#include "05_resolution/wide_solver/wide_solver.hpp"
+#include "05_resolution/world/solvers.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/random_inputs.hpp"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace
+{
+
+using namespace cookbook;
+
+WorldRun widely(const std::string& scene, int substeps, double duration)
+{
+  return run_world(
+      named_scene(scene),
+      {.solver = "wide_steps", .substeps = substeps, .duration = duration, .keeps_frames = true});
+}
+
+World wide_world(const Scene& scene, int substeps = 4)
+{
+  return World(scene, solver_named("wide_steps", substeps));
+}
+
+/// One lane of a vector.
+Vector3<float> lane_of(const Vector3<Four>& v, std::size_t lane)
+{
+  return {v.x()[lane], v.y()[lane], v.z()[lane]};
+}
+
+/// Two bodies and a contact point between them.
+struct OneContact
+{
+  Body<float> a, b;
+  ContactConstraint<float> at;
+  Vector3<float> across;
+};
+
+/// Four of them, one in each lane.
+struct FourContacts
+{
+  Body<Four> a, b;
+  ContactConstraint<Four> at = no_point();
+  Vector3<Four> across;
+};
+
+/// A body with a mass of about 1 kg; one in eight cannot move.
+Body<float> drawn_body(BoxDraw& draw)
+{
+  const bool fixed = draw.whole(8) == 0;
+  const Vector3<double> moments = Vector3<double>(0.1, 0.1, 0.1) + draw.vector(0, 1).cwiseAbs2();
+  const Matrix3<double> inertia = world_inverse_inertia<double>(moments, draw.rotation());
+  const double mass = fixed ? 0 : draw.between(0.5, 4);
+  const Matrix3<double> felt = fixed ? Matrix3<double>::Zero() : inertia;
+  const Vector3<float> speed = draw.vector(-2, 2).cast<float>();
+  const Vector3<float> turning = draw.vector(-2, 2).cast<float>();
+  return {{Vector3<float>::Zero(), speed, turning}, static_cast<float>(mass), felt.cast<float>()};
+}
+
+OneContact drawn_contact(BoxDraw& draw)
+{
+  const Body<float> a = drawn_body(draw), b = drawn_body(draw);
+  const Vector3<double> normal = draw.direction();
+  const Vector3<double> arm_a = draw.vector(-1, 1), arm_b = draw.vector(-1, 1);
+  const Vector3<float> zero = Vector3<float>::Zero();
+  ContactConstraint<float> at{zero, {zero, zero}, 0, 0, 0, zero, 0, {Matrix3<float>::Zero(), 0}};
+  at.normal = normal.cast<float>();
+  at.arms = {arm_a.cast<float>(), arm_b.cast<float>()};
+  at.coefficient = static_cast<float>(draw.between(0, 1));
+  at.apart = static_cast<float>(draw.between(-0.05, 0.05));
+  at.impulse = draw.whole(2) == 0 ? 0.0f : static_cast<float>(draw.between(0, 2));
+  at.friction = (at.impulse / 4 * normal.unitOrthogonal().cast<float>()).eval();
+  return {a, b, at, normal.unitOrthogonal().cast<float>()};
+}
+
+void set_lane(Vector3<Four>& to, std::size_t lane, const Vector3<float>& from)
+{
+  cookbook::set_lane(to, lane, from.cast<double>());
+}
+
+void set_lane(Body<Four>& to, std::size_t lane, const Body<float>& from)
+{
+  set_lane(to.motion.velocity, lane, from.motion.velocity);
+  set_lane(to.motion.angular_velocity, lane, from.motion.angular_velocity);
+  to.inverse_mass.lanes[lane] = from.inverse_mass;
+  for (int i = 0; i < 9; ++i)
+  {
+    to.inverse_inertia(i).lanes[lane] = from.inverse_inertia(i);
+  }
+}
+
+void set_lane(ContactConstraint<Four>& to, std::size_t lane, const ContactConstraint<float>& from)
+{
+  set_lane(to.normal, lane, from.normal);
+  set_lane(to.arms.a, lane, from.arms.a);
+  set_lane(to.arms.b, lane, from.arms.b);
+  set_lane(to.friction, lane, from.friction);
+  to.coefficient.lanes[lane] = from.coefficient;
+  to.apart.lanes[lane] = from.apart;
+  to.impulse.lanes[lane] = from.impulse;
+}
+
+/// True if two numbers have the same bits.
+bool same(const Vector3<float>& a, const Vector3<float>& b)
+{
+  const auto bits = [](float x) { return std::bit_cast<std::uint32_t>(x); };
+  return bits(a.x()) == bits(b.x()) && bits(a.y()) == bits(b.y()) && bits(a.z()) == bits(b.z());
+}
+
+} // namespace
+
+// [lanes]
+TEST_CASE(
+    "each of four lanes does to the bit what one contact alone does: masses, pushes, friction")
+{
+  BoxDraw draw(1);
+  const Softness<double> spring = softness(30.0, 5.0, 1.0 / 240);
+  const Softness<float> one_spring{
+      static_cast<float>(spring.bias_rate), static_cast<float>(spring.mass_scale),
+      static_cast<float>(spring.impulse_scale)};
+  const float small = 1.0f / 240;
+  for (int i = 0; i < inputs(20'000, 500); ++i)
+  {
+    std::array<OneContact, 4> ones{
+        drawn_contact(draw), drawn_contact(draw), drawn_contact(draw), drawn_contact(draw)};
+    FourContacts four;
+    for (std::size_t lane = 0; lane < 4; ++lane)
+    {
+      OneContact& one = ones[lane];
+      set_lane(four.a, lane, one.a);
+      set_lane(four.b, lane, one.b);
+      set_lane(four.across, lane, one.across);
+      set_lane(four.at, lane, one.at);
+      find_masses<float>(one.at, one.a, one.b, one.across);
+      warm_start<float>(one.a, one.b, one.at);
+      correct<float>(one.a, one.b, one.at, one_spring, small, 1.0f);
+      correct<float>(one.a, one.b, one.at, rigid<float>(), small, 1.0f);
+    }
+    find_masses<Four>(four.at, four.a, four.b, four.across);
+    warm_start<Four>(four.a, four.b, four.at);
+    correct<Four>(four.a, four.b, four.at, in_every_lane(spring), Four(small), Four(1.0f));
+    correct<Four>(four.a, four.b, four.at, rigid<Four>(), Four(small), Four(1.0f));
+    for (std::size_t lane = 0; lane < 4; ++lane)
+    {
+      CAPTURE(i, lane);
+      const OneContact& one = ones[lane];
+      REQUIRE(same(lane_of(four.a.motion.velocity, lane), one.a.motion.velocity));
+      REQUIRE(same(lane_of(four.a.motion.angular_velocity, lane), one.a.motion.angular_velocity));
+      REQUIRE(same(lane_of(four.b.motion.velocity, lane), one.b.motion.velocity));
+      REQUIRE(same(lane_of(four.b.motion.angular_velocity, lane), one.b.motion.angular_velocity));
+      REQUIRE(same(lane_of(four.at.friction, lane), one.at.friction));
+      REQUIRE(four.at.impulse[lane] == one.at.impulse);
+    }
+  }
+}
+// [lanes]
+
+// [scenes_wide]
+TEST_CASE("a cube on wide soft contacts sinks by g / ω², to float's digits", "[R14]")
+{
+  for (const int substeps : {2, 4, 8})
+  {
+    const double frequency = 2 * std::numbers::pi * 0.125 * 60.0 * substeps;
+    const double sink = 9.81 / (frequency * frequency);
+    CHECK(widely("tower_1", substeps, 3).overlap == Catch::Approx(sink).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("a tower of five carries what statics says, four contacts at a time", "[R9]")
+{
+  const std::vector<double> carries = carried(named_scene("tower_5"), "wide_steps", 600);
+  for (std::size_t cube = 1; cube <= 5; ++cube)
+  {
+    CHECK(carries[cube] == Catch::Approx((6.0 - double(cube)) * 9.81 / 60).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("one after the other and four at once: a cube to 10 µm, a slide of 8 m to .5 mm, stacks "
+          "to 2 mm")
+{
+  const std::vector<double> allowed{1e-5, 2e-3, 2e-3, 5e-4};
+  for (std::size_t i = 0; i < allowed.size(); ++i)
+  {
+    const TwoRuns runs = two_runs(compared_scenes[i], 8, 5);
+    const std::vector<double> apart = farthest_apart(runs);
+    CAPTURE(compared_scenes[i]);
+    CHECK(*std::max_element(apart.begin(), apart.end()) < allowed[i]);
+    CHECK(runs.wide.sink == Catch::Approx(runs.one_by_one.sink).epsilon(0.25));
+  }
+}
+
+/// Soft steps in double that go through the contacts colour by colour.
+void colored_soft_steps(IslandView world, const Island& island, double step)
+{
+  std::vector<std::pair<int, int>> pairs;
+  for (const int number : island.contacts)
+  {
+    pairs.emplace_back(world.contacts[place_of(number)].a, world.contacts[place_of(number)].b);
+  }
+  ContactGraph graph;
+  graph.color(
+      world.bodies.size(), pairs, [&](int i) { return !is_fixed(world.bodies[place_of(i)]); });
+  std::vector<int> ordered;
+  for (int color = 0; color < graph.colors(); ++color)
+  {
+    for (const int pair : graph[color])
+    {
+      ordered.push_back(island.contacts[place_of(pair)]);
+    }
+  }
+  soft_steps(world, {island.bodies, ordered}, step, SoftSettings{.substeps = 8});
+}
+
+TEST_CASE(
+    "one after the other in the order of the colours gives stacks as four at once, to a micrometre")
+{
+  for (const char* const name : {"pyramid", "tower_5"})
+  {
+    World one(named_scene(name), colored_soft_steps), wide = wide_world(named_scene(name), 8);
+    while (one.time() < 5)
+    {
+      one.step();
+      wide.step();
+    }
+    for (std::size_t i = 0; i < one.bodies().size(); ++i)
+    {
+      CAPTURE(name, i);
+      CHECK((one.bodies()[i].motion.center - wide.bodies()[i].motion.center).norm() < 1e-6);
+    }
+  }
+}
+// [scenes_wide]
+
+// [unpushed]
+TEST_CASE("what no contact pushes flies on to the last bit as one by one")
+{
+  // All fall upwards; the ball passes over the cube so closely that they are in contact, and never
+  // touch.
+  Scene scene{.bodies = {ground(), cube_body("cube", {0, 0.5, 0})}};
+  scene.gravity = {0, 9.81, 0};
+  scene.bodies.push_back(ball_body("ball", 0.5, {-1, 1.502, 0.1}));
+  scene.bodies[2].velocity = {1.1, 0, 0.3};
+  scene.bodies[2].angular_velocity = {0.7, 0.1, 0.2};
+  World one(scene, solver_named("soft_steps")), wide = wide_world(scene);
+  int steps_in_contact = 0;
+  for (int i = 0; i < 120; ++i)
+  {
+    one.step();
+    wide.step();
+    const auto passes = [](const WorldContact& contact)
+    { return contact.a == 1 && contact.b == 2; };
+    steps_in_contact += std::any_of(wide.contacts().begin(), wide.contacts().end(), passes) ? 1 : 0;
+  }
+  CHECK(steps_in_contact > 10);
+  CHECK(wide.bodies()[2].motion.center == one.bodies()[2].motion.center);
+  CHECK(wide.bodies()[2].motion.velocity == one.bodies()[2].motion.velocity);
+  CHECK(wide.bodies()[2].motion.velocity.x() == 1.1);
+}
+// [unpushed]
+
+// [without_colors]
+TEST_CASE("two contacts with a ball in common, solved at once, lose a push")
+{
+  // Three balls of 1 kg in a row: contacts of the first with the second, and of the second with the
+  // third, which is hit from both sides.
+  std::vector<LaneBody> balls(4);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    balls[i].inverse_mass() = 1;
+  }
+  const std::array<int, 4> a{0, 1, 3, 3}, b{1, 2, 3, 3};
+  const Vector3<float> along(1, 0, 0);
+  FourContacts four;
+  for (const std::size_t lane : {0u, 1u})
+  {
+    set_lane(four.at.normal, lane, along);
+  }
+  four.at.impulse = Four(1);
+  for (auto [numbers, body] : {std::pair(&a, &four.a), std::pair(&b, &four.b)})
+  {
+    gather_motion(balls, *numbers, *body);
+    gather_inverse_masses(balls, *numbers, *body);
+  }
+  warm_start<Four>(four.a, four.b, four.at);
+  scatter_motion(four.a, balls, a);
+  scatter_motion(four.b, balls, b);
+  CHECK(balls[0].velocity[0] == -1);
+  CHECK(balls[1].velocity[0] != 0); // one of its two pushes is gone
+  CHECK(balls[2].velocity[0] == 1);
+}
+// [without_colors]
+
+TEST_CASE("a million metres from the origin a tower stands as at the origin, to half a millimetre")
+{
+  Scene near = named_scene("tower_3"), far = near;
+  const Vector3<double> away(1 << 20, 0, -(1 << 20));
+  for (SceneBody& body : far.bodies)
+  {
+    body.position += body.mass > 0 ? away : Vector3<double>(0, 0, 0);
+  }
+  World a = wide_world(near), b = wide_world(far);
+  for (int i = 0; i < 300; ++i)
+  {
+    a.step();
+    b.step();
+  }
+  for (std::size_t i = 1; i < a.bodies().size(); ++i)
+  {
+    CHECK((b.bodies()[i].motion.center - away - a.bodies()[i].motion.center).norm() < 5e-4);
+  }
+}
+
+/// How far the top of a tower of four cubes of a size [m] has come down after 5 s, in sizes.
+double sink_of_four(double size)
+{
+  Scene scene = named_scene("tower_4");
+  for (SceneBody& body : scene.bodies)
+  {
+    body.position *= size;
+    if (body.mass > 0)
+    {
+      body.shape = BoxShape{Vector3<double>::Constant(0.5 * size)};
+      body.mass = size * size * size;
+    }
+  }
+  scene.gravity *= size;
+  const SoftSettings how{.substeps = 8, .correction_speed = size};
+  World world(
+      scene,
+      [how, lanes = WideContacts()](IslandView view, const Island& island, double step) mutable
+      { wide_steps(view, island, step, how, lanes); });
+  while (world.time() < 5)
+  {
+    world.step();
+  }
+  return 3.5 - world.bodies()[4].motion.center.y() / size;
+}
+
+TEST_CASE(
+    "towers of cubes a thousand times smaller and larger sink by as many thousandths of a cube")
+{
+  const double sink = sink_of_four(1);
+  CHECK((sink > 5e-4 && sink < 1.5e-3));
+  CHECK(sink_of_four(1.0 / 1024) == Catch::Approx(sink).epsilon(1e-6));
+  CHECK(sink_of_four(1024) == Catch::Approx(sink).epsilon(1e-6));
+}
+
+TEST_CASE("a table top on a hundred legs is carried: contacts of one body come one by one", "[R9]")
+{
+  World world = wide_world(table_on_legs(100), 8);
+  while (world.time() < 5)
+  {
+    world.step();
+  }
+  double up = 0;
+  for (const WorldContact& contact : world.contacts())
+  {
+    for (const WorldPoint& point : contact.points())
+    {
+      up += contact.b == 101 || contact.a == 101 ? point.impulse : 0;
+    }
+  }
+  CHECK(up == Catch::Approx(10 * 9.81 / 60).epsilon(1e-3));
+  CHECK(std::abs(world.bodies()[101].motion.velocity.norm()) < 1e-3);
+}
+
+TEST_CASE(
+    "a lane with one point beside one with more: a ball on a tower is carried, and no more", "[R9]")
+{
+  // The ball's contact has the colour of the ground's with the lowest cube.
+  Scene scene = named_scene("tower_2");
+  scene.bodies.push_back(ball_body("ball", 0.5, {0, 2.5, 0}, 2));
+  World world = wide_world(scene, 8);
+  while (world.time() < 5)
+  {
+    world.step();
+  }
+  REQUIRE(world.contacts().size() == 3);
+  for (const WorldContact& contact : world.contacts())
+  {
+    double carries = 0;
+    for (const WorldPoint& point : contact.points())
+    {
+      carries += point.impulse;
+    }
+    CHECK((contact.points().size() == 1) == (contact.b == 3));
+    CHECK(carries == Catch::Approx((5.0 - contact.b) * 9.81 / 60).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("masses and speeds beyond float's squares: to the bit as one by one, and never NaN")
+{
+  for (const double mass : {1e-38, 1e-30, 1e20, 1e46})
+  {
+    Scene scene = named_scene("tower_2");
+    scene.bodies[2].mass = mass;
+    scene.bodies[2].velocity = {1, 0, 0};
+    World one(scene, solver_named("soft_steps")), wide = wide_world(scene);
+    for (int i = 0; i < 60; ++i)
+    {
+      one.step();
+      wide.step();
+    }
+    CAPTURE(mass);
+    CHECK(wide.bodies()[2].motion.center == one.bodies()[2].motion.center);
+  }
+  Scene scene = named_scene("tower_3");
+  scene.bodies[3].velocity = {0, -1e200, 0};
+  World wide = wide_world(scene);
+  for (int i = 0; i < 60; ++i)
+  {
+    wide.step();
+  }
+  CHECK(is_finite(wide.bodies()[1]));
+  CHECK(wide.bodies()[0].motion.velocity == Vector3<double>(0, 0, 0));
+}
+
+TEST_CASE("a heap, dominoes and a wall that is hit never gain energy, nor break", "[R4][long]")
+{
+  for (const char* const name : {"pile_60", "domino", "wall_hit_5", "pit_60", "cubes_64"})
+  {
+    CAPTURE(name);
+    const WorldRun run = run_world(named_scene(name), {.solver = "wide_steps", .duration = 6});
+    CHECK(run.energy_most <= run.energy_start * (1 + 1e-6));
+    CHECK(run.energy_end < run.energy_start);
+  }
+}
+
+TEST_CASE("no push of a contact changes what two bodies have together, to float's digits", "[R3]")
+{
+  Scene scene{.bodies = {cube_body("a", {-0.6, 0, 0}), cube_body("b", {0.6, 0.3, 0.2}, 3)}};
+  scene.gravity = {0, 0, 0};
+  scene.bodies[0].velocity = {2, 0.5, 0};
+  scene.bodies[1].angular_velocity = {1, 2, 3};
+  World world = wide_world(scene);
+  for (int i = 0; i < 120; ++i)
+  {
+    world.step();
+  }
+  Vector3<double> momentum = Vector3<double>::Zero();
+  for (const RigidBody& body : world.bodies())
+  {
+    momentum += body.motion.velocity / body.inverse_mass;
+  }
+  CHECK(std::abs(world.bodies()[1].motion.velocity.x()) > 0.1); // they have met
+  CHECK((momentum - Vector3<double>(2, 0.5, 0)).norm() < 1e-5);
+}
+
+TEST_CASE("a copy of a wide world goes on to the bit")
+{
+  World world = wide_world(named_scene("pile_30"));
+  for (int i = 0; i < 100; ++i)
+  {
+    world.step();
+  }
+  World copy = world;
+  for (int i = 0; i < 60; ++i)
+  {
+    world.step();
+    copy.step();
+  }
+  for (std::size_t i = 0; i < world.bodies().size(); ++i)
+  {
+    CHECK(world.bodies()[i].motion.center == copy.bodies()[i].motion.center);
+    CHECK(world.bodies()[i].motion.angular_velocity == copy.bodies()[i].motion.angular_velocity);
+  }
+}
