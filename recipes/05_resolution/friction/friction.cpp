@@ -67,6 +67,7 @@ void run(const Arguments& given)
   const double friction = number_option<double>(given, "friction", 0.05, 2);
   print_ways(speed, friction);
   print_slopes(friction);
+  save_figure(given, "friction_cone.svg", cone_figure().svg());
   save_figure(given, "friction.svg", paths_figure().svg());
   save_figure(given, "friction_slopes.svg", slopes_figure().svg());
   save_figure(given, "friction_cuts.svg", cuts_figure().svg());

@@ -77,6 +77,7 @@ void run(const Arguments& given)
   print_towers();
   std::cout << "\n";
   print_frames(boxes, passes);
+  save_figure(given, "sequential_impulses_passes.svg", stack_figure().svg());
   save_figure(given, "sequential_impulses.svg", passes_figure().svg());
   save_figure(given, "sequential_impulses_frames.svg", frames_figure().svg());
 }

@@ -35,6 +35,7 @@ void run(const Arguments& given)
     table.row(row);
   }
   std::cout << table.text();
+  save_figure(given, "soft_steps_frame.svg", frame_figure().svg());
   save_figure(given, "soft_steps.svg", sink_chart(all).svg());
 }
 // [print_sinks]

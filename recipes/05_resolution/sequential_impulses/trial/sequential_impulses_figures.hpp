@@ -5,6 +5,9 @@
 
 #include "05_resolution/sequential_impulses/trial/sequential_impulses_scenes.hpp"
 #include "common/plot/charts/chart.hpp"
+#include "common/plot/figures/figure2d.hpp"
+#include "common/plot/panel.hpp"
+#include "common/program/table.hpp"
 
 #include <cmath>
 #include <string>
@@ -12,6 +15,41 @@
 
 namespace cookbook
 {
+
+// [stack_figure]
+/// Three boxes, and what their contacts have got after some passes from a cold start, in weights.
+inline plot::Figure2d stack_panel(const std::string& title, int passes)
+{
+  const PushProblem<double> problem = column({1, 1, 1}, 1.0);
+  Eigen::VectorXd impulses = Eigen::VectorXd::Zero(3);
+  for (int pass = 0; pass < passes; ++pass)
+  {
+    correct_in_turn(problem, impulses);
+  }
+  plot::Figure2d figure("stack", title, {{-0.9, -0.3}, {1.3, 3.2}, 150});
+  figure.half_plane({0, 1}, 0);
+  for (int i = 0; i < 3; ++i)
+  {
+    const Eigen::Vector2d contact(0, i);
+    figure.box({0, i + 0.5}, 0, {0.5, 0.48}, plot::Ink::muted, plot::Fill::none)
+        .arrow(contact, contact + Eigen::Vector2d(0, 0.28 * impulses[i]), plot::Ink::a)
+        .label({0.55, i}, rounded(impulses[i]), plot::Side::right, plot::Ink::a);
+  }
+  return figure;
+}
+
+/// The same after one, two, five and a hundred passes.
+inline plot::Grid stack_figure()
+{
+  plot::Grid grid("sequential_impulses_passes", "", 4);
+  grid.describe("The impulses in a stack of three boxes after more and more passes.")
+      .add(stack_panel("1 pass", 1))
+      .add(stack_panel("2 passes", 2))
+      .add(stack_panel("5 passes", 5))
+      .add(stack_panel("100 passes", 100));
+  return grid;
+}
+// [stack_figure]
 
 // [passes_figure]
 /// The error of a cold column's impulses after each pass.

@@ -6,6 +6,7 @@
 #include "05_resolution/scenes/trial/world_scenes.hpp"
 #include "05_resolution/world/trial/world_runs.hpp"
 #include "common/plot/charts/chart.hpp"
+#include "common/plot/figures/figure2d.hpp"
 
 #include <string>
 #include <vector>
@@ -58,5 +59,39 @@ inline plot::Chart sink_chart(const std::vector<std::vector<Sink>>& all)
   }
   return chart;
 }
+
+// [frame_figure]
+/// What happens in a frame of four small steps: time to the right, order from top to bottom.
+inline plot::Figure2d frame_figure()
+{
+  const std::vector<std::string> parts{
+      "gravity", "warm start", "springs, friction", "bodies move", "relax"};
+  plot::Figure2d figure("soft_steps_frame", "", {{-3, -4.1}, {8.4, 1.1}, 640});
+  figure.describe("A frame: contacts are found once, then four small steps of five parts each.");
+  figure.label({-0.1, 0.6}, "find contacts", plot::Side::left)
+      .box({0.1, 0.6}, 0, {0.1, 0.3}, plot::Ink::b);
+  for (std::size_t row = 0; row < parts.size(); ++row)
+  {
+    const double y = -0.2 - 0.7 * static_cast<double>(row);
+    figure.label({-0.1, y}, parts[row], plot::Side::left);
+    for (int small = 0; small < 4; ++small)
+    {
+      const double start = 2.0 * small + 0.1 + 0.36 * static_cast<double>(row);
+      figure.box({start + 0.18, y}, 0, {0.18, 0.3}, plot::Ink::a);
+    }
+  }
+  for (int small = 0; small <= 4; ++small)
+  {
+    figure.segment({2.0 * small, -3.5}, {2.0 * small, 1}, plot::Ink::muted, plot::Stroke::dotted);
+    figure.label(
+        {2.0 * small, -3.5},
+        small == 4   ? "h"
+        : small == 0 ? "0"
+                     : std::to_string(small) + " h/4",
+        plot::Side::below, plot::Ink::muted);
+  }
+  return figure;
+}
+// [frame_figure]
 
 } // namespace cookbook
