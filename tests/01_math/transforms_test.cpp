@@ -227,6 +227,31 @@ TEMPLATE_TEST_CASE(
 }
 // [degenerate]
 
+TEST_CASE(
+    "a normal of tiny and huge parts beside one of zero, wherever that is, keeps its direction",
+    "[M14]")
+{
+  using V = Vector3<double>;
+  for (const int power : {-600, 0, 600})
+  {
+    for (int zero = 0; zero < 3; ++zero)
+    {
+      // Cofactors are products of the two other scales: one is 2⁴⁰ times the other.
+      const int one = (zero + 1) % 3, other = (zero + 2) % 3;
+      V scale, normal, expected;
+      scale[zero] = scale[one] = std::ldexp(1.0, power);
+      scale[other] = std::ldexp(1.0, power - 40);
+      normal[zero] = expected[zero] = 0;
+      normal[one] = normal[other] = 1;
+      expected[one] = 0x1p-40;
+      expected[other] = 1;
+      CAPTURE(power, zero);
+      const V after = transformed_normal<double>(scale.asDiagonal(), normal);
+      CHECK((after - expected).cwiseAbs().maxCoeff() <= 0x1p-52);
+    }
+  }
+}
+
 TEST_CASE("there is no way back through a scale of 1e-310, whose inverse does not fit", "[M15]")
 {
   const Affine3<double> t = transform(1e-310 * Matrix3<double>::Identity(), {1, 2, 3});
