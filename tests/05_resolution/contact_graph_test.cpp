@@ -140,6 +140,7 @@ TEST_CASE("a graph that is coloured again forgets what it was")
   CHECK(graph.colors() == 3);
   graph.color(2, Pairs{{0, 1}}, all);
   CHECK(graph.colors() == 1);
+  CHECK(graph.color_of_each().size() == 1);
   REQUIRE(graph[0].size() == 1);
   CHECK(graph[0][0] == 0);
   graph.color(4, Pairs{}, all);
