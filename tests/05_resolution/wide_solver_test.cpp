@@ -270,6 +270,28 @@ TEST_CASE("what no contact pushes flies on to the last bit as one by one")
 }
 // [unpushed]
 
+TEST_CASE(
+    "a motion is taken back if any of its numbers has changed, and keeps its digits if none has")
+{
+  const Vector3<double> third = Vector3<double>::Constant(1.0 / 3);
+  for (int changed = -1; changed < 3; ++changed)
+  {
+    RigidBody body = rigid_body(ball_body("ball", 0.5, {0, 0, 0}));
+    body.motion.velocity = body.motion.angular_velocity = third;
+    LaneBody lane;
+    put_motion(body, lane);
+    if (changed >= 0)
+    {
+      lane.velocity[changed] = 2;
+    }
+    take_motion(lane, body);
+    CAPTURE(changed);
+    CHECK((body.motion.velocity == third) == (changed < 0));
+    CHECK((changed < 0 || body.motion.velocity[changed] == 2));
+    CHECK(body.motion.angular_velocity == third);
+  }
+}
+
 // [without_colors]
 TEST_CASE("two contacts with a ball in common, solved at once, lose a push")
 {

@@ -80,7 +80,8 @@ SlidingMass<Real> sliding_mass(
                                (uv * least) * (u * v.transpose() + v * u.transpose());
   const auto one_alone = alone <= Real(almost_none);
   const Real share = either(one_alone, least, [&] { return least / alone; });
-  return {share * either(one_alone, all, [&] { return across; }), least};
+  const auto both = [&]() -> const Matrix3<Real>& { return across; };
+  return {share * either(one_alone, all, both), least};
 }
 
 /// The same, from any direction of the surface.
