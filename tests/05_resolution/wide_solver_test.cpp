@@ -178,7 +178,7 @@ TEST_CASE("a cube on wide soft contacts sinks by g / ω², to float's digits", "
   }
 }
 
-TEST_CASE("a tower of five carries what statics says, four contacts at a time", "[R9]")
+TEST_CASE("a tower of five carries what statics says, four contacts at a time", "[R9][long]")
 {
   const std::vector<double> carries = carried(named_scene("tower_5"), "wide_steps", 600);
   for (std::size_t cube = 1; cube <= 5; ++cube)
@@ -187,8 +187,10 @@ TEST_CASE("a tower of five carries what statics says, four contacts at a time", 
   }
 }
 
-TEST_CASE("one after the other and four at once: a cube to 10 µm, a slide of 8 m to .5 mm, stacks "
-          "to 2 mm")
+TEST_CASE(
+    "one after the other and four at once: a cube to 10 µm, a slide of 8 m to .5 mm, stacks "
+    "to 2 mm",
+    "[long]")
 {
   const std::vector<double> allowed{1e-5, 2e-3, 2e-3, 5e-4};
   for (std::size_t i = 0; i < allowed.size(); ++i)
@@ -224,7 +226,8 @@ void colored_soft_steps(IslandView world, const Island& island, double step)
 }
 
 TEST_CASE(
-    "one after the other in the order of the colours gives stacks as four at once, to a micrometre")
+    "one after the other in the order of the colours gives stacks as four at once, to a micrometre",
+    "[long]")
 {
   for (const char* const name : {"pyramid", "tower_5"})
   {
@@ -324,7 +327,9 @@ TEST_CASE("two contacts with a ball in common, solved at once, lose a push")
 }
 // [without_colors]
 
-TEST_CASE("a million metres from the origin a tower stands as at the origin, to half a millimetre")
+TEST_CASE(
+    "a million metres from the origin a tower stands as at the origin, to half a millimetre",
+    "[long]")
 {
   Scene near = named_scene("tower_3"), far = near;
   const Vector3<double> away(1 << 20, 0, -(1 << 20));
@@ -371,7 +376,8 @@ double sink_of_four(double size)
 }
 
 TEST_CASE(
-    "towers of cubes a thousand times smaller and larger sink by as many thousandths of a cube")
+    "towers of cubes a thousand times smaller and larger sink by as many thousandths of a cube",
+    "[long]")
 {
   const double sink = sink_of_four(1);
   CHECK((sink > 5e-4 && sink < 1.5e-3));
@@ -379,7 +385,8 @@ TEST_CASE(
   CHECK(sink_of_four(1024) == Catch::Approx(sink).epsilon(1e-6));
 }
 
-TEST_CASE("a table top on a hundred legs is carried: contacts of one body come one by one", "[R9]")
+TEST_CASE(
+    "a table top on a hundred legs is carried: contacts of one body come one by one", "[R9][long]")
 {
   World world = wide_world(table_on_legs(100), 8);
   while (world.time() < 5)
@@ -480,7 +487,7 @@ TEST_CASE("no push of a contact changes what two bodies have together, to float'
   CHECK((momentum - Vector3<double>(2, 0.5, 0)).norm() < 1e-5);
 }
 
-TEST_CASE("a copy of a wide world goes on to the bit")
+TEST_CASE("a copy of a wide world goes on to the bit", "[long]")
 {
   World world = wide_world(named_scene("pile_30"));
   for (int i = 0; i < 100; ++i)
