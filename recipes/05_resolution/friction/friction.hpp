@@ -75,13 +75,11 @@ SlidingMass<Real> sliding_mass(
   const Real least = effective_mass<Real>(half * (uu + vv) + sqrt(apart * apart + uv * uv));
   const Real alone = least * (uu + vv) - Real(1); // the lesser K, as a share of the largest
   const Matrix3<Real> all = u * u.transpose() + v * v.transpose();
-  const Matrix3<Real> across = (vv * least) * (u * u.transpose()) +
-                               (uu * least) * (v * v.transpose()) -
-                               (uv * least) * (u * v.transpose() + v * u.transpose());
+  Matrix3<Real> across = (vv * least) * (u * u.transpose()) + (uu * least) * (v * v.transpose()) -
+                         (uv * least) * (u * v.transpose() + v * u.transpose());
   const auto one_alone = alone <= Real(almost_none);
   const Real share = either(one_alone, least, [&] { return least / alone; });
-  const auto both = [&]() -> const Matrix3<Real>& { return across; };
-  return {share * either(one_alone, all, both), least};
+  return {share * either(one_alone, all, [&] { return across; }), least};
 }
 
 /// The same, from any direction of the surface.
