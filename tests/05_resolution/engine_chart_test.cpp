@@ -28,7 +28,7 @@ TEST_CASE(
 TEST_CASE("each engine steps a scene, and each name is a line of its own", "[peers]")
 {
   std::set<std::string> lines;
-  for (const Engine& engine : engines())
+  for (const ChartedSolver& engine : engines())
   {
     CHECK(lines.insert(engine.line).second);
   }

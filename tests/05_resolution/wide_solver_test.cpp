@@ -85,11 +85,6 @@ OneContact drawn_contact(BoxDraw& draw)
   return {a, b, at, normal.unitOrthogonal().cast<float>()};
 }
 
-void set_lane(Vector3<Four>& to, std::size_t lane, const Vector3<float>& from)
-{
-  cookbook::set_lane(to, lane, from.cast<double>());
-}
-
 void set_lane(Body<Four>& to, std::size_t lane, const Body<float>& from)
 {
   set_lane(to.motion.velocity, lane, from.motion.velocity);
@@ -99,17 +94,6 @@ void set_lane(Body<Four>& to, std::size_t lane, const Body<float>& from)
   {
     to.inverse_inertia(i).lanes[lane] = from.inverse_inertia(i);
   }
-}
-
-void set_lane(ContactConstraint<Four>& to, std::size_t lane, const ContactConstraint<float>& from)
-{
-  set_lane(to.normal, lane, from.normal);
-  set_lane(to.arms.a, lane, from.arms.a);
-  set_lane(to.arms.b, lane, from.arms.b);
-  set_lane(to.friction, lane, from.friction);
-  to.coefficient.lanes[lane] = from.coefficient;
-  to.apart.lanes[lane] = from.apart;
-  to.impulse.lanes[lane] = from.impulse;
 }
 
 /// True if two numbers have the same bits.
@@ -388,7 +372,7 @@ TEST_CASE(
 TEST_CASE(
     "a table top on a hundred legs is carried: contacts of one body come one by one", "[R9][long]")
 {
-  World world = wide_world(table_on_legs(100), 8);
+  World world = wide_world(named_scene("table_on_100"), 8);
   while (world.time() < 5)
   {
     world.step();

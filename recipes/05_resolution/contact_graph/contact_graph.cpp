@@ -19,7 +19,7 @@ void run(const Arguments& given)
   Table table({"scene", "contacts", "most at one body", "colours", "groups of 4", "places used"});
   for (const std::string name : {"tower", "pyramid", "wall", "wall_50", "table_on_100"})
   {
-    const TouchingBodies touching(name == "table_on_100" ? table_on_legs(100) : named_scene(name));
+    const TouchingBodies touching(named_scene(name));
     const ContactGraph graph = touching.colored();
     const SideBySide fours = side_by_side(graph, 4);
     table.row(

@@ -53,8 +53,7 @@ held_friction(const WorldContact& contact, const WorldPoint& point, double push,
   {
     return Vector3<double>::Zero();
   }
-  const Vector3<double>& normal = contact.normal();
-  const Vector3<double> across = point.friction - point.friction.dot(normal) * normal;
+  const Vector3<double> across = along_surface(point.friction, contact.normal());
   return within_cone<double>(GiveSettings().kept * across, contact.friction * std::max(0.0, push));
 }
 

@@ -16,26 +16,20 @@ namespace
 
 using namespace cookbook;
 
-/// Costs beside those of Bullet, where it is there.
-std::string beside(double cost, double bullet)
-{
-  return bullet > 0 ? number(cost / bullet) : "–";
-}
-
 // [scenes_beside]
 /// Every engine's cost of a scene, a row each.
 void add_rows(Cells& table, const std::string& scene, double duration, int repetitions)
 {
-  const std::vector<Engine> all = recommended_engines();
+  const std::vector<ChartedSolver> all = recommended_engines();
   const std::vector<SceneCost> costs = scene_costs(named_scene(scene), all, duration, repetitions);
   const SceneCost bullet = all.back().name.empty() ? costs.back() : SceneCost{0, 0, 0};
   for (std::size_t i = 0; i < all.size(); ++i)
   {
     const SceneCost& cost = costs[i];
     table.push_back(
-        {i == 0 ? scene : "", all[i].line, number(cost.mean * 1e6), beside(cost.mean, bullet.mean),
-         number(cost.settled * 1e6), beside(cost.settled, bullet.settled),
-         number(cost.worst / cost.mean)});
+        {i == 0 ? scene : "", all[i].line, number(cost.mean * 1e6),
+         share_of_bullet(cost.mean, bullet.mean), number(cost.settled * 1e6),
+         share_of_bullet(cost.settled, bullet.settled), number(cost.worst / cost.mean)});
   }
 }
 
@@ -57,16 +51,17 @@ Cells scenes_beside(bool quick)
 // [scenes_beside]
 
 // [growth]
-/// What a body costs in the last tenth of scenes of one kind, by how many there are; of more than
-/// 4,000, with the recommended engines only.
+/// What a body costs [µs] over how many there are, by engine.
 using Growth = std::map<std::string, std::vector<Eigen::Vector2d>>;
 
+/// What it costs in the last tenth of scenes of one kind; of more than 4,000 bodies, in the
+/// recommended engines only.
 Growth growth(const std::string& family, const std::vector<int>& counts, double duration)
 {
   Growth lines;
   for (const int count : counts)
   {
-    const std::vector<Engine> all = count > 4000 ? recommended_engines() : engines();
+    const std::vector<ChartedSolver> all = count > 4000 ? recommended_engines() : engines();
     const std::vector<SceneCost> costs =
         scene_costs(named_scene(family + "_" + std::to_string(count)), all, duration, 1);
     for (std::size_t i = 0; i < all.size(); ++i)

@@ -13,13 +13,19 @@ namespace cookbook
 {
 
 // [sliding_velocity]
+/// What of a vector lies along the surface that has this unit normal.
+template <class Real>
+Vector3<Real> along_surface(const Vector3<Real>& v, const Vector3<Real>& normal)
+{
+  return v - v.dot(normal) * normal;
+}
+
 /// The velocity [m/s] with which B's surface slides over A's at a contact point.
 template <class Real>
 Vector3<Real> sliding_velocity(
     const Body<Real>& a, const Body<Real>& b, const Vector3<Real>& normal, const Arms<Real>& arms)
 {
-  const Vector3<Real> velocity = relative_velocity(a.motion, b.motion, arms);
-  return velocity - velocity.dot(normal) * normal;
+  return along_surface<Real>(relative_velocity(a.motion, b.motion, arms), normal);
 }
 // [sliding_velocity]
 

@@ -50,7 +50,7 @@ inline ContactConstraint<double> constraint_of(
     const RigidBody& a, const RigidBody& b, const WorldContact& contact, const WorldPoint& of)
 {
   const Vector3<double>& normal = contact.normal();
-  const Vector3<double> friction = of.friction - of.friction.dot(normal) * normal;
+  const Vector3<double> friction = along_surface(of.friction, normal);
   const double apart = gap(a, b, normal, of);
   return {normal, arms_of(a, b, of), contact.friction, apart, of.impulse, friction, 0, {}};
 }

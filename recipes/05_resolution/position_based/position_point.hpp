@@ -76,9 +76,7 @@ inline void correct_gap(PositionPoint& one, double compliance, double most)
 /// How far [m] B's surface has slipped at a point since it began to stick.
 inline Vector3<double> slip(const PositionPoint& one)
 {
-  const Vector3<double>& normal = one.point.normal;
-  const Vector3<double> way = between(one) - one.held;
-  return way - way.dot(normal) * normal;
+  return along_surface<double>(between(one) - one.held, one.point.normal);
 }
 
 /// Takes a slip back with a friction within the cone; R6.

@@ -62,6 +62,19 @@ inline constexpr double noticed_turn = 0.05;
 /// those that were found: it is not pushed out of them, which would only give it energy.
 inline constexpr double confusing_turn = 1;
 
+/// The spring of contacts in small steps [s]; R13.
+inline Softness<double> spring_for(double small, const SoftSettings& settings)
+{
+  return softness(settings.frequency / small, settings.damping_ratio, small);
+}
+
+/// How fast [m/s] overlaps of an island are taken away in a step [s].
+inline double speed_of_correction(
+    IslandView world, const Island& island, double step, const SoftSettings& settings)
+{
+  return largest_turn(world, island, step) > confusing_turn ? 0 : settings.correction_speed;
+}
+
 /// Turns impulses of a whole frame into those of one of its small steps, or back.
 inline void scale_impulses(std::span<IslandPoint> points, double scale)
 {
@@ -81,10 +94,8 @@ soft_steps(IslandView world, const Island& island, double step, const SoftSettin
 {
   const std::span<IslandPoint> points = points_of(world, island);
   const double small = step / settings.substeps;
-  const Softness<double> spring =
-      softness(settings.frequency / small, settings.damping_ratio, small);
-  const double correction_speed =
-      largest_turn(world, island, step) > confusing_turn ? 0 : settings.correction_speed;
+  const Softness<double> spring = spring_for(small, settings);
+  const double correction_speed = speed_of_correction(world, island, step, settings);
   scale_impulses(points, 1.0 / settings.substeps);
   for (int i = 0; i < settings.substeps; ++i)
   {

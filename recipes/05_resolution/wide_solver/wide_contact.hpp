@@ -43,8 +43,19 @@ inline ContactConstraint<Four> no_point()
   return {zero, {zero, zero}, none, none, none, zero, none, {zeros, none}};
 }
 
+/// Four lanes without a contact, between nobody and nobody.
+inline WideContact no_contact(std::size_t nobody)
+{
+  WideContact four = {};
+  four.a.fill(static_cast<int>(nobody));
+  four.b = four.a;
+  four.across = no_point().normal;
+  return four;
+}
+
 /// Sets one lane of a vector.
-inline void set_lane(Vector3<Four>& to, std::size_t lane, const Vector3<double>& from)
+template <class Real>
+void set_lane(Vector3<Four>& to, std::size_t lane, const Vector3<Real>& from)
 {
   for (int i = 0; i < 3; ++i)
   {
@@ -53,8 +64,8 @@ inline void set_lane(Vector3<Four>& to, std::size_t lane, const Vector3<double>&
 }
 
 /// Sets one lane of a point, but for its masses.
-inline void
-set_lane(ContactConstraint<Four>& to, std::size_t lane, const ContactConstraint<double>& from)
+template <class Real>
+void set_lane(ContactConstraint<Four>& to, std::size_t lane, const ContactConstraint<Real>& from)
 {
   set_lane(to.normal, lane, from.normal);
   set_lane(to.arms.a, lane, from.arms.a);
@@ -63,6 +74,16 @@ set_lane(ContactConstraint<Four>& to, std::size_t lane, const ContactConstraint<
   to.coefficient.lanes[lane] = static_cast<float>(from.coefficient);
   to.apart.lanes[lane] = static_cast<float>(from.apart);
   to.impulse.lanes[lane] = static_cast<float>(from.impulse);
+}
+
+/// Takes what a point in one lane has been given, so many times.
+inline void
+take_lane(const ContactConstraint<Four>& from, std::size_t lane, float scale, WorldPoint& to)
+{
+  const Vector3<Four>& friction = from.friction;
+  to.impulse = scale * from.impulse[lane];
+  to.friction = {
+      scale * friction.x()[lane], scale * friction.y()[lane], scale * friction.z()[lane]};
 }
 // [wide_contact]
 

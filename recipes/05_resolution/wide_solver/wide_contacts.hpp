@@ -52,18 +52,23 @@ public:
     }
   }
 
+  /// Lets `look(a, b, at)` change every point, four at a time; their bodies stay as they are.
+  template <class Look>
+  void look_at_each(const Look& look)
+  {
+    for (WideContact& four : fours_)
+    {
+      look_at(four, look);
+    }
+  }
+
   /// Lets `change(a, b, at)` change every point and its bodies, four at a time.
   template <class Change>
   void change_each(const Change& change)
   {
     for (WideContact& four : fours_)
     {
-      gather_motion(bodies_, four.a, four.body_a);
-      gather_motion(bodies_, four.b, four.body_b);
-      for (ContactConstraint<Four>& at : points_of(four))
-      {
-        change(four.body_a, four.body_b, at);
-      }
+      look_at(four, change);
       scatter_motion(four.body_a, bodies_, four.a);
       scatter_motion(four.body_b, bodies_, four.b);
     }
@@ -80,11 +85,7 @@ public:
         std::size_t place = four.first;
         for (WorldPoint& known : points_in(four, lane))
         {
-          const ContactConstraint<Four>& at = points_[place++];
-          known.impulse = scale * at.impulse[lane];
-          known.friction = {
-              scale * at.friction.x()[lane], scale * at.friction.y()[lane],
-              scale * at.friction.z()[lane]};
+          take_lane(points_[place++], lane, scale, known);
         }
       }
     }
@@ -97,6 +98,17 @@ private:
   std::span<ContactConstraint<Four>> points_of(const WideContact& four)
   {
     return std::span(points_).subspan(four.first, four.points);
+  }
+
+  template <class Look>
+  void look_at(WideContact& four, const Look& look)
+  {
+    gather_motion(bodies_, four.a, four.body_a);
+    gather_motion(bodies_, four.b, four.body_b);
+    for (ContactConstraint<Four>& at : points_of(four))
+    {
+      look(four.body_a, four.body_b, at);
+    }
   }
 
   void color(IslandView world, const Island& island)
@@ -139,33 +151,24 @@ private:
     const auto contact_of = [&](int pair) -> WorldContact&
     { return world.contacts[place_of(island.contacts[place_of(pair)])]; };
     order_.assign(of.begin(), of.end());
+    const auto points = [&](int pair) { return contact_of(pair).points().size(); };
     std::sort(
         order_.begin(), order_.end(),
-        [&](int i, int j)
-        {
-          const std::size_t at_i = contact_of(i).points().size();
-          const std::size_t at_j = contact_of(j).points().size();
-          return std::pair(at_j, i) < std::pair(at_i, j);
-        });
+        [&](int i, int j) { return std::pair(points(j), i) < std::pair(points(i), j); });
     for (std::size_t i = 0; i < order_.size(); i += 4)
     {
-      const int nobody = static_cast<int>(world.bodies.size());
-      WideContact& four = fours_.emplace_back();
-      four.a.fill(nobody);
-      four.b.fill(nobody);
-      four.contacts.fill(nullptr);
-      four.across = no_point().normal;
+      WideContact& four = fours_.emplace_back(no_contact(world.bodies.size()));
       four.first = points_.size();
-      four.points = contact_of(order_[i]).points().size();
+      four.points = points(order_[i]);
       points_.resize(four.first + four.points, no_point());
       for (std::size_t lane = 0; lane < std::min<std::size_t>(4, order_.size() - i); ++lane)
       {
-        take_lane(world, four, lane, contact_of(order_[i + lane]), scale);
+        put_lane(world, four, lane, contact_of(order_[i + lane]), scale);
       }
     }
   }
 
-  void take_lane(
+  void put_lane(
       IslandView world, WideContact& four, std::size_t lane, WorldContact& contact, double scale)
   {
     const RigidBody& a = world.bodies[place_of(contact.a)];

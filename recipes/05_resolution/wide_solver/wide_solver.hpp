@@ -49,13 +49,9 @@ inline void wide_steps(
     return soft_steps(world, island, step, settings);
   }
   const double small = step / settings.substeps;
-  const Softness<Four> spring =
-      in_every_lane(softness(settings.frequency / small, settings.damping_ratio, small));
+  const Softness<Four> spring = in_every_lane(spring_for(small, settings));
   const Four in_step(static_cast<float>(small));
-  const Four fastest(
-      largest_turn(world, island, step) > confusing_turn
-          ? 0.0f
-          : static_cast<float>(settings.correction_speed));
+  const Four fastest(static_cast<float>(speed_of_correction(world, island, step, settings)));
   const auto each_body = [&](const auto& change)
   {
     for (const int i : island.bodies)
@@ -87,8 +83,8 @@ inline void wide_steps(
           move(body, small);
           put_motion(body, lane);
         });
-    lanes.change_each([&](Body<Four>& a, Body<Four>& b, ContactConstraint<Four>& at)
-                      { at.apart += in_step * parting_speed<Four>(a, b, at); });
+    lanes.look_at_each([&](Body<Four>& a, Body<Four>& b, ContactConstraint<Four>& at)
+                       { at.apart += in_step * parting_speed<Four>(a, b, at); });
     if (largest_turn(world, island, small) > noticed_turn)
     {
       lanes.find_masses(world, island);

@@ -10,7 +10,6 @@
 #include "common/program/table.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <map>
 

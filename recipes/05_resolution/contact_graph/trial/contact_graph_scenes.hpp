@@ -5,11 +5,10 @@
 /// to.
 
 #include "05_resolution/contact_graph/contact_graph.hpp"
-#include "05_resolution/contacts/contact_cache.hpp"
 #include "05_resolution/scenes/trial/world_scenes.hpp"
+#include "05_resolution/world/world.hpp"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,22 +25,13 @@ struct TouchingBodies
 
   explicit TouchingBodies(Scene of) : scene(std::move(of))
   {
-    std::vector<RigidBody> bodies;
-    std::vector<Bounds> bounds;
-    const double margin = contact_margin(scene);
-    for (const SceneBody& body : scene.bodies)
+    World world(scene, [](IslandView, const Island&, double) {});
+    world.step();
+    for (const RigidBody& body : world.bodies())
     {
-      bodies.push_back(rigid_body(body));
-      moves.push_back(!is_fixed(bodies.back()));
-      bounds.push_back(
-          {bounds_of(bodies.back(), body.shape, margin / 2), static_cast<int>(bounds.size())});
+      moves.push_back(!is_fixed(body));
     }
-    BroadPhase near;
-    std::vector<WorldContact> contacts;
-    next_contacts(
-        contacts, scene, bodies, {}, near.pairs(bounds), margin,
-        [this](int i) { return !moves[place_of(i)]; });
-    for (const WorldContact& contact : contacts)
+    for (const WorldContact& contact : world.contacts())
     {
       pairs.emplace_back(contact.a, contact.b);
     }
@@ -67,20 +57,6 @@ struct TouchingBodies
     return *std::max_element(counts.begin(), counts.end());
   }
 };
-
-/// A table with a movable top on so many legs: each leg shares the top.
-inline Scene table_on_legs(int legs)
-{
-  Scene scene{.name = "table_on_" + std::to_string(legs), .duration = 5, .bodies = {ground()}};
-  for (int i = 0; i < legs; ++i)
-  {
-    const Vector3<double> middle(0.25 * i, 0.5, 0);
-    scene.bodies.push_back(box_body(numbered("leg", i + 1), {0.1, 0.5, 0.1}, middle));
-  }
-  const double half = 0.125 * (legs - 1);
-  scene.bodies.push_back(box_body("top", {half + 0.2, 0.1, 0.5}, {half, 1.1, 0}, 10));
-  return scene;
-}
 // [graph_scenes]
 
 // [lanes_used]

@@ -8,7 +8,7 @@
 #include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/world_cost_measured.hpp"
 #include "05_resolution/world/trial/world_measures.hpp"
-#include "05_resolution/world_chart/trial/world_peer_bullet.hpp"
+#include "05_resolution/world_chart/trial/world_chart.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,37 +22,32 @@ namespace cookbook
 {
 
 // [engines]
-/// What moves a scene: one of our solvers, or Bullet.
-struct Engine
-{
-  std::string line;      ///< what it is called in the chart
-  std::string name = ""; ///< of the solver; empty: Bullet
-  int substeps = 0;      ///< 0: the solver's own number
-};
-
 /// The solvers that are recommended for some scene; then Bullet, if it is there.
-inline std::vector<Engine> recommended_engines()
+inline std::vector<ChartedSolver> recommended_engines()
 {
-  std::vector<Engine> all{
-      {"direct", "direct"}, {"soft steps, 4", "soft_steps", 4}, {"wide steps, 4", "wide_steps", 4}};
+  std::vector<ChartedSolver> all{
+      {"direct", "direct", 0},
+      {"soft steps, 4", "soft_steps", 4},
+      {"wide steps, 4", "wide_steps", 4}};
 #if defined(COOKBOOK_HAS_BULLET)
-  all.push_back({"Bullet"});
+  all.push_back({"Bullet", "", 0});
 #endif
   return all;
 }
 
 /// All that are compared.
-inline std::vector<Engine> engines()
+inline std::vector<ChartedSolver> engines()
 {
-  std::vector<Engine> all{
-      {"position based, 10", "position_based", 10}, {"sequential impulses", "sequential_impulses"}};
-  const std::vector<Engine> others = recommended_engines();
+  std::vector<ChartedSolver> all{
+      {"position based, 10", "position_based", 10},
+      {"sequential impulses", "sequential_impulses", 0}};
+  const std::vector<ChartedSolver> others = recommended_engines();
   all.insert(all.end(), others.begin(), others.end());
   return all;
 }
 
 /// A scene in an engine, to be timed.
-inline TimedWorld timed(const Scene& scene, const Engine& engine)
+inline TimedWorld timed(const Scene& scene, const ChartedSolver& engine)
 {
   return {
       engine.line,
@@ -91,10 +86,10 @@ inline SceneCost scene_cost(std::span<const double> times, double bodies)
 
 /// What a scene costs in each engine, over a time [s] of which half is the beginning.
 inline std::vector<SceneCost> scene_costs(
-    const Scene& scene, const std::vector<Engine>& engines, double duration, int repetitions)
+    const Scene& scene, const std::vector<ChartedSolver>& engines, double duration, int repetitions)
 {
   std::vector<TimedWorld> worlds;
-  for (const Engine& engine : engines)
+  for (const ChartedSolver& engine : engines)
   {
     worlds.push_back(timed(scene, engine));
   }

@@ -39,6 +39,20 @@ inline Scene wall_hit(int courses)
 }
 // [wall]
 
+/// A movable table top on so many legs.
+inline Scene table_on(int legs)
+{
+  Scene scene = standing(5);
+  for (int i = 0; i < legs; ++i)
+  {
+    const Vector3<double> middle(0.25 * i, 0.5, 0);
+    scene.bodies.push_back(box_body(numbered("leg", i + 1), {0.1, 0.5, 0.1}, middle));
+  }
+  const double half = 0.125 * (legs - 1);
+  scene.bodies.push_back(box_body("top", {half + 0.2, 0.1, 0.5}, {half, 1.1, 0}, 10));
+  return scene;
+}
+
 // [crowd]
 /// How many cells a cube has along a side that holds so many.
 inline int cells_along(int count)

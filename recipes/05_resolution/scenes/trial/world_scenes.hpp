@@ -41,6 +41,7 @@ inline const std::vector<SceneFamily>& scene_families()
       {"pile", "boxes that fall in a heap", 200, 100'000, pile},
       {"wall", "N courses of bricks in bond", 10, 100, wall},
       {"wall_hit", "the same, hit by a heavy ball", 10, 100, wall_hit},
+      {"table_on", "a table top on N legs", 4, 1000, table_on},
       {"cubes", "cubes that fall together", 100, 100'000, cubes},
       {"floor", "cubes side by side on the ground", 100, 100'000, floor_of_cubes},
       {"pit", "balls that fall into a pit", 100, 10'000, pit},

@@ -151,6 +151,12 @@ inline std::vector<ChartedRun> charted_runs(
   return runs;
 }
 
+/// A cost as a share of Bullet's; – where Bullet is not there.
+inline std::string share_of_bullet(double cost, double bullet)
+{
+  return bullet > 0 ? number(cost / bullet) : "–";
+}
+
 /// A row of text: the time of a run [µs], how far its bodies went and overlap [mm], its error of
 /// loads if the scene is a tower, and its time as a share of Bullet's.
 inline std::vector<std::string> charted_row(const ChartedRun& run, bool tower, double bullet)
@@ -160,7 +166,7 @@ inline std::vector<std::string> charted_row(const ChartedRun& run, bool tower, d
   {
     name.append(", ").append(std::to_string(run.solver.substeps));
   }
-  const std::string share = bullet > 0 ? number(run.seconds / bullet) : "–";
+  const std::string share = share_of_bullet(run.seconds, bullet);
   if (run.end.moved > 0.5)
   {
     return {name, number(run.seconds * 1e6), "falls", "–", "–", share};
