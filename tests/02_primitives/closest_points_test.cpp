@@ -19,7 +19,7 @@ TEST_CASE("45 pairs of shapes: closest points are in them, and no others are clo
   {
     for (const Draws draws : all_draws)
     {
-      const Wrongs wrongs = judge_pairs(kinds, draws, random_inputs / 7);
+      const Wrongs wrongs = judge_pairs(kinds, draws, inputs(14'285, 70));
       INFO(kinds.names << ", draws " << int(draws) << ", overlapping " << wrongs.overlapping);
       CHECK(wrongs.fault < 4e-12L);
       CHECK(wrongs.contradictions == 0);

@@ -188,7 +188,7 @@ TEST_CASE("changes come in order, from the first at 0 on", "[scene_figures]")
   CHECK((stream.eof() && last <= 1));
 }
 
-TEST_CASE("a picture that would be too large leaves out frames", "[scene_figures]")
+TEST_CASE("a picture that would be too large leaves out frames", "[scene_figures][long]")
 {
   const Scene scene = named_scene("pile_50");
   std::vector<Frame> frames;

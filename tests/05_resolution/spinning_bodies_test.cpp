@@ -446,7 +446,7 @@ TEST_CASE("at a million rad/s |L| stays, and the energy within the closest momen
 // [any_spin]
 
 // [truth]
-TEST_CASE("the truth of the chart is right to 1e-9: half the step changes no more")
+TEST_CASE("the truth of the chart is right to 1e-9: half the step changes no more", "[long]")
 {
   using Long = long double;
   Spinning<Long> body{Quaternion<Long>::Identity(), tennis_racket().spin.cast<Long>()};
