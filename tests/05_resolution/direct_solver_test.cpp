@@ -412,6 +412,34 @@ TEST_CASE("a pyramid of 55 at rest is solved exactly in every frame and sinks by
   CHECK(answers.sink < 1e-7);
 }
 
+TEST_CASE("30 cubes hurled at each other keep their momentum to rounding, stiff or soft", "[R3]")
+{
+  BoxDraw draw(11);
+  Scene scene;
+  scene.gravity.setZero();
+  double hurled = 0; // [kg m/s], all together
+  for (int i = 0; i < 30; ++i)
+  {
+    const Vector3<double> place(1.5 * (i % 3 - 1), 1.5 * (i / 3 % 3 - 1), 1.5 * (i / 9 - 1));
+    SceneBody cube = cube_body(numbered("cube", i), place);
+    cube.mass = draw.between(0.1, 10);
+    cube.velocity = draw.vector(-1, 1) - place;
+    hurled += cube.mass * cube.velocity.norm();
+    scene.bodies.push_back(cube);
+  }
+  std::map<DirectAnswer, int> heard;
+  World world(scene, DirectOrSoft(8, [&](const Island&, DirectAnswer answer) { ++heard[answer]; }));
+  const Vector3<double> before = momentum(world.bodies());
+  for (int i = 0; i < 240; ++i)
+  {
+    world.step();
+    CAPTURE(i);
+    REQUIRE((momentum(world.bodies()) - before).norm() < 1e-13 * hurled);
+  }
+  CHECK(heard[DirectAnswer::softened] > 0);
+  CHECK(heard[DirectAnswer::exact] > 0);
+}
+
 TEST_CASE(
     "rows that fall on each other by 1 mm are solved directly after 1 s, exactly after 6 s",
     "[long]")

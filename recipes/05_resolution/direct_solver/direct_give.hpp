@@ -20,7 +20,7 @@ struct GiveSettings
   double push_speed = 0.01; ///< [m/s], at which a contact gives way to what it carried last
   double grip_speed = 0.3;  ///< [m/s], the same of friction
   double kept = 0.9;        ///< [1], share of the friction that stays from frame to frame
-  double tolerance = 1e-5;  ///< [1], of the largest impulse: what may be missing meanwhile
+  double tolerance = 1e-8;  ///< [1], of the largest impulse: what may be missing meanwhile
   double stiffer = 0.95;    ///< [1], how soft contacts are after a frame, of what they were
   double least = 1e-7;      ///< [1], from here on contacts are stiff
 };

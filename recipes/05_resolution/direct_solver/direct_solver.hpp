@@ -16,17 +16,21 @@ namespace cookbook
 {
 
 /// Takes all new points for pressed that gravity, in one step, could bring to a speed [m/s]: so a
-/// tower stands from the first iteration on, not box upon box.
-inline void guess(DirectSystem& system, double speed)
+/// tower stands from the first iteration on, not box upon box. Whether there are any: then the
+/// first change, which takes what is missing without them, leads past the answer.
+inline bool guess(DirectSystem& system, double speed)
 {
+  bool any = false;
   for (DirectPoint& point : system.points)
   {
     if (!point.solved && !point.pressed && point.bias <= speed)
     {
       point.pressed = true;
       point.grip = Grip::stick;
+      any = true;
     }
   }
+  return any;
 }
 
 // [direct_bounds]
@@ -59,14 +63,18 @@ inline bool moved_bounds(DirectSystem& system, double tolerance, bool all)
 }
 // [direct_bounds]
 
-/// Writes what was found into the world.
-inline void scatter(const DirectSystem& system, IslandView world, const Island& island)
+/// Writes what was found into the world. Impulses that were missing are given, so that bodies have
+/// just what contacts gave them, and momentum is kept to rounding.
+inline void scatter(
+    const DirectSystem& system, const std::vector<Vector6>& missing, IslandView world,
+    const Island& island)
 {
   for (std::size_t i = 0; i < island.bodies.size(); ++i)
   {
     RigidBody& body = world.bodies[place_of(island.bodies[i])];
-    body.motion.velocity = system.velocities[i].head<3>();
-    body.motion.angular_velocity = system.velocities[i].tail<3>();
+    const Vector3<double> push = missing[i].head<3>(), turn = missing[i].tail<3>();
+    body.motion.velocity = system.velocities[i].head<3>() + body.inverse_mass * push;
+    body.motion.angular_velocity = system.velocities[i].tail<3>() + body.inverse_inertia * turn;
   }
   std::size_t point = 0;
   for (const int i : island.contacts)
@@ -98,7 +106,7 @@ public:
       return false;
     }
     find_missing(system_);
-    guess(system_, 2 * step * world.gravity.norm());
+    const bool guessed = guess(system_, 2 * step * world.gravity.norm());
     for (int i = 0; i < settings.iterations; ++i)
     {
       assemble(system_, matrix_);
@@ -111,14 +119,16 @@ public:
       const Advance gone = advance(system_, change_);
       const double most = largest_impulse(system_);
       const double small = std::max(settings.tolerance * most, rounding_of(system_));
-      const bool found = gone.exact || size_of_missing(system_) <= small;
+      const bool exact = gone.exact && (i > 0 || !guessed);
+      const bool found = exact || size_of_missing(system_) <= small;
       const bool stiff = settings.give == 0;
+      change_ = system_.missing;
       const bool follows = found || (stiff && gone.part >= 0.5);
       const bool moved =
           follows && moved_bounds(system_, settings.friction_tolerance * most, stiff);
       if (found && !moved)
       {
-        scatter(system_, world, island);
+        scatter(system_, change_, world, island);
         return true;
       }
     }

@@ -56,7 +56,7 @@ inline plot::Chart energy_figure()
   for (std::size_t i = 0; i < integrators<double>().size(); ++i)
   {
     const Integrator<double> method = integrators<double>()[i];
-    const Course<double> course = oscillating(method, 10, game_rate);
+    const PhasePath<double> course = oscillating(method, 10, game_rate);
     double most = 0;
     std::vector<Eigen::Vector2d> points;
     for (std::size_t step = 1; step < course.size(); ++step)

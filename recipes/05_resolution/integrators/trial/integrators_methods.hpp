@@ -20,7 +20,7 @@ using AccelerationAt = std::function<Place(const Place&, const Place&)>;
 
 /// All points of a motion, a step apart; the first is its start.
 template <class Place>
-using Course = std::vector<PhasePoint<Place>>;
+using PhasePath = std::vector<PhasePoint<Place>>;
 
 /// A way to follow a motion.
 template <class Place>
@@ -28,7 +28,8 @@ struct Integrator
 {
   std::string name; ///< as on the page
   /// From a start, with a step [s], for a number of steps.
-  std::function<Course<Place>(const PhasePoint<Place>&, double, int, const AccelerationAt<Place>&)>
+  std::function<PhasePath<Place>(
+      const PhasePoint<Place>&, double, int, const AccelerationAt<Place>&)>
       follow;
 };
 
@@ -41,7 +42,7 @@ Integrator<Place> step_by_step(const std::string& name, const Step& take)
                 const PhasePoint<Place>& start, double step, int steps,
                 const AccelerationAt<Place>& acceleration)
       {
-        Course<Place> course{start};
+        PhasePath<Place> course{start};
         for (int i = 0; i < steps; ++i)
         {
           course.push_back(take(course.back(), step, acceleration));
@@ -52,11 +53,11 @@ Integrator<Place> step_by_step(const std::string& name, const Step& take)
 
 /// Velocity Verlet, which hands the acceleration it has found on to the next step.
 template <class Place>
-Course<Place> follow_verlet(
+PhasePath<Place> follow_verlet(
     const PhasePoint<Place>& start, double step, int steps,
     const AccelerationAt<Place>& acceleration)
 {
-  Course<Place> course{start};
+  PhasePath<Place> course{start};
   VerletPoint<Place> now{start, acceleration(start.position, start.velocity)};
   for (int i = 0; i < steps; ++i)
   {

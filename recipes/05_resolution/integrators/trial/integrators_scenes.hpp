@@ -21,7 +21,7 @@ inline double energy_share(const PhasePoint<double>& at)
 }
 
 /// The oscillator's course over a time [s] in so many steps a second.
-inline Course<double> oscillating(const Integrator<double>& method, double time, double rate)
+inline PhasePath<double> oscillating(const Integrator<double>& method, double time, double rate)
 {
   const Swing swing = oscillator();
   const int steps = static_cast<int>(std::lround(time * rate));
