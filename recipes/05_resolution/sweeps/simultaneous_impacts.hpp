@@ -46,7 +46,7 @@ struct ImpactPoint
 };
 
 /// Brings points to a share of their targets, and keeps the others from closing, one after the
-/// other until none is wrong by more than rounding, or after 200 rounds.
+/// other until a round changes nothing by more than 1e-13 of the fastest speed, or 200 times.
 inline void reach_targets(std::vector<ImpactPoint>& points, double share)
 {
   double fastest = 0;
@@ -57,7 +57,7 @@ inline void reach_targets(std::vector<ImpactPoint>& points, double share)
     fastest = std::max({fastest, one.target, -parting_speed(one.point)});
   }
   double missing = fastest;
-  for (int round = 0; round < 200 && missing > 1e-14 * fastest; ++round)
+  for (int round = 0; round < 200 && missing > 1e-13 * fastest; ++round)
   {
     missing = 0;
     for (ImpactPoint& one : points)

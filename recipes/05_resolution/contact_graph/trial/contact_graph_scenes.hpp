@@ -5,8 +5,10 @@
 /// to.
 
 #include "05_resolution/contact_graph/contact_graph.hpp"
+#include "05_resolution/contacts/rigid_body.hpp"
+#include "05_resolution/contacts/world_contact.hpp"
 #include "05_resolution/scenes/trial/world_scenes.hpp"
-#include "05_resolution/world/world.hpp"
+#include "05_resolution/world/trial/world_runs.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -23,17 +25,11 @@ struct TouchingBodies
   std::vector<bool> moves;                ///< whether a body can
   std::vector<std::pair<int, int>> pairs; ///< of bodies that touch
 
-  explicit TouchingBodies(Scene of) : scene(std::move(of))
+  explicit TouchingBodies(Scene of) : scene(std::move(of)), pairs(touching_pairs(scene))
   {
-    World world(scene, [](IslandView, const Island&, double) {});
-    world.step();
-    for (const RigidBody& body : world.bodies())
+    for (const SceneBody& body : scene.bodies)
     {
-      moves.push_back(!is_fixed(body));
-    }
-    for (const WorldContact& contact : world.contacts())
-    {
-      pairs.emplace_back(contact.a, contact.b);
+      moves.push_back(!is_fixed(rigid_body(body)));
     }
   }
 

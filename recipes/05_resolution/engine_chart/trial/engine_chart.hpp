@@ -5,9 +5,8 @@
 /// they have settled, and in their worst frame.
 
 #include "05_resolution/scenes/trial/world_scenes.hpp"
-#include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/world_cost_measured.hpp"
-#include "05_resolution/world/trial/world_measures.hpp"
+#include "05_resolution/world/trial/world_runs.hpp"
 #include "05_resolution/world_chart/trial/world_chart.hpp"
 
 #include <algorithm>
@@ -59,8 +58,8 @@ inline TimedWorld timed(const Scene& scene, const ChartedSolver& engine)
           return [world = std::make_shared<BulletWorld>(scene)] { world->step(); };
         }
 #endif
-        return [world = std::make_shared<World>(scene, solver_named(engine.name, engine.substeps))]
-        { world->step(); };
+        return [world = SteppedWorld(scene, engine.name, engine.substeps)]() mutable
+        { world.step(); };
       }};
 }
 // [engines]

@@ -5,6 +5,7 @@
 
 #include "05_resolution/contacts/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -65,5 +66,13 @@ inline Quaternion<double> turn_about_z(double sine, double cosine)
   return {half_cosine, 0, 0, sine / (2 * half_cosine)};
 }
 // [whole_turn]
+
+/// How many bodies of a scene can move, to share a time among them; one if there is none.
+inline double movable_bodies(const Scene& scene)
+{
+  const auto movable = [](const SceneBody& body) { return body.mass > 0; };
+  const auto count = std::count_if(scene.bodies.begin(), scene.bodies.end(), movable);
+  return std::max(1.0, static_cast<double>(count));
+}
 
 } // namespace cookbook

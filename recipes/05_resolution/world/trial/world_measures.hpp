@@ -28,14 +28,6 @@ inline Frame frame_of(const World& world)
   return frame;
 }
 
-/// How many bodies of a scene can move, to share a time among them; one if there is none.
-inline double movable_bodies(const Scene& scene)
-{
-  const auto movable = [](const SceneBody& body) { return body.mass > 0; };
-  const auto count = std::count_if(scene.bodies.begin(), scene.bodies.end(), movable);
-  return std::max(1.0, static_cast<double>(count));
-}
-
 // [world_sums]
 /// The energy [J] of the movable bodies of a world: of motion, and of height against gravity.
 inline double energy(std::span<const RigidBody> bodies, const Vector3<double>& gravity)

@@ -3,6 +3,7 @@
 
 #include "05_resolution/world/trial/world_runs.hpp"
 #include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
+#include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/world_cost_measured.hpp"
 #include "05_resolution/world/trial/world_measures.hpp"
@@ -71,6 +72,43 @@ std::vector<double> carried(const Scene& scene, const std::string& solver, int s
     world.step();
   }
   return carried_in(world);
+}
+
+std::vector<std::pair<int, int>> touching_pairs(const Scene& scene)
+{
+  World world(scene, [](IslandView, const Island&, double) {});
+  world.step();
+  std::vector<std::pair<int, int>> pairs;
+  for (const WorldContact& contact : world.contacts())
+  {
+    pairs.emplace_back(contact.a, contact.b);
+  }
+  return pairs;
+}
+
+SteppedWorld::SteppedWorld(const Scene& scene, const std::string& solver, int substeps)
+    : world_(std::make_shared<World>(scene, solver_named(solver, substeps)))
+{
+}
+
+void SteppedWorld::step()
+{
+  world_->step();
+}
+
+Frame SteppedWorld::frame() const
+{
+  return frame_of(*world_);
+}
+
+double SteppedWorld::deepest_overlap() const
+{
+  return cookbook::deepest_overlap(*world_);
+}
+
+std::vector<double> SteppedWorld::carried() const
+{
+  return carried_in(*world_);
 }
 
 } // namespace cookbook

@@ -7,7 +7,9 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cookbook
@@ -58,6 +60,25 @@ std::vector<double> carried(const Scene& scene, const std::string& solver, int s
 
 /// How many steps a scene has.
 std::size_t steps_of(const Scene& scene, double duration);
+
+/// The bodies of a scene that touch as it starts, in pairs.
+std::vector<std::pair<int, int>> touching_pairs(const Scene& scene);
+
+/// A world that is only stepped, and asked in the end.
+class SteppedWorld
+{
+public:
+  /// A scene under a solver by name, with so many substeps, or its own number of them, 0.
+  SteppedWorld(const Scene& scene, const std::string& solver, int substeps);
+
+  void step();                         ///< goes on by a step
+  Frame frame() const;                 ///< as it is now
+  double deepest_overlap() const;      ///< [m]
+  std::vector<double> carried() const; ///< [N s], as above
+
+private:
+  std::shared_ptr<World> world_;
+};
 // [world_run]
 
 } // namespace cookbook

@@ -5,9 +5,8 @@
 
 #include "05_resolution/direct_solver/trial/direct_solver_scenes.hpp"
 #include "05_resolution/scenes/trial/world_scenes.hpp"
-#include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/world_cost_measured.hpp"
-#include "05_resolution/world/trial/world_measures.hpp"
+#include "05_resolution/world/trial/world_runs.hpp"
 #include "05_resolution/world_chart/trial/world_peer_bullet.hpp"
 #include "common/program/table.hpp"
 
@@ -83,17 +82,19 @@ inline double farthest(const Scene& scene, const Frame& frame)
 }
 
 // [world_to_time]
-/// A step of a world that, at the last of its steps, has `end(world)` say what came of it.
-template <class AnyWorld, class EndOf>
+/// A step of a world that, at the last of its steps, says what came of it.
+template <class AnyWorld>
 std::function<void()>
-counted_step(std::shared_ptr<AnyWorld> world, ChartedRun& run, int steps, const EndOf& end)
+counted_step(const std::shared_ptr<AnyWorld>& world, const Scene& scene, ChartedRun& run, int steps)
 {
-  return [world, &run, steps, end, done = 0]() mutable
+  return [world, scene, &run, steps, done = 0]() mutable
   {
     world->step();
     if (++done == steps)
     {
-      run.end = end(*world);
+      run.end = {
+          farthest(scene, world->frame()), world->deepest_overlap(),
+          load_error(scene, world->carried())};
     }
   };
 }
@@ -106,23 +107,11 @@ inline TimedWorld timed_world(const Scene& scene, ChartedRun& run, int steps)
 #if defined(COOKBOOK_HAS_BULLET)
     if (run.solver.name.empty())
     {
-      const auto end = [scene](BulletWorld& world) -> ChartedEnd
-      {
-        return {
-            farthest(scene, world.frame()), world.deepest_overlap(),
-            load_error(scene, world.carried())};
-      };
-      return counted_step(std::make_shared<BulletWorld>(scene), run, steps, end);
+      return counted_step(std::make_shared<BulletWorld>(scene), scene, run, steps);
     }
 #endif
-    const auto end = [](const World& world) -> ChartedEnd
-    {
-      return {
-          farthest(world.scene(), frame_of(world)), deepest_overlap(world),
-          load_error(world.scene(), carried_in(world))};
-    };
-    const IslandSolver solver = solver_named(run.solver.name, run.solver.substeps);
-    return counted_step(std::make_shared<World>(scene, solver), run, steps, end);
+    const auto world = std::make_shared<SteppedWorld>(scene, run.solver.name, run.solver.substeps);
+    return counted_step(world, scene, run, steps);
   };
   return {run.solver.line, build};
 }
