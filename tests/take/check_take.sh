@@ -102,11 +102,10 @@ for home in "$root"/recipes/*/*/; do
   fi
 done >"$work/sizes"
 
-# A header that does not speak of COOKBOOK_PLAIN is the same text with it; what the world says of it is
-# in contact_watch, too. The largest come first.
+# A header that does not speak of COOKBOOK_PLAIN is the same text with it. The largest come first.
 sort -k 2,2nr "$work/sizes" | while read -r name _; do
   echo "taken $name"
-  [ "$name" = world ] || ! grep -q COOKBOOK_PLAIN "$work/$name.hpp" || echo "taken $name -DCOOKBOOK_PLAIN"
+  ! grep -q COOKBOOK_PLAIN "$work/$name.hpp" || echo "taken $name -DCOOKBOOK_PLAIN"
 done >"$work/taken"
 
 complaints=$(

@@ -122,13 +122,13 @@ public:
       const bool exact = gone.exact && (i > 0 || !guessed);
       const bool found = exact || size_of_missing(system_) <= small;
       const bool stiff = settings.give == 0;
-      change_ = system_.missing;
+      missing_ = system_.missing; // before the bounds move
       const bool follows = found || (stiff && gone.part >= 0.5);
       const bool moved =
           follows && moved_bounds(system_, settings.friction_tolerance * most, stiff);
       if (found && !moved)
       {
-        scatter(system_, change_, world, island);
+        scatter(system_, missing_, world, island);
         return true;
       }
     }
@@ -157,7 +157,7 @@ private:
 
   DirectSystem system_;
   BlockCholesky matrix_;
-  std::vector<Vector6> change_;
+  std::vector<Vector6> change_, missing_;
   std::vector<std::pair<int, int>> coupled_, laid_out_;
 };
 // [direct_solver]

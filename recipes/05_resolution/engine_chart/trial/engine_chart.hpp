@@ -10,7 +10,6 @@
 #include "05_resolution/world_chart/trial/world_chart.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -92,7 +91,7 @@ inline std::vector<SceneCost> scene_costs(
   {
     worlds.push_back(timed(scene, engine));
   }
-  const int steps = static_cast<int>(std::lround(duration / scene.step));
+  const int steps = static_cast<int>(steps_of(scene, duration));
   std::vector<SceneCost> costs;
   for (const std::vector<double>& times : each_step_seconds(worlds, steps, repetitions))
   {

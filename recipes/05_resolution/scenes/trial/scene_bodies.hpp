@@ -75,4 +75,16 @@ inline double movable_bodies(const Scene& scene)
   return std::max(1.0, static_cast<double>(count));
 }
 
+/// The momentum [kg m/s] of each body of a scene, whatever its direction, all together: what
+/// rounding of their sum is to be held against.
+inline double momentum_of_each(const Scene& scene)
+{
+  double sum = 0;
+  for (const SceneBody& body : scene.bodies)
+  {
+    sum += body.mass * body.velocity.norm();
+  }
+  return sum;
+}
+
 } // namespace cookbook

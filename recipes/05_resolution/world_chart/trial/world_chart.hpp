@@ -11,7 +11,6 @@
 #include "common/program/table.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -121,7 +120,7 @@ inline TimedWorld timed_world(const Scene& scene, ChartedRun& run, int steps)
 inline std::vector<ChartedRun> charted_runs(
     const Scene& scene, double duration, const std::vector<ChartedSolver>& solvers, int repetitions)
 {
-  const int steps = static_cast<int>(std::lround(duration / scene.step));
+  const int steps = static_cast<int>(steps_of(scene, duration));
   std::vector<ChartedRun> runs;
   for (const ChartedSolver& solver : solvers)
   {
