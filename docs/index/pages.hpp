@@ -60,10 +60,10 @@ inline std::string escaped(const std::string& text)
   return result;
 }
 
-/// The title and id of a page's first heading.
+/// The title and id of a page's heading, which is its first line.
 inline Section title_of(const TextFile& page)
 {
-  const auto all = sections(page.text);
+  const auto all = sections(page.text.substr(0, page.text.find('\n')));
   if (all.empty() || all.front().id.empty())
   {
     throw std::runtime_error(page.path + ": the first heading needs an id, {#ch3}");
