@@ -149,6 +149,10 @@ TEST_CASE("a wide double keeps 1 + 2^-90, and sizes far beyond those of double",
   CHECK_FALSE((one + tiny <= one));
   CHECK(static_cast<double>(WideDouble(5.0) + WideDouble(0.0)) == 5);
   CHECK(static_cast<double>(WideDouble(0.0) + WideDouble(5.0)) == 5);
+  const WideDouble far_below(1.0, 0, -5000);
+  CHECK(static_cast<double>(one + far_below) == 1);
+  CHECK(static_cast<double>(far_below - one) == -1);
+  CHECK(static_cast<double>(far_below / far_below) == 1);
 }
 
 TEST_CASE("sums, products and quotients of wide doubles are right to 2^-100", "[M11]")

@@ -1,9 +1,9 @@
 /// \file
 /// What holds for points, normals and planes through a transform: formulas M14 and M15.
 
+#include "01_math/matrices/trial/matrix_instances.hpp"
 #include "01_math/transforms/transforms.hpp"
-#include "01_math/transforms/trial/local_cases.hpp"
-#include "01_math/transforms/trial/transforms_cases.hpp"
+#include "01_math/transforms/trial/transforms_verdicts.hpp"
 #include "common/math/rational.hpp"
 #include "common/math/rotation.hpp"
 
@@ -264,7 +264,7 @@ TEST_CASE("each way to carry a plane along holds or fails as the table says", "[
   const std::vector<std::string> three{"n by M", "Eigen's transform", "recommended"};
   const std::vector<std::string> two{"Eigen's transform", "recommended"};
   check_verdicts(
-      plane_verdicts(), names_of(plane_methods()),
+      plane_verdicts(), plane_names(),
       {{"X35", three},
        {"turned about z", {"as published", "n by M", "Eigen's transform", "recommended"}},
        {"turned, then moved", three},
@@ -283,7 +283,7 @@ TEST_CASE("each way to a body's frame holds or fails as the table says", "[M15]"
   const std::string isometry = "Isometry3::inverse()", general = "Affine3::inverse()";
   const std::string rigid = "Rᵀ(p − t)", best = "M⁻¹(p − t)";
   check_verdicts(
-      local_verdicts(), names_of(local_methods()),
+      local_verdicts(), local_names(),
       {{"a pose near the origin", {isometry, general, rigid, best}},
        {"a pose 4,000 km away", {rigid, best}},
        {"a turn that has grown by 1 %", {general, best}},

@@ -64,10 +64,6 @@ inline WideDouble operator+(const WideDouble& a, const WideDouble& b)
   const WideDouble& large = a_leads ? a : b;
   const WideDouble& small = a_leads ? b : a;
   const int shift = small.exponent - large.exponent;
-  if (shift < -200)
-  {
-    return large; // what is added has no digit in common with the sum
-  }
   const double high = std::ldexp(small.high, shift), sum = large.high + high;
   const double part = sum - large.high;
   const double error = (large.high - (sum - part)) + (high - part);
@@ -93,12 +89,6 @@ inline WideDouble operator/(const WideDouble& a, const WideDouble& b)
 inline WideDouble& operator+=(WideDouble& a, const WideDouble& b)
 {
   return a = a + b;
-}
-
-/// Multiplies, for Eigen's products.
-inline WideDouble& operator*=(WideDouble& a, const WideDouble& b)
-{
-  return a = a * b;
 }
 
 /// The number without its sign.

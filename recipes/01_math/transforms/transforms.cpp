@@ -2,9 +2,8 @@
 /// \brief Carries points, vectors, normals and planes through transforms, and back.
 
 #include "01_math/transforms/transforms.hpp"
-#include "01_math/transforms/trial/local_cases.hpp"
-#include "01_math/transforms/trial/transforms_cases.hpp"
 #include "01_math/transforms/trial/transforms_figures.hpp"
+#include "01_math/transforms/trial/transforms_verdicts.hpp"
 #include "common/program/program.hpp"
 #include "common/program/table.hpp"
 
@@ -57,13 +56,13 @@ int main(int argc, char** argv)
             given, "transforms_planes.html",
             verdict_table(
                 "Ways to carry the plane 2x + y + 2z = 6 through a transform, in float.",
-                names_of(plane_methods()), plane_verdicts()));
+                plane_names(), plane_verdicts()));
         save_figure(
             given, "transforms_local.html",
             verdict_table(
                 "Ways to see a point of the world in a body's frame, in float: right means "
                 "within 1e-4.",
-                names_of(local_methods()), local_verdicts(), "local"));
+                local_names(), local_verdicts(), "local"));
         save_figure(given, "transforms.svg", normal_figures().svg());
         save_figure(given, "transforms_order.svg", order_figures().svg());
         save_figure(given, "transforms_pose.svg", pose_figure().svg());

@@ -1,12 +1,13 @@
 #pragma once
 
 /// \file
-/// \brief A tree of bounds, built anew in each step in n log n, however they lie.
+/// \brief A tree of bounds, built in n log n, however they lie, that follows them as they move.
 
 #include "common/math/vector.hpp"
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -20,6 +21,7 @@ struct Bounds
 {
   Eigen::AlignedBox<double, 3> box; ///< [m], world; infinite for a plane
   int body;                         ///< its number
+  int place = 0;                    ///< in the list that a tree was built of
 };
 // [bounds]
 
@@ -48,14 +50,51 @@ public:
     leaves_.clear();
     endless_.clear();
     nodes_.clear();
-    for (const Bounds& one : bounds)
+    for (Bounds one : bounds)
     {
+      one.place = static_cast<int>(leaves_.size() + endless_.size());
       const bool finite = one.box.min().allFinite() && one.box.max().allFinite();
       (finite ? leaves_ : endless_).push_back(one);
     }
     if (!leaves_.empty())
     {
       grow(0, leaves_.size());
+    }
+    built_ = spread();
+  }
+
+  /// Takes new bounds of the bodies that it was built of. False if they are others, or have spread
+  /// by a fifth: then it has to be built.
+  bool follow(std::span<const Bounds> bounds)
+  {
+    bool same = bounds.size() == leaves_.size() + endless_.size();
+    const auto box_of = [&](const Bounds& one)
+    {
+      const Bounds& now = same ? bounds[static_cast<std::size_t>(one.place)] : one;
+      same = same && now.body == one.body;
+      return now.box;
+    };
+    for (Bounds& one : endless_)
+    {
+      one.box = box_of(one);
+    }
+    refit(box_of);
+    return same && spread() <= built_ * 6 / 5;
+  }
+
+  /// Gives all that is finite new bounds, `bounds(leaf)`; who lies beside whom in the tree stays.
+  template <class BoundsOf>
+  void refit(const BoundsOf& bounds)
+  {
+    for (Bounds& leaf : leaves_)
+    {
+      leaf.box = bounds(leaf);
+    }
+    for (std::size_t i = nodes_.size(); i-- > 0;)
+    {
+      Node& node = nodes_[i];
+      node.box = node.right > 0 ? nodes_[i + 1].box.merged(nodes_[node.right].box)
+                                : box_around(node.first, node.end);
     }
   }
 
@@ -81,27 +120,27 @@ public:
   }
 
 private:
-  /// Leaves side by side that no node parts any more.
-  static constexpr std::size_t most_leaves = 4;
+  static constexpr std::size_t most_leaves = 4; // side by side, that no node parts any more
 
   void grow(std::size_t first, std::size_t end)
   {
     const std::size_t here = nodes_.size();
-    Eigen::AlignedBox<double, 3> box, centers;
-    for (std::size_t i = first; i < end; ++i)
-    {
-      box.extend(leaves_[i].box);
-      centers.extend(center(leaves_[i]));
-    }
-    nodes_.push_back({box, first, end, 0});
+    nodes_.push_back({box_around(first, end), first, end, 0});
     if (end - first <= most_leaves)
     {
       return;
     }
+    Eigen::AlignedBox<double, 3> centers;
+    for (std::size_t i = first; i < end; ++i)
+    {
+      centers.extend(Vector3<double>(leaves_[i].box.min() / 2 + leaves_[i].box.max() / 2));
+    }
     int axis = 0;
     (centers.max() / 2 - centers.min() / 2).maxCoeff(&axis);
-    const auto before = [axis](const Bounds& a, const Bounds& b)
-    { return std::pair(center(a)[axis], a.body) < std::pair(center(b)[axis], b.body); };
+    const auto middle_of = [axis](const Bounds& one)
+    { return one.box.min()[axis] / 2 + one.box.max()[axis] / 2; };
+    const auto before = [middle_of](const Bounds& a, const Bounds& b)
+    { return std::pair(middle_of(a), a.body) < std::pair(middle_of(b), b.body); };
     const std::size_t middle = first + (end - first) / 2;
     const auto at = [this](std::size_t i)
     { return leaves_.begin() + static_cast<std::ptrdiff_t>(i); };
@@ -111,7 +150,22 @@ private:
     grow(middle, end);
   }
 
-  static Vector3<double> center(const Bounds& one) { return one.box.min() / 2 + one.box.max() / 2; }
+  /// The sum of the sizes [m] of all boxes.
+  double spread() const
+  {
+    const auto add = [](double sum, const Node& node) { return sum + node.box.sizes().sum(); };
+    return std::accumulate(nodes_.begin(), nodes_.end(), 0.0, add);
+  }
+
+  Eigen::AlignedBox<double, 3> box_around(std::size_t first, std::size_t end) const
+  {
+    Eigen::AlignedBox<double, 3> box;
+    for (std::size_t i = first; i < end; ++i)
+    {
+      box.extend(leaves_[i].box);
+    }
+    return box;
+  }
 
   template <class Enters, class Visit>
   void each_below(std::size_t node, const Enters& enters, const Visit& visit) const
@@ -138,6 +192,7 @@ private:
 
   std::vector<Bounds> leaves_, endless_;
   std::vector<Node> nodes_;
+  double built_ = 0; // [m], its spread when it was built
 };
 // [bounds_tree]
 

@@ -58,7 +58,8 @@ void overlaps_between(const BoundsTree& tree, std::size_t a, std::size_t b, cons
   {
     return;
   }
-  if (of_a.right > 0)
+  const bool a_is_larger = of_a.end - of_a.first >= of_b.end - of_b.first;
+  if (of_a.right > 0 && (a_is_larger || of_b.right == 0))
   {
     overlaps_between(tree, a + 1, b, ask);
     return overlaps_between(tree, of_a.right, b, ask);
@@ -70,7 +71,8 @@ void overlaps_between(const BoundsTree& tree, std::size_t a, std::size_t b, cons
   }
   for (std::size_t i = of_a.first; i < of_a.end; ++i)
   {
-    for (std::size_t j = of_b.first; j < of_b.end; ++j)
+    const bool near_any = tree.leaves()[i].box.intersects(of_b.box);
+    for (std::size_t j = of_b.first; j < of_b.end && near_any; ++j)
     {
       ask(tree.leaves()[i], tree.leaves()[j]);
     }
@@ -146,7 +148,10 @@ public:
   {
     const std::size_t most = 100 * bounds.size();
     pairs_.clear();
-    tree_.build(bounds);
+    if (!tree_.follow(bounds))
+    {
+      tree_.build(bounds);
+    }
     each_overlap(
         tree_,
         [&](int a, int b)
@@ -160,6 +165,8 @@ public:
     std::sort(pairs_.begin(), pairs_.end());
     return pairs_;
   }
+
+  BoundsTree& tree() { return tree_; } ///< of the bounds last given
 
 private:
   BoundsTree tree_;

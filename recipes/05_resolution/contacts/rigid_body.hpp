@@ -88,11 +88,21 @@ inline void turn_by(RigidBody& body, const Vector3<double>& turn)
 inline constexpr double largest_piece = 0.5;
 inline constexpr double most_pieces = 100;
 
+/// Whether a body's moments are all the same, as a ball's and a cube's: it spins on as it does.
+inline bool is_even(const RigidBody& body)
+{
+  return (body.moments.array() == body.moments.x()).all();
+}
+
 /// Turns a body freely for a time [s]: its angular momentum and its energy stay as they are; R24.
 ///
 /// Where even the pieces of a turn are too large, it loses some spin, and never gains energy.
 inline void spin(RigidBody& body, double time)
 {
+  if (is_even(body))
+  {
+    return turn_by(body, time * body.motion.angular_velocity);
+  }
   const double turn = time * body.motion.angular_velocity.norm();
   const bool too_fast = turn > largest_piece * most_pieces;
   const double energy = too_fast ? kinetic_energy(body) : 0;
@@ -119,8 +129,7 @@ inline constexpr double steady_turn = 1e-5;
 inline void move(RigidBody& body, double time)
 {
   body.motion.center += time * body.motion.velocity;
-  const bool even = (body.moments.array() == body.moments.x()).all();
-  const bool steady = even || time * body.motion.angular_velocity.norm() <= steady_turn;
+  const bool steady = time * body.motion.angular_velocity.norm() <= steady_turn;
   steady ? turn_by(body, time * body.motion.angular_velocity) : spin(body, time);
 }
 

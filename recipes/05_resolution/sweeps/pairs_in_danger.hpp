@@ -40,18 +40,18 @@ inline bool in_danger(const StepCourses& step, int ball, int other)
 }
 
 /// All that a body may have touched in a step that ended at a pose.
-inline Bounds bounds_on_way(const StepCourses& step, int i, const RigidBody& end)
+inline Eigen::AlignedBox<double, 3>
+bounds_on_way(const StepCourses& step, int i, const RigidBody& end)
 {
   const Course& course = step.courses[place_of(i)];
   const auto& shape = step.scene.bodies[place_of(i)].shape;
   const double bulge = step.scene.step * step.scene.step / 8 * course.acceleration.norm();
   const double wider = course.spin.isZero(0) ? bulge : bulge + reach(step.scene, i);
-  Bounds bounds{bounds_of(course.start, shape, wider), i};
-  bounds.box.extend(bounds_of(end, shape, wider));
-  return bounds;
+  return bounds_of(course.start, shape, wider).merged(bounds_of(end, shape, wider));
 }
 
-/// The pairs of bodies of which one may have passed through the other.
+/// The pairs of bodies of which one may have passed through the other; then the tree holds all
+/// that each may have touched.
 inline std::vector<std::pair<int, int>>
 pairs_in_danger(const StepCourses& step, std::span<const RigidBody> ends)
 {
@@ -61,15 +61,10 @@ pairs_in_danger(const StepCourses& step, std::span<const RigidBody> ends)
     const bool falling_ball = step.falls[place_of(i)] && is_ball(step.scene, i);
     return falling_ball || step.ways[place_of(i)] > harmless || is_fast_box(step, i);
   };
-  std::vector<Bounds> bounds;
   bool any = false;
-  for (int i = 0; i < static_cast<int>(ends.size()); ++i)
+  for (int i = 0; i < static_cast<int>(ends.size()) && !any; ++i)
   {
-    if (!step.gone[place_of(i)])
-    {
-      bounds.push_back(bounds_on_way(step, i, ends[place_of(i)]));
-      any = any || fast(i);
-    }
+    any = !step.gone[place_of(i)] && fast(i);
   }
   std::vector<std::pair<int, int>> pairs;
   const auto ask = [&](int i, int j)
@@ -82,9 +77,9 @@ pairs_in_danger(const StepCourses& step, std::span<const RigidBody> ends)
   };
   if (any)
   {
-    BoundsTree tree;
-    tree.build(bounds);
-    each_overlap(tree, ask);
+    step.tree.refit([&](const Bounds& leaf)
+                    { return bounds_on_way(step, leaf.body, ends[place_of(leaf.body)]); });
+    each_overlap(step.tree, ask);
   }
   return pairs;
 }

@@ -3,6 +3,7 @@
 /// \file
 /// \brief How all bodies of a world went through a step.
 
+#include "05_resolution/contacts/bounds_tree.hpp"
 #include "05_resolution/contacts/world_contact.hpp"
 #include "05_resolution/sweeps/body_sizes.hpp"
 #include "05_resolution/sweeps/course.hpp"
@@ -26,8 +27,9 @@ struct StepCourses
   std::span<const WorldContact> contacts; ///< of this step
   const std::vector<bool>& falls;         ///< whether a body fell freely, pushed by nothing
   const std::vector<bool>& gone;          ///< whether it is no more
-  std::vector<Course> courses = {};       ///< of all bodies
-  std::vector<double> ways = {};          ///< [m], how far any point of a body went
+  BoundsTree& tree;                       ///< of all bodies that are there
+  std::vector<Course>& courses;           ///< of all bodies
+  std::vector<double>& ways;              ///< [m], how far any point of a body went
 };
 
 /// True if a body is a ball.
@@ -92,6 +94,8 @@ inline void
 set_out(StepCourses& step, std::span<const RigidBody> starts, std::span<const RigidBody> ends)
 {
   const double duration = step.scene.step;
+  step.courses.clear();
+  step.ways.clear();
   for (std::size_t i = 0; i < ends.size(); ++i)
   {
     const Course course = step.falls[i]

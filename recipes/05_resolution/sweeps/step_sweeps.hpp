@@ -170,7 +170,7 @@ private:
       end = gone_on(course, duration_, how);
     }
     note_way(step_, i, end, touch.time);
-    touches_.look_around(i, touch.time);
+    touches_.look_around(i, touch.time, end);
   }
 
   StepCourses& step_;

@@ -39,20 +39,34 @@ public:
     }
   }
 
-  /// Looks anew for what a body touches whose course has changed at a time [s].
-  void look_around(int i, double time)
+  /// Looks anew for what a body touches whose course has changed at a time [s], to another end. The
+  /// tree knows all courses but those that have changed.
+  void look_around(int i, double time, const RigidBody& end)
   {
-    ++versions_[place_of(i)];
+    if (++versions_[place_of(i)] == 1)
+    {
+      changed_.push_back(i);
+    }
     const auto watched = [&](int one)
     { return is_ball(step_.scene, one) || is_fast_box(step_, one); };
-    for (int j = 0; j < static_cast<int>(versions_.size()); ++j)
+    const auto look_at = [&](int j)
     {
-      if (j != i && (watched(i) || watched(j)) && !step_.gone[place_of(j)] &&
-          may_meet(step_, i, j, time))
+      if (j != i && (watched(i) || watched(j)) && may_meet(step_, i, j, time))
       {
         look_for(i, j, time);
       }
-    }
+    };
+    const Eigen::AlignedBox<double, 3> way = bounds_on_way(step_, i, end);
+    step_.tree.each_that(
+        [&](const Eigen::AlignedBox<double, 3>& box) { return box.intersects(way); },
+        [&](int j)
+        {
+          if (!has_changed(j))
+          {
+            look_at(j);
+          }
+        });
+    std::for_each(changed_.begin(), changed_.end(), look_at);
   }
 
   /// The next touch, which is taken out; nothing if there is none.
@@ -96,6 +110,7 @@ private:
 
   const StepCourses& step_;
   std::vector<int> versions_; // how often each course has changed
+  std::vector<int> changed_;  // the bodies whose course has
   std::vector<std::pair<int, int>> left_;
   std::vector<std::pair<std::pair<int, int>, double>> slacks_;
   std::priority_queue<CourseTouch> touches_;

@@ -38,6 +38,8 @@ struct WorldState
   std::vector<WorldContact> known_contacts; ///< of the one before
   Islands islands;                          ///< who hangs together
   std::vector<IslandPoint> room;            ///< for the points of an island
+  std::vector<Course> courses;              ///< of the last step, where it was swept
+  std::vector<double> ways;                 ///< how far they led
 };
 
 /// Whether a body is left out, since it does not move.
@@ -83,13 +85,10 @@ inline void advance(WorldState& world, const Island& island, const IslandSolver&
   if (touches)
   {
     simultaneous_impacts(view, island, world.scene.step);
-  }
-  for (const int i : island.bodies)
-  {
-    world.start[place_of(i)] = world.bodies[place_of(i)];
-  }
-  if (touches)
-  {
+    for (const int i : island.bodies)
+    {
+      world.start[place_of(i)] = world.bodies[place_of(i)];
+    }
     solver(view, island, world.scene.step);
   }
   for (const int i : island.bodies)
@@ -103,7 +102,8 @@ inline void sweep(WorldState& world)
 {
   const std::function<void(int)> wake_up = [&world](int body)
   { wake(world.sleep, world.islands.numbers(), body); };
-  StepCourses step{world.scene, world.contacts, world.falls, world.gone};
+  StepCourses step{world.scene,       world.contacts, world.falls, world.gone,
+                   world.near.tree(), world.courses,  world.ways};
   set_out(step, world.start, world.bodies);
   StepSweeps(step, world.bodies, wake_up).run();
 }

@@ -69,14 +69,6 @@ inline std::vector<LocalCase> local_cases()
 }
 // [local_cases]
 
-/// How far a local point is from the exact one [unit of the body].
-double
-local_error(const Vector3<float>& answer, const Affine3<float>& t, const Vector3<float>& point);
-
 /// Local points are of the size 1: right within a tenth of a millimetre of a metre.
 inline constexpr double allowed_local = 1e-4;
-
-/// The verdicts on all ways to a body's frame.
-std::vector<VerdictRow> local_verdicts();
-
 } // namespace cookbook

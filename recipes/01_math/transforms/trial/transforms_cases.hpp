@@ -106,14 +106,6 @@ inline std::vector<PlaneCase> plane_cases()
 }
 // [plane_cases]
 
-/// How far a plane is off: of its unit normal, or of its distance as a part of the sizes that it
-/// is made of, in roundings of float; infinite where it is not finite.
-double plane_error(const Hyperplane3<float>& answer, const Affine3<float>& t);
-
 /// What is right within this many roundings is right.
 inline constexpr double allowed_in_transforms = 16;
-
-/// The verdicts on all ways to carry a plane along.
-std::vector<VerdictRow> plane_verdicts();
-
 } // namespace cookbook

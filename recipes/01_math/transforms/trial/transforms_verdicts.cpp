@@ -1,3 +1,5 @@
+#include "01_math/transforms/trial/transforms_verdicts.hpp"
+
 #include "01_math/transforms/trial/local_cases.hpp"
 #include "01_math/transforms/trial/transforms_cases.hpp"
 #include "common/math/rational.hpp"
@@ -10,6 +12,11 @@
 namespace cookbook
 {
 
+namespace
+{
+
+/// How far a plane is off: of its unit normal, or of its distance as a part of the sizes that it
+/// is made of, in roundings of float; infinite where it is not finite.
 double plane_error(const Hyperplane3<float>& answer, const Affine3<float>& t)
 {
   if (!answer.coeffs().allFinite())
@@ -36,6 +43,28 @@ double plane_error(const Hyperplane3<float>& answer, const Affine3<float>& t)
   return static_cast<double>(std::max<Reference>(off, far)) * 0x1p24;
 }
 
+/// How far a local point is from the exact one [unit of the body].
+double
+local_error(const Vector3<float>& answer, const Affine3<float>& t, const Vector3<float>& point)
+{
+  if (!answer.allFinite())
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  const Matrix3<Rational> back = adjugate_inverse<Rational, 3>(exact_matrix<float, 3>(t.linear()));
+  const Vector3<Rational> truth =
+      back * (exact<Rational, float>(point) - exact<Rational, float>(t.translation()));
+  return static_cast<double>(
+      Rational((exact<Rational, float>(answer) - truth).cwiseAbs().maxCoeff()));
+}
+
+} // namespace
+
+std::vector<std::string> plane_names()
+{
+  return names_of(plane_methods());
+}
+
 std::vector<VerdictRow> plane_verdicts()
 {
   std::vector<VerdictRow> all;
@@ -53,18 +82,9 @@ std::vector<VerdictRow> plane_verdicts()
   return all;
 }
 
-double
-local_error(const Vector3<float>& answer, const Affine3<float>& t, const Vector3<float>& point)
+std::vector<std::string> local_names()
 {
-  if (!answer.allFinite())
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-  const Matrix3<Rational> back = adjugate_inverse<Rational, 3>(exact_matrix<float, 3>(t.linear()));
-  const Vector3<Rational> truth =
-      back * (exact<Rational, float>(point) - exact<Rational, float>(t.translation()));
-  return static_cast<double>(
-      Rational((exact<Rational, float>(answer) - truth).cwiseAbs().maxCoeff()));
+  return names_of(local_methods());
 }
 
 std::vector<VerdictRow> local_verdicts()
