@@ -104,6 +104,7 @@ TEST_CASE(
 {
   CHECK(condition<double, 3>(Vector3<double>(1e-9, 1, 1e9).asDiagonal()) == 1);
   CHECK(condition<double, 3>(Vector3<double>(1e-200, 1e-200, 1e-200).asDiagonal()) == 1);
+  CHECK(condition<double, 3>(Vector3<double>(-1, 1, 1).asDiagonal()) == 1);
   CHECK(condition<float, 3>(Matrix3<float>::Ones()) == std::numeric_limits<float>::infinity());
   // The products are 1.01, 1, 1, 1.01, and 1.01 - 1 is left of them; the third row adds 0.01.
   Matrix3<double> rounded = Matrix3<double>::Zero();
@@ -232,6 +233,17 @@ TEMPLATE_TEST_CASE(
   CHECK_FALSE(inverse<TestType, 4>(Matrix4<TestType>::Ones()).has_value());
 }
 // [singular]
+
+TEST_CASE("a cofactor that underflows to few digits, over a small determinant, is a full number")
+{
+  // Rows (s t 0), (0 s t), (0 0 s) have the inverse 1/s, -t/s² and t²/s³; t² has 12 digits left.
+  const double s = 0x1p-66, t = (1 + 0x1p-20) * 0x1p-531;
+  const Matrix3<double> m = rows<double>({s, t, 0, 0, s, t, 0, 0, s});
+  const double t_by_s = (1 + 0x1p-20) * 0x1p-465; // exact, and so is its square over s
+  CHECK((*inverse<double, 3>(m))(0, 2) == (1 + 0x1p-19 + 0x1p-40) * 0x1p-864);
+  CHECK((*inverse<double, 3>(m))(0, 1) == -t_by_s / s);
+  CHECK((*inverse<double, 3>(m))(1, 1) == 1 / s);
+}
 
 // [threshold]
 TEMPLATE_TEST_CASE(

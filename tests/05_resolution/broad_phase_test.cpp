@@ -58,6 +58,56 @@ TEST_CASE(
   CHECK(found > 5 * static_cast<std::size_t>(scenes_asked));
 }
 
+TEST_CASE("a tree that follows bodies finds the pairs that every pair gives, however they move")
+{
+  BoxDraw draw(12);
+  std::vector<Bounds> bounds = grid_bounds(400);
+  BroadPhase tree;
+  for (int step = 0; step < 300; ++step)
+  {
+    const double way = step < 200 ? 0.1 : 3; // first they drift, then they scatter
+    for (Bounds& one : bounds)
+    {
+      one.box.translate(draw.vector(-way, way));
+    }
+    if (step % 50 == 49)
+    {
+      bounds.erase(bounds.begin() + step);
+    }
+    CAPTURE(step);
+    REQUIRE(tree.pairs(bounds) == every_overlapping_pair(bounds));
+  }
+}
+
+TEST_CASE("a tree follows the bodies it was built of, until they have spread by a fifth")
+{
+  const std::vector<Bounds> row = row_bounds(100, 0);
+  const auto wider = [&](double scale)
+  {
+    std::vector<Bounds> bounds = row;
+    for (Bounds& one : bounds)
+    {
+      one.box = {scale * one.box.min(), scale * one.box.max()};
+    }
+    return bounds;
+  };
+  BoundsTree tree;
+  CHECK_FALSE(tree.follow(row));
+  tree.build(row);
+  CHECK(tree.follow(row));
+  const Eigen::AlignedBox<double, 3> box = tree.finite_box();
+  CHECK(tree.follow(wider(1.19)));
+  CHECK(
+      tree.finite_box().isApprox(Eigen::AlignedBox<double, 3>(1.19 * box.min(), 1.19 * box.max())));
+  CHECK_FALSE(tree.follow(wider(1.21)));
+  CHECK(tree.follow(wider(0.01)));
+  std::vector<Bounds> others = row;
+  others[7].body = 1000;
+  CHECK_FALSE(tree.follow(others));
+  others.pop_back();
+  CHECK_FALSE(tree.follow(others));
+}
+
 TEST_CASE("a grid of boxes has its 8 neighbours, less at the sides", "[case:L6]")
 {
   for (const int side : {2, 8, 64})

@@ -101,6 +101,35 @@ TEST_CASE("towers, slopes, dominoes and heaps never gain energy", "[R4][long]")
   }
 }
 
+TEST_CASE("a ball and a cube that nothing touches keep their spin, to the bit", "[R24]")
+{
+  const Vector3<double> spin(7, -80, 3);
+  Scene scene;
+  for (const double speed : {0.0, 1.0, 1e3})
+  {
+    const double across = 5 * static_cast<double>(scene.bodies.size());
+    SceneBody ball{{}, SphereShape{0.3}}, cube{{}, BoxShape{{0.3, 0.3, 0.3}}};
+    for (SceneBody* one : {&ball, &cube})
+    {
+      one->mass = 2;
+      one->position = {across, one == &ball ? 0.0 : 3.0, 0};
+      one->velocity = {0, 0, speed};
+      one->angular_velocity = spin;
+      scene.bodies.push_back(*one);
+    }
+  }
+  World world(scene, solver_named("soft_steps"));
+  for (int step = 0; step < 1000; ++step)
+  {
+    world.step();
+  }
+  for (const RigidBody& body : world.bodies())
+  {
+    CHECK(body.motion.angular_velocity == spin);
+    CHECK(std::abs(body.orientation.norm() - 1) < 1e-15);
+  }
+}
+
 TEST_CASE("two free boxes that collide keep their momentum to rounding", "[R3]")
 {
   Scene scene;
