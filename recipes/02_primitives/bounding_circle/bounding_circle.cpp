@@ -43,6 +43,9 @@ std::string figure()
   const Circle<double> least = minimal_circle<double>(points);
   const Circle<double> centroid = centroid_circle<double>(points);
   const Rectangle<double> rectangle = bounding_rectangle<double>(points);
+  const Vector<double, 2> half = rectangle.half_extents;
+  const Vector<double, 2> upper_left = rectangle.center + Vector<double, 2>(-half.x(), half.y());
+  const Vector<double, 2> lower_right = rectangle.center - (upper_left - rectangle.center);
   plot::Figure2d figure("bounding_circle", "", {{-2.5, -2.3}, {5.0, 4.9}, 400});
   figure.describe("Eight points, the smallest circle around them, and the circle about their mean.")
       .box(
@@ -50,6 +53,10 @@ std::string figure()
           plot::Stroke::dotted)
       .circle(centroid.center, centroid.radius, Ink::b, plot::Fill::none, plot::Stroke::dashed)
       .circle(least.center, least.radius, Ink::a)
+      .segment(least.center, upper_left, Ink::a)
+      .label((least.center + upper_left) / 2, "r_{min}", Side::above, Ink::a)
+      .segment(centroid.center, lower_right, Ink::b)
+      .label((centroid.center + lower_right) / 2, "r_{c}", Side::below, Ink::b)
       .dot(least.center, Ink::a, "centre", Side::right)
       .dot(centroid.center, Ink::b, "mean", Side::below);
   for (const Vector<double, 2>& point : points)

@@ -60,19 +60,20 @@ inline plot::Figure2d casts_figure()
 /// A ray and a ball: along, across, and half a chord.
 inline plot::Figure2d chord_figure()
 {
-  plot::Figure2d figure("casts_sphere", "", {{-5.4, -2.4}, {2.6, 2.5}, 420});
+  plot::Figure2d figure("casts_sphere", "", {{-5.4, -2.4}, {2.6, 3.0}, 420});
   const double half = 1.6; // and 1.2 across: 3-4-5, times 0.4
   figure.describe("A ray passes the centre of a ball at 1.2 m; half the chord is 1.6 m.")
       .circle({0, 0}, 2, plot::Ink::a)
       .segment({-5, 1.2}, {-half, 1.2})
       .segment({-half, 1.2}, {half, 1.2}, plot::Ink::muted, plot::Stroke::dashed)
       .segment({-5, 1.2}, {0, 0}, plot::Ink::muted)
-      .arrow({0, 0}, {0, 1.2}, plot::Ink::ink, "l", plot::Side::right)
+      .arrow({0, 0}, {0, 1.2}, plot::Ink::ink, "ℓ", plot::Side::right)
       .segment({0, 0}, {-half, 1.2}, plot::Ink::a)
       .label({-half / 2, 0.6}, "r", plot::Side::below_left, plot::Ink::a)
       .label({-2.9, 0.55}, "f", plot::Side::below)
       .dimension({-5, 1.2}, {-half, 1.2}, "t |v|", 14)
       .dimension({-half, 1.2}, {0, 1.2}, "h", 14)
+      .dimension({-5, 1.2}, {half, 1.2}, "q / |v|", 50)
       .dot({0, 0}, plot::Ink::a, "c", plot::Side::below)
       .dot({-5, 1.2}, plot::Ink::ink, "o", plot::Side::below)
       .point({-half, 1.2}, plot::Ink::overlap);
