@@ -67,6 +67,13 @@ TEST_CASE("a direction that is 3 ulp off is right, one that is 5 ulp off is not"
   CHECK_FALSE(off(5).holds);
   CHECK_FALSE(off(-5).holds);
 }
+
+TEST_CASE("with a threshold of 1e-6, a length of 1e-6 counts and one below is zero", "[case:A2]")
+{
+  CHECK(normalize_threshold<double>({1e-6, 0, 0}).length == 1e-6);
+  CHECK(normalize_threshold<double>({0.999e-6, 0, 0}).length == 0);
+  CHECK(normalize_threshold<double>({0.999e-6, 0, 0}).unit == Vector3<double>(0, 1, 0));
+}
 // [cases]
 
 // [zero]

@@ -57,7 +57,8 @@ boxes_intersect(const Eigen::AlignedBox<double, 3>& a, const Eigen::AlignedBox<d
   bool along_all = true;
   for (int axis = 0; axis < 3; ++axis)
   {
-    along_all &= (a.min()[axis] <= b.max()[axis]) & (b.min()[axis] <= a.max()[axis]);
+    along_all &= a.min()[axis] <= b.max()[axis];
+    along_all &= b.min()[axis] <= a.max()[axis];
   }
   return along_all;
 }
