@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 using namespace cookbook;
 
@@ -145,7 +147,9 @@ bool goes_through(const Scene& scene, int steps, const std::string& solver, std:
 
 void nothing_passes(int tries)
 {
-  for (const char* const solver : {"direct", "soft_steps", "wide_steps"})
+  using Names = std::vector<std::string>;
+  for (const std::string& solver :
+       inputs(Names{"direct", "soft_steps", "wide_steps"}, Names{"wide_steps"}))
   {
     for (const Flight flight : {Flight::straight, Flight::spins, Flight::slides})
     {

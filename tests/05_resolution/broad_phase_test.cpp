@@ -61,7 +61,7 @@ TEST_CASE(
 TEST_CASE("a tree that follows bodies finds the pairs that every pair gives, however they move")
 {
   BoxDraw draw(12);
-  std::vector<Bounds> bounds = grid_bounds(400);
+  std::vector<Bounds> bounds = grid_bounds(inputs(400, 64));
   BroadPhase tree;
   for (int step = 0; step < 300; ++step)
   {
@@ -72,7 +72,7 @@ TEST_CASE("a tree that follows bodies finds the pairs that every pair gives, how
     }
     if (step % 50 == 49)
     {
-      bounds.erase(bounds.begin() + step);
+      bounds.erase(bounds.begin() + step / 10);
     }
     CAPTURE(step);
     REQUIRE(tree.pairs(bounds) == every_overlapping_pair(bounds));
