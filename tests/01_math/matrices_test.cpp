@@ -237,8 +237,9 @@ TEMPLATE_TEST_CASE(
 TEST_CASE("a cofactor that underflows to few digits, over a small determinant, is a full number")
 {
   // Rows (s t 0), (0 s t), (0 0 s) have the inverse 1/s, -t/s² and t²/s³; t² has 12 digits left.
-  const double s = 0x1p-66, t = (1 + 0x1p-20) * 0x1p-531;
-  const Matrix3<double> m = rows<double>({s, t, 0, 0, s, t, 0, 0, s});
+  // What stands in place of the zeros is too small to change a digit.
+  const double s = 0x1p-66, t = (1 + 0x1p-20) * 0x1p-531, z = 0x1p-1074;
+  const Matrix3<double> m = rows<double>({s, t, z, z, s, t, z, z, s});
   const double t_by_s = (1 + 0x1p-20) * 0x1p-465; // exact, and so is its square over s
   CHECK((*inverse<double, 3>(m))(0, 2) == (1 + 0x1p-19 + 0x1p-40) * 0x1p-864);
   CHECK((*inverse<double, 3>(m))(0, 1) == -t_by_s / s);
