@@ -79,7 +79,8 @@ TEST_CASE("a tree that follows bodies finds the pairs that every pair gives, how
   }
 }
 
-TEST_CASE("a tree follows the bodies it was built of, until they have spread by a fifth")
+TEST_CASE("a tree follows the bodies it was built of, until they have spread or drawn together by "
+          "a fifth")
 {
   const std::vector<Bounds> row = row_bounds(100, 0);
   const auto wider = [&](double scale)
@@ -100,7 +101,8 @@ TEST_CASE("a tree follows the bodies it was built of, until they have spread by 
   CHECK(
       tree.finite_box().isApprox(Eigen::AlignedBox<double, 3>(1.19 * box.min(), 1.19 * box.max())));
   CHECK_FALSE(tree.follow(wider(1.21)));
-  CHECK(tree.follow(wider(0.01)));
+  CHECK(tree.follow(wider(0.84)));
+  CHECK_FALSE(tree.follow(wider(0.83)));
   std::vector<Bounds> others = row;
   others[7].body = 1000;
   CHECK_FALSE(tree.follow(others));

@@ -21,7 +21,7 @@ bool shadows_overlap(const Obb<Real>& a, const Obb<Real>& b, const Vector3<Real>
   using std::abs;
   const Vector3<Real> offset = b.center - a.center;
   const Real sizes = offset.template lpNorm<1>() + a.half_extents.sum() + b.half_extents.sum();
-  const Real rounding = 8 * std::numeric_limits<Real>::epsilon() * sizes;
+  const Real rounding = 8 * Real(std::numeric_limits<Real>::epsilon()) * sizes;
   return abs(offset.dot(axis)) <= box_radius(a, axis) + box_radius(b, axis) + rounding;
 }
 

@@ -64,7 +64,7 @@ public:
   }
 
   /// Takes new bounds of the bodies that it was built of. False if they are others, or have spread
-  /// by a fifth: then it has to be built.
+  /// or drawn together by a fifth: then it has to be built.
   bool follow(std::span<const Bounds> bounds)
   {
     bool same = bounds.size() == leaves_.size() + endless_.size();
@@ -79,7 +79,8 @@ public:
       one.box = box_of(one);
     }
     refit(box_of);
-    return same && spread() <= built_ * 6 / 5;
+    const double now = spread();
+    return same && now <= built_ * 6 / 5 && built_ <= now * 6 / 5;
   }
 
   /// Gives all that is finite new bounds, `bounds(leaf)`; who lies beside whom in the tree stays.
