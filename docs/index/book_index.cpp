@@ -137,15 +137,12 @@ std::string section_of(const House& house, const std::string& chapter, const std
   const std::regex snippet(R"([\\@]snippet +(?:[\w/]*/)?)" + stem + R"(\.hpp)");
   for (const TextFile& page : house.pages)
   {
-    if (chapter_of(page.path) != chapter || page.text.find(stem + ".hpp") == std::string::npos)
-    {
-      continue;
-    }
     std::string id;
     for (const Section& section : sections(page.text))
     {
       id = section.level == 2 ? section.id : id;
-      if (!id.empty() && std::regex_search(section.text, snippet))
+      if (chapter_of(page.path) == chapter && !id.empty() &&
+          std::regex_search(section.text, snippet))
       {
         return id;
       }
@@ -184,7 +181,7 @@ std::string listing(const House& house, const std::string& folder, const std::st
   {
     for (const TextFile& one : files)
     {
-      if (fs::path(one.path).filename() == file && chapter_folder(one.path) == folder)
+      if (chapter_folder(one.path) == folder && fs::path(one.path).filename() == file)
       {
         text += "## " + heading + " {#" + listing_place(file) + "}\n\n<span class=\"path\">" +
                 escaped(one.path) + "</span>\n\n\\include " + whole(file) + "\n\n";

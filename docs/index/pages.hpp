@@ -66,7 +66,7 @@ inline Section title_of(const TextFile& page)
   const auto all = sections(page.text.substr(0, page.text.find('\n')));
   if (all.empty() || all.front().id.empty())
   {
-    throw std::runtime_error(page.path + ": the first heading needs an id, {#ch3}");
+    throw std::runtime_error(page.path + ": the first line has to be a heading with an id, {#ch3}");
   }
   return all.front();
 }

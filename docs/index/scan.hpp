@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <sstream>
 #include <stdexcept>
@@ -88,7 +89,8 @@ inline std::vector<TextFile> read_tree(
 inline std::vector<std::string>
 matches(const std::string& text, const std::string& pattern, std::size_t group = 1)
 {
-  const std::regex expression(pattern);
+  static std::map<std::string, std::regex> compiled; // each pattern once
+  const std::regex& expression = compiled.try_emplace(pattern, pattern).first->second;
   std::vector<std::string> found;
   for (std::sregex_iterator match(text.begin(), text.end(), expression), end; match != end; ++match)
   {
@@ -109,8 +111,7 @@ inline std::vector<std::string> lines(const std::string& text)
   return result;
 }
 
-/// The file name without folder and extension: `recipes/03_x/sphere_sphere.hpp` gives
-/// sphere_sphere.
+/// The file name without folder and extension: `recipes/03_x/friction.hpp` gives friction.
 inline std::string stem(const std::string& path)
 {
   return std::filesystem::path(path).stem().string();
@@ -123,8 +124,7 @@ inline std::string chapter_folder(const std::string& path)
   return folders.empty() ? std::string{} : folders.front();
 }
 
-/// The chapter a path belongs to: the two digits that open one of its parts; empty if there are
-/// none.
+/// The chapter a path belongs to, the two digits that open one of its parts; empty if none do.
 inline std::string chapter_of(const std::string& path)
 {
   const auto numbers = matches(path, R"((?:^|/)(\d\d)_)");

@@ -43,9 +43,7 @@ std::string figure()
   const Circle<double> least = minimal_circle<double>(points);
   const Circle<double> centroid = centroid_circle<double>(points);
   const Rectangle<double> rectangle = bounding_rectangle<double>(points);
-  const Vector<double, 2> half = rectangle.half_extents;
-  const Vector<double, 2> upper_left = rectangle.center + Vector<double, 2>(-half.x(), half.y());
-  const Vector<double, 2> lower_right = rectangle.center - (upper_left - rectangle.center);
+  const Vector<double, 2> upper_left = points[2], lower_right = points[1]; // the farthest
   plot::Figure2d figure("bounding_circle", "", {{-2.5, -2.3}, {5.0, 4.9}, 400});
   figure.describe("Eight points, the smallest circle around them, and the circle about their mean.")
       .box(

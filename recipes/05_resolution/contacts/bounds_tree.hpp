@@ -123,6 +123,9 @@ public:
 private:
   static constexpr std::size_t most_leaves = 4; // side by side, that no node parts any more
 
+  /// Evaluated along the axes that are asked for.
+  static auto center(const Bounds& one) { return one.box.min() / 2 + one.box.max() / 2; }
+
   void grow(std::size_t first, std::size_t end)
   {
     const std::size_t here = nodes_.size();
@@ -134,18 +137,15 @@ private:
     Eigen::AlignedBox<double, 3> centers;
     for (std::size_t i = first; i < end; ++i)
     {
-      centers.extend(Vector3<double>(leaves_[i].box.min() / 2 + leaves_[i].box.max() / 2));
+      centers.extend(center(leaves_[i]));
     }
     int axis = 0;
     (centers.max() / 2 - centers.min() / 2).maxCoeff(&axis);
-    const auto middle_of = [axis](const Bounds& one)
-    { return one.box.min()[axis] / 2 + one.box.max()[axis] / 2; };
-    const auto before = [middle_of](const Bounds& a, const Bounds& b)
-    { return std::pair(middle_of(a), a.body) < std::pair(middle_of(b), b.body); };
+    const auto before = [axis](const Bounds& a, const Bounds& b)
+    { return std::pair(center(a)[axis], a.body) < std::pair(center(b)[axis], b.body); };
     const std::size_t middle = first + (end - first) / 2;
-    const auto at = [this](std::size_t i)
-    { return leaves_.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(first), at(middle), at(end), before);
+    Bounds* const leaf = leaves_.data();
+    std::nth_element(leaf + first, leaf + middle, leaf + end, before);
     grow(first, middle);
     nodes_[here].right = nodes_.size();
     grow(middle, end);

@@ -53,7 +53,7 @@ bounds_on_way(const StepCourses& step, int i, const RigidBody& end)
 /// The pairs of bodies of which one may have passed through the other; then the tree holds all
 /// that each may have touched.
 inline std::vector<std::pair<int, int>>
-pairs_in_danger(const StepCourses& step, std::span<const RigidBody> ends)
+pairs_in_danger(StepCourses& step, std::span<const RigidBody> ends)
 {
   const double harmless = smallest_ball(step) / 2;
   const auto fast = [&](int i)

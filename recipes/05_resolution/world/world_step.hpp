@@ -39,7 +39,7 @@ struct WorldState
   Islands islands;                          ///< who hangs together
   std::vector<IslandPoint> room;            ///< for the points of an island
   std::vector<Course> courses;              ///< of the last step, where it was swept
-  std::vector<double> ways;                 ///< how far they led
+  std::vector<double> ways;                 ///< [m], how far they led
 };
 
 /// Whether a body is left out, since it does not move.

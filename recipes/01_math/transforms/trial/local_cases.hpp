@@ -6,8 +6,6 @@
 #include "01_math/transforms/trial/transforms_cases.hpp"
 
 #include <array>
-#include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -71,4 +69,5 @@ inline std::vector<LocalCase> local_cases()
 
 /// Local points are of the size 1: right within a tenth of a millimetre of a metre.
 inline constexpr double allowed_local = 1e-4;
+
 } // namespace cookbook

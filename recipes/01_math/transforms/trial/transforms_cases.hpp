@@ -5,13 +5,8 @@
 
 #include "01_math/matrices/trial/matrix_instances.hpp"
 #include "01_math/transforms/transforms.hpp"
-#include "common/math/rational.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
 
 #include <array>
-#include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -108,4 +103,5 @@ inline std::vector<PlaneCase> plane_cases()
 
 /// What is right within this many roundings is right.
 inline constexpr double allowed_in_transforms = 16;
+
 } // namespace cookbook
