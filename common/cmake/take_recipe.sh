@@ -10,7 +10,9 @@ library=
 
 awk -v root="$root" -v library="$library" -v header="$header" -v version="$version" '
 # The file that an include names; empty for one of another library.
-function found(name,    path, line) {
+function named(include,    name, path, line, i) {
+  name = include
+  gsub(/^#include "|".*$/, "", name)
   for (i = 1; i <= 2; ++i) {
     path = (i == 1 ? "" : "recipes/") name
     if ((getline line < (root "/" path)) >= 0) { close(root "/" path); return path }
@@ -18,21 +20,20 @@ function found(name,    path, line) {
   return ""
 }
 
-# Adds a file to the bodies, after those that it includes; what it includes of others, to the top.
-function take(path,    line, name, depth, text, blank) {
+# Adds a file to the bodies, after those that it includes; what it includes of others, to the top. What
+# it includes where bodies are wanted is put off until all others are there.
+function take(path,    line, depth, text, blank, bodies_only) {
   if (path in taken) return
   taken[path] = 1
   ++files
   depth = 0
   while ((getline line < (root "/" path)) > 0) {
+    if (line == wanted) { bodies_only = 1; continue }
+    if (bodies_only && line ~ /^#include "/) { put_off[++waiting] = named(line); continue }
+    if (bodies_only && line ~ /^#endif/) { bodies_only = 0; continue }
     if (line ~ /^#if/) ++depth
     if (line ~ /^#endif/) --depth
-    if (line ~ /^#include "/) {
-      name = line
-      gsub(/^#include "|".*$/, "", name)
-      take(found(name))
-      continue
-    }
+    if (line ~ /^#include "/) { take(named(line)); continue }
     if (line ~ /^#include </ && depth == 0) { above[line] = 1; continue }
     if (line ~ /^\/\/\/ \\file/) about_file = 1
     if (line !~ /^\/\/\//) about_file = 0
@@ -96,7 +97,15 @@ BEGIN {
   closing = "\n} // namespace cookbook\n"
   name = header
   gsub(/.*\/|\.hpp$/, "", name)
+  wanted = "#if COOKBOOK_WORLD_BODIES"
   take(header)
+  if (waiting) {
+    bodies[files_in_order++] = (inside ? closing : "") "\n" wanted "\n"
+    inside = 0
+    for (i = 1; i <= waiting; ++i) take(put_off[i])
+    bodies[files_in_order++] = (inside ? closing : "") "#endif // bodies\n"
+    inside = 0
+  }
   print "// " name ": " brief(header)
   print "//"
   print "// Taken from the Contact Cookbook " version ": " files " of its files in one. Needs C++20 and Eigen 3.4:"

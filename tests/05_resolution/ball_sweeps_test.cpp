@@ -3,6 +3,7 @@
 /// its friction.
 
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
+#include "05_resolution/sweeps/ball_on_course.hpp"
 #include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/world_measures.hpp"
 

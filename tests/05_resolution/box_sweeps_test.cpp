@@ -2,7 +2,9 @@
 /// Fast boxes on their way through a step: nothing is passed, near misses are left alone, a bounce
 /// has all its points and its friction.
 
+#include "05_resolution/contacts/near_shapes.hpp"
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
+#include "05_resolution/tunnelling/swept_box.hpp"
 #include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/world_measures.hpp"
 

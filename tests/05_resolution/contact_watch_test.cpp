@@ -73,7 +73,7 @@ TEST_CASE("a cube that falls on another begins to press on it once, and ends whe
     while (world.time() < time)
     {
       world.step();
-      watch.look(world);
+      watch.look(world.contacts());
       begun.insert(begun.end(), watch.begun().begin(), watch.begun().end());
       ended.insert(ended.end(), watch.ended().begin(), watch.ended().end());
     }

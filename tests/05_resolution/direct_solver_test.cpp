@@ -6,7 +6,7 @@
 #include "05_resolution/direct_solver/direct_solver.hpp"
 #include "05_resolution/direct_solver/trial/direct_solver_scenes.hpp"
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
-#include "05_resolution/world/solver_names.hpp"
+#include "05_resolution/world/direct_or_soft.hpp"
 #include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/world_measures.hpp"
 #include "05_resolution/world/world_inputs.hpp"
@@ -492,7 +492,7 @@ TEST_CASE("a soft contact gives way to what it carried at 1 cm/s, and is never s
   contact.friction = 0.5;
   contact.memory.manifold.emplace();
   contact.memory.manifold->normal = {0, 1, 0};
-  contact.memory.manifold->points.push_back({});
+  contact.memory.manifold->points.push_back({{0, 0, 0}, 0, 0});
   WorldPoint& point = contact.points()[0];
   const DirectSettings stiff;
   CHECK(softness_of(contact, 2, stiff).push == 2e-7);

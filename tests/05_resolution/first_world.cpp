@@ -18,7 +18,7 @@ int main()
       {.name = "crate 2", .shape = cube, .mass = 10, .position = {0, 1.5, 0}},
       {.name = "crate 3", .shape = cube, .mass = 10, .position = {0, 2.5, 0}},
       {.name = "ball", .shape = ball, .mass = 5, .position = {-8, 2, 0}, .velocity = {12, 3, 0}}};
-  World world(scene, DirectOrSoft(8));
+  World world(scene, solver_named("direct"));
   for (int line = 1; line <= 9; ++line)
   {
     for (int step = 1; step <= 30; ++step)

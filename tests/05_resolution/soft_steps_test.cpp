@@ -3,8 +3,11 @@
 
 #include "05_resolution/soft_steps/soft_steps.hpp"
 #include "05_resolution/soft_steps/trial/soft_steps_figures.hpp"
+#include "05_resolution/soft_steps/trial/tall_towers.hpp"
 
 #include "tests/catch.hpp"
+
+#include <Eigen/Dense>
 
 #include <cmath>
 #include <numbers>
@@ -90,4 +93,94 @@ TEST_CASE(
     "a cube under 100 kg is pressed in by less than 2 cm after 5 s of 8 substeps", "[case:S5]")
 {
   CHECK(softly("heavy_on_light_100", 8, 5).overlap < 0.02);
+}
+
+namespace
+{
+
+/// How stiff the joints of a column of cubes have to be, in parts of the moment m g a, so that it
+/// is just about to bend: the smallest work that any small leaning does, found as an eigenvalue.
+double critical_stiffness(int cubes)
+{
+  Eigen::MatrixXd joints = Eigen::MatrixXd::Zero(cubes, cubes), load = joints;
+  for (int i = 0; i < cubes; ++i)
+  {
+    const double stiff = i == 0 ? 2 : 1; // on the ground a corner feels one cube, not two
+    joints(i, i) += stiff;
+    if (i > 0)
+    {
+      joints(i - 1, i - 1) += stiff;
+      joints(i, i - 1) -= stiff;
+      joints(i - 1, i) -= stiff;
+    }
+    load(i, i) = cubes - i - 0.5; // who leans lowers the half of itself and all above
+  }
+  return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(load, joints)
+      .eigenvalues()
+      .maxCoeff();
+}
+
+} // namespace
+
+// [R35]
+TEST_CASE("cubes on springs lose their balance where the formula says, to 0.2 / n cubes", "[R35]")
+{
+  for (const int cubes : {5, 9, 15, 24, 38})
+  {
+    for (const double edge : {0.01, 1.0})
+    {
+      // A joint is as stiff as k a² and a corner's mass is m/8, so that ω² = 8 g stiffness / a.
+      const double in_radians = std::sqrt(8 * 9.81 * critical_stiffness(cubes) / edge);
+      const double formula = tallest_tower(edge, in_radians / (2 * std::numbers::pi), 9.81);
+      CHECK(formula == Catch::Approx(cubes).margin(0.2 / cubes));
+    }
+  }
+}
+
+TEST_CASE("towers a cube lower than the formula stand, a cube higher they lean", "[R35][long]")
+{
+  for (const int substeps : {2, 4})
+  {
+    const double most = tallest_under(substeps);
+    CHECK(lean(int(most) - 1, substeps) < 0.1);
+    CHECK(lean(int(most) + 2, substeps) > 1);
+  }
+}
+// [R35]
+
+TEST_CASE("of cubes of 10 cm and 4 substeps six stand on each other, not eight", "[R35][long]")
+{
+  CHECK(tallest_tower(0.1, 30.0, 9.81) == Catch::Approx(7.08).margin(0.01));
+  const auto tower = [](int cubes)
+  {
+    Scene scene{.bodies = {{.name = "ground", .shape = PlaneShape{{0, 1, 0}, 0}}}};
+    for (int i = 0; i < cubes; ++i)
+    {
+      scene.bodies.push_back(
+          {.name = std::to_string(i),
+           .shape = BoxShape{{0.05, 0.05, 0.05}},
+           .mass = 7,
+           .position = {0, 0.1 * i + 0.05, 0}});
+    }
+    return run_world(scene, {.solver = "soft_steps", .substeps = 4, .duration = 20}).drift;
+  };
+  CHECK(tower(6) < 0.01);
+  CHECK(tower(8) > 0.1);
+}
+
+TEST_CASE("9/4 of the square of the first zero of J at -1/3 is Greenhill's number", "[R35]")
+{
+  const double at =
+      std::sqrt(4.0 / 9 * std::pow(tallest_tower(8.0, 0.5 / std::numbers::pi, 1.0), 3));
+  const auto bessel = [](double x)
+  {
+    double sum = 0, power = std::pow(x / 2, -1.0 / 3), factorial = 1;
+    for (int i = 0; i < 20; ++i, power *= -x * x / 4, factorial *= i)
+    {
+      sum += power / (factorial * std::tgamma(i + 2.0 / 3));
+    }
+    return sum;
+  };
+  CHECK(std::abs(bessel(at)) < 1e-14);
+  CHECK(bessel(at - 1) > 0.1); // and none before it: it falls from infinity
 }

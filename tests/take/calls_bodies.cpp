@@ -110,7 +110,7 @@ void print_piles(const char* name, Solver solver)
 }
 #endif
 
-#if defined TAKE_world || defined TAKE_contact_watch
+#ifdef TAKE_world
 /// A solver that pushes eight times at each contact point.
 void push_eight_times(IslandView view, const Island& island, double step)
 {
@@ -380,15 +380,20 @@ int main()
 #ifdef TAKE_contact_watch
   print(
       "contact_watch",
-      [world = std::optional<World>(), watch = ContactWatch(),
-       frame = 0](Draw& draw, Bits& bits) mutable
+      [watch = ContactWatch()](Draw& draw, Bits& bits) mutable
       {
-        if (frame++ % 50 == 0)
+        std::vector<WorldContact> contacts;
+        for (int b = 1; b < 5; ++b)
         {
-          world.emplace(drawn_world(draw));
+          WorldContact contact{};
+          contact.b = b;
+          const ContactPoint<double> point{draw.vector(1), 0, 0};
+          contact.memory.manifold =
+              Manifold<double>{draw.unit(), 0, ContactPoints<double, 8>(point)};
+          contact.memory.warm[0].impulse = draw.number(-1, 1);
+          contacts.push_back(contact);
         }
-        world->step();
-        watch.look(*world);
+        watch.look(contacts);
         bits(int(watch.pressing().size()), int(watch.begun().size()), int(watch.ended().size()));
       });
 #endif

@@ -61,7 +61,7 @@ Table game(int crates)
       tell("the table is taken away");
     }
     world.step();
-    watch.look(world);
+    watch.look(world.contacts());
     for (const auto& [a, b] : watch.begun())
     {
       if (!parted.count({a, b}) || world.time() - parted[{a, b}] > 0.5) // more than a hop

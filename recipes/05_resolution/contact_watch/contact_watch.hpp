@@ -3,10 +3,11 @@
 /// \file
 /// \brief Which bodies of a world have begun to press on each other, and which have ceased to.
 
-#include "05_resolution/world/world.hpp"
+#include "05_resolution/contacts/world_contact.hpp"
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -21,12 +22,12 @@ namespace cookbook
 class ContactWatch
 {
 public:
-  /// Looks at the contacts of the last step.
-  void look(const World& world)
+  /// Looks at the contacts of the last step, ordered by their bodies as a world has them.
+  void look(std::span<const WorldContact> contacts)
   {
     std::swap(now_, before_);
     now_.clear();
-    for (const WorldContact& contact : world.contacts())
+    for (const WorldContact& contact : contacts)
     {
       if (presses(contact))
       {

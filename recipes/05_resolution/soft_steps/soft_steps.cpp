@@ -3,6 +3,7 @@
 
 #include "05_resolution/soft_steps/soft_steps.hpp"
 #include "05_resolution/soft_steps/trial/soft_steps_figures.hpp"
+#include "05_resolution/soft_steps/trial/tall_towers.hpp"
 #include "common/program/program.hpp"
 #include "common/program/table.hpp"
 
@@ -15,7 +16,7 @@ namespace
 using namespace cookbook;
 
 // [print_sinks]
-void run(const Arguments& given)
+void print_sinks(const Arguments& given)
 {
   std::vector<std::string> header{"sink [mm] after 5 s"};
   std::vector<std::vector<Sink>> all;
@@ -40,12 +41,39 @@ void run(const Arguments& given)
 }
 // [print_sinks]
 
+// [print_towers]
+void print_towers(const Arguments& given)
+{
+  const std::vector<int> all_substeps{2, 4, 8};
+  std::vector<std::vector<Leaning>> all;
+  Table table({"cubes on each other", "springs [Hz]", "(R35)", "upright after 20 s"});
+  for (const int substeps : all_substeps)
+  {
+    all.push_back(leaning_towers(substeps));
+    table.row(
+        {std::to_string(substeps).append(" substeps"), number(frequency_under(substeps)),
+         number(std::round(tallest_under(substeps) * 10) / 10),
+         std::to_string(highest_upright(all.back()))});
+  }
+  std::cout << "\n" << table.text();
+  save_figure(given, "tall_towers_joint.svg", joint_figure().svg());
+  save_figure(given, "tall_towers.svg", lean_chart(all_substeps, all).svg());
+}
+// [print_towers]
+
+void run(const Arguments& given)
+{
+  print_sinks(given);
+  print_towers(given);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
   const Arguments arguments{
       .name = "soft_steps",
-      .summary = "Lets towers stand on soft contacts: how far they sink, over the substeps."};
+      .summary = "Lets towers stand on soft contacts: how far they sink, over the substeps, and "
+                 "how high they may be."};
   return run_program(argc, argv, arguments, run);
 }

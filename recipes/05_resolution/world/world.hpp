@@ -5,7 +5,10 @@
 
 #include "05_resolution/world/wake_neighbours.hpp"
 #include "05_resolution/world/world_checks.hpp"
+#include "05_resolution/world/world_state.hpp"
+#if COOKBOOK_WORLD_BODIES
 #include "05_resolution/world/world_step.hpp"
+#endif
 
 #include <algorithm>
 #include <cstddef>

@@ -8,6 +8,7 @@
 #include "02_primitives/overlaps/overlaps.hpp"
 #include "02_primitives/shape_bounds/shape_bounds.hpp"
 #include "02_primitives/shapes/checked_more_shapes.hpp"
+#include "05_resolution/contacts/near_shapes.hpp"
 #include "05_resolution/world/world.hpp"
 
 #include <algorithm>

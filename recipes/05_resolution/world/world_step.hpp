@@ -5,49 +5,17 @@
 
 #include "05_resolution/contacts/contact_cache.hpp"
 #include "05_resolution/damping/damping.hpp"
-#include "05_resolution/sleeping/sleeping.hpp"
 #include "05_resolution/sweeps/free_flight.hpp"
 #include "05_resolution/sweeps/simultaneous_impacts.hpp"
 #include "05_resolution/sweeps/step_sweeps.hpp"
+#include "05_resolution/world/world_state.hpp"
 
 #include <cstddef>
 #include <functional>
 #include <utility>
-#include <vector>
 
 namespace cookbook
 {
-
-// [world_state]
-/// All that a world knows; copied, it goes on as the original does.
-struct WorldState
-{
-  Scene scene;                              ///< what the bodies are, and what pulls them
-  bool may_sleep = false;                   ///< whether bodies that rest fall asleep
-  bool has_balls = false;                   ///< whether any body is a ball
-  long steps = 0;                           ///< since the start
-  std::vector<RigidBody> bodies;            ///< in the order of the scene
-  std::vector<RigidBody> before;            ///< as the last step began
-  std::vector<RigidBody> start;             ///< after its impacts
-  std::vector<bool> gone;                   ///< who was taken out
-  std::vector<bool> falls;                  ///< who fell freely in the last step
-  std::vector<SleepState<double>> sleep;    ///< who rests, and for how long
-  std::vector<Bounds> bounds;               ///< of all that are there
-  BroadPhase near;                          ///< who may touch
-  std::vector<WorldContact> contacts;       ///< of the last step
-  std::vector<WorldContact> known_contacts; ///< of the one before
-  Islands islands;                          ///< who hangs together
-  std::vector<IslandPoint> room;            ///< for the points of an island
-  std::vector<Course> courses;              ///< of the last step, where it was swept
-  std::vector<double> ways;                 ///< [m], how far they led
-};
-
-/// Whether a body is left out, since it does not move.
-inline bool is_still(const WorldState& world, int body)
-{
-  return is_fixed(world.bodies[place_of(body)]) || world.sleep[place_of(body)].asleep;
-}
-// [world_state]
 
 // [world_step]
 /// Finds all contacts.
@@ -138,8 +106,7 @@ inline void finish(WorldState& world, std::size_t i)
   }
 }
 
-/// Goes on by one step of the scene.
-inline void step(WorldState& world, const IslandSolver& solver)
+COOKBOOK_WORLD_INLINE void step(WorldState& world, const IslandSolver& solver)
 {
   find_contacts(world);
   world.start = world.before = world.bodies;

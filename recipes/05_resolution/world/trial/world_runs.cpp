@@ -1,8 +1,7 @@
 /// \file
-/// \brief Runs scenes: every solver is compiled here, and nowhere else.
+/// \brief Runs scenes, as every solver moves them.
 
 #include "05_resolution/world/trial/world_runs.hpp"
-#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/world_cost_measured.hpp"

@@ -1,0 +1,113 @@
+#pragma once
+
+/// \file
+/// \brief The recommended solver: direct, or by soft steps where that finds no answer.
+
+#include "05_resolution/direct_solver/direct_solver.hpp"
+#include "05_resolution/soft_steps/soft_steps.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <utility>
+
+namespace cookbook
+{
+
+// [direct_or_soft]
+/// How a frame of an island was solved.
+enum class DirectAnswer
+{
+  none,     ///< not directly: by soft steps
+  softened, ///< directly, with contacts that give way
+  exact     ///< directly, with contacts as stiff as they get
+};
+
+/// Hears of each island how its frame was solved.
+using DirectWatch = std::function<void(const Island&, DirectAnswer)>;
+
+/// The recommended solver: direct where that finds an answer, and soft steps where it does not, as
+/// in impacts and dense heaps.
+///
+/// Where it has not found one it lets some frames pass before it tries again: 1, 2, 4, up to 16;
+/// then with soft contacts, which become stiff from frame to frame. A copy remembers what the
+/// original did, and goes on by itself.
+class DirectOrSoft
+{
+public:
+  /// Soft steps take so many substeps; `watch`, if given, hears of every island and frame.
+  explicit DirectOrSoft(int substeps, DirectWatch watch = {})
+      : soft_{.substeps = substeps}, watch_(std::move(watch))
+  {
+  }
+
+  /// Moves an island on by a step [s].
+  void operator()(IslandView world, const Island& island, double step)
+  {
+    const DirectAnswer answer = solved(tries_of(island), world, island, step);
+    if (watch_)
+    {
+      watch_(island, answer);
+    }
+    if (answer == DirectAnswer::none)
+    {
+      return soft_steps(world, island, step, soft_);
+    }
+    for (const int body : island.bodies)
+    {
+      move(world.bodies[static_cast<std::size_t>(body)], step);
+    }
+  }
+
+  /// How many islands it remembers: none that has joined another one.
+  std::size_t remembered() const { return tries_.size(); }
+
+private:
+  struct Tries
+  {
+    DirectSolver direct;
+    std::size_t bodies = 1;
+    int frames_to_wait = 0;
+    int pause = 1;   // frames to wait after the next failure
+    double give = 0; // how soft contacts are in the next try
+  };
+
+  /// What is known of an island; of those that it was made of no more is.
+  Tries& tries_of(const Island& island)
+  {
+    Tries& tries = tries_[island.bodies.front()];
+    if (tries.bodies != island.bodies.size())
+    {
+      tries.bodies = island.bodies.size();
+      for (std::size_t i = 1; i < tries.bodies; ++i)
+      {
+        tries_.erase(island.bodies[i]);
+      }
+    }
+    return tries;
+  }
+
+  /// Sets the velocities of an island, unless it has to wait or no answer is found.
+  static DirectAnswer solved(Tries& tries, IslandView world, const Island& island, double step)
+  {
+    if (tries.frames_to_wait > 0)
+    {
+      --tries.frames_to_wait;
+      return DirectAnswer::none;
+    }
+    const bool soft = tries.give > 0;
+    const bool found = tries.direct.solve(world, island, step, settings_at(tries.give));
+    tries.frames_to_wait = found ? 0 : tries.pause;
+    tries.pause = found ? 1 : std::min(2 * tries.pause, 16);
+    tries.give = next_give(tries.give, found);
+    return !found ? DirectAnswer::none : soft ? DirectAnswer::softened : DirectAnswer::exact;
+  }
+
+  SoftSettings soft_;
+  DirectWatch watch_;
+  std::map<int, Tries> tries_; // by the island's first body
+};
+// [direct_or_soft]
+
+} // namespace cookbook

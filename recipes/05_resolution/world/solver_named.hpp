@@ -1,0 +1,78 @@
+#pragma once
+
+/// \file
+/// \brief How the solvers are made that solvers.hpp names.
+
+#include "05_resolution/position_based/position_based.hpp"
+#include "05_resolution/sequential_impulses/sequential_impulses.hpp"
+#include "05_resolution/wide_solver/wide_solver.hpp"
+#include "05_resolution/world/direct_or_soft.hpp"
+#include "05_resolution/world/solver_names.hpp"
+#include "05_resolution/world/world_state.hpp"
+
+#include <span>
+#include <stdexcept>
+#include <string>
+
+namespace cookbook
+{
+
+// [solvers]
+COOKBOOK_WORLD_INLINE IslandSolver solver_named(const std::string& name, int substeps)
+{
+  if (substeps < 0)
+  {
+    throw std::invalid_argument("substeps must be zero or more, got " + std::to_string(substeps));
+  }
+  const auto or_else = [&](int usual) { return substeps > 0 ? substeps : usual; };
+  if (name == "direct")
+  {
+    return DirectOrSoft(or_else(8));
+  }
+  if (name == "soft_steps")
+  {
+    return [how = SoftSettings{.substeps = or_else(4)}](IslandView w, const Island& i, double h)
+    { soft_steps(w, i, h, how); };
+  }
+  if (name == "wide_steps")
+  {
+    return [how = SoftSettings{.substeps = or_else(4)},
+            lanes = WideContacts()](IslandView w, const Island& i, double h) mutable
+    { wide_steps(w, i, h, how, lanes); };
+  }
+  if (name == "sequential_impulses" || name == "cold_impulses")
+  {
+    const bool warm = name == "sequential_impulses";
+    return [how = SequentialSettings{.iterations = 8, .warm = warm},
+            n = or_else(1)](IslandView w, const Island& i, double h)
+    {
+      const auto scale = [&](double by)
+      {
+        const std::span<IslandPoint> points = points_of(w, i);
+        scale_impulses(points, by);
+        store(points);
+      };
+      scale(1.0 / n);
+      for (int k = 0; k < n; ++k)
+      {
+        sequential_impulses(w, i, h / n, how);
+      }
+      scale(n);
+    };
+  }
+  if (name == "position_based")
+  {
+    return
+        [how = PositionSettings{.substeps = or_else(20)}](IslandView w, const Island& i, double h)
+    { position_based(w, i, h, how); };
+  }
+  std::string all;
+  for (const std::string& one : solver_names())
+  {
+    all.append(all.empty() ? "" : ", ").append(one);
+  }
+  throw std::invalid_argument("there is no solver '" + name + "'; there are " + all);
+}
+// [solvers]
+
+} // namespace cookbook

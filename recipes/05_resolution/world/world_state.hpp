@@ -1,0 +1,64 @@
+#pragma once
+
+/// \file
+/// \brief What a world knows, and that it goes on by a step.
+
+#include "05_resolution/contacts/broad_phase.hpp"
+#include "05_resolution/islands/island_points.hpp"
+#include "05_resolution/sleeping/sleeping.hpp"
+#include "05_resolution/sweeps/course.hpp"
+
+#include <vector>
+
+// What takes long to compile, step() and solver_named(), is compiled in every source that includes
+// it; or once, if all sources are compiled with COOKBOOK_WORLD_COMPILED and one of them begins with
+// #define COOKBOOK_WORLD_SOURCE.
+#ifdef COOKBOOK_WORLD_COMPILED
+#define COOKBOOK_WORLD_INLINE
+#else
+#define COOKBOOK_WORLD_INLINE inline
+#endif
+#if !defined(COOKBOOK_WORLD_COMPILED) || defined(COOKBOOK_WORLD_SOURCE)
+#define COOKBOOK_WORLD_BODIES 1
+#else
+#define COOKBOOK_WORLD_BODIES 0
+#endif
+
+namespace cookbook
+{
+
+// [world_state]
+/// All that a world knows; copied, it goes on as the original does.
+struct WorldState
+{
+  Scene scene;                              ///< what the bodies are, and what pulls them
+  bool may_sleep = false;                   ///< whether bodies that rest fall asleep
+  bool has_balls = false;                   ///< whether any body is a ball
+  long steps = 0;                           ///< since the start
+  std::vector<RigidBody> bodies;            ///< in the order of the scene
+  std::vector<RigidBody> before;            ///< as the last step began
+  std::vector<RigidBody> start;             ///< after its impacts
+  std::vector<bool> gone;                   ///< who was taken out
+  std::vector<bool> falls;                  ///< who fell freely in the last step
+  std::vector<SleepState<double>> sleep;    ///< who rests, and for how long
+  std::vector<Bounds> bounds;               ///< of all that are there
+  BroadPhase near;                          ///< who may touch
+  std::vector<WorldContact> contacts;       ///< of the last step
+  std::vector<WorldContact> known_contacts; ///< of the one before
+  Islands islands;                          ///< who hangs together
+  std::vector<IslandPoint> room;            ///< for the points of an island
+  std::vector<Course> courses;              ///< of the last step, where it was swept
+  std::vector<double> ways;                 ///< [m], how far they led
+};
+
+/// Whether a body is left out, since it does not move.
+inline bool is_still(const WorldState& world, int body)
+{
+  return is_fixed(world.bodies[place_of(body)]) || world.sleep[place_of(body)].asleep;
+}
+// [world_state]
+
+/// Goes on by one step of the scene.
+COOKBOOK_WORLD_INLINE void step(WorldState& world, const IslandSolver& solver);
+
+} // namespace cookbook
