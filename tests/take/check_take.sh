@@ -102,25 +102,31 @@ for home in "$root"/recipes/*/*/; do
   fi
 done >"$work/sizes"
 
-# A header that does not speak of COOKBOOK_PLAIN is the same text with it. The largest come first.
-sort -k 2,2nr "$work/sizes" | while read -r name _; do
-  echo "taken $name"
-  ! grep -q COOKBOOK_PLAIN "$work/$name.hpp" || echo "taken $name -DCOOKBOOK_PLAIN"
-done >"$work/taken"
-
 # Where a game compiles the world once, all of its other sources see no more than this.
 compiled_once() {
-  compile once "the taken world, compiled elsewhere," -fsyntax-only -Wall -Wextra -Wpedantic \
+  compile compiled_once "the taken world, compiled elsewhere," -fsyntax-only -Wall -Wextra -Wpedantic \
     -DCOOKBOOK_WORLD_COMPILED -include "$work/world.hpp" /dev/null || true
 }
+
+together() {
+  # shellcheck disable=SC2046 # the options are words
+  compile together "a game with all of them" -fsyntax-only -Wall -Wextra -Werror \
+    $(cut -d ' ' -f 1 "$work/sizes" | sed "s|.*|-include $work/&.hpp|") /dev/null || true
+}
+
+# A header that does not speak of COOKBOOK_PLAIN is the same text with it. The largest come first.
+{
+  [ -z "$wasm" ] || echo together
+  sort -k 2,2nr "$work/sizes" | while read -r name _; do
+    echo "taken $name"
+    ! grep -q COOKBOOK_PLAIN "$work/$name.hpp" || echo "taken $name -DCOOKBOOK_PLAIN"
+  done
+  echo compiled_once
+} >"$work/taken"
 
 complaints=$(
   awk '$2 > $3 { print $1 " brings " $2 " lines, its budget is " $3 }' "$work/sizes"
   [ -n "$wasm" ] || printf 'house %s\n' "$root"/tests/take/calls_*.cpp | two_at_a_time
   two_at_a_time <"$work/taken"
-  compiled_once
-  # shellcheck disable=SC2046 # the options are words
-  compile together "a game with all of them" -fsyntax-only -Wall -Wextra -Werror \
-    $(cut -d ' ' -f 1 "$work/sizes" | sed "s|.*|-include $work/&.hpp|") /dev/null || true
 )
 [ -z "$complaints" ] || { echo "$complaints"; exit 1; }
