@@ -70,6 +70,46 @@ TEST_CASE("rays at a pile meet what they meet when every body is asked")
   CHECK(met > inputs(100, 5));
 }
 
+TEST_CASE("balls moved into a pile meet what they meet when every body is asked")
+{
+  const World world = settled_pile();
+  const WorldQueries queries(world);
+  BoxDraw draw(7);
+  int met = 0;
+  for (int i = 0; i < inputs(2000, 100); ++i)
+  {
+    const Sphere<double> ball{draw.vector(-6, 6), draw.between(0.01, 1)};
+    const Vector3<double> way = draw.between(0, 12) * draw.direction();
+    std::optional<BallHit> wanted;
+    for (std::size_t j = 0; j < world.bodies().size(); ++j)
+    {
+      const RigidBody& body = world.bodies()[j];
+      std::optional<SweptHit<double>> hit;
+      if (const auto* box = std::get_if<BoxShape>(&world.scene().bodies[j].shape))
+      {
+        hit = swept_sphere_box(ball, way, placed(body, *box));
+      }
+      else if (const auto* plane = std::get_if<PlaneShape>(&world.scene().bodies[j].shape))
+      {
+        hit = swept_sphere_plane(ball, way, placed(body, *plane));
+      }
+      if (world.has(j) && hit && (!wanted || hit->time < wanted->hit.time))
+      {
+        wanted = BallHit{j, *hit};
+      }
+    }
+    const auto found = queries.cast(ball, way);
+    REQUIRE(found.has_value() == wanted.has_value());
+    if (found)
+    {
+      REQUIRE((found->body == wanted->body && found->hit.time == wanted->hit.time));
+      REQUIRE(found->hit.normal == wanted->hit.normal);
+      met += found->body > 0 ? 1 : 0;
+    }
+  }
+  CHECK(met > inputs(200, 10));
+}
+
 TEST_CASE("balls and boxes in a pile overlap what they overlap when every body is asked")
 {
   const World world = settled_pile();
@@ -109,6 +149,32 @@ TEST_CASE("a ray down on a tower meets the top at 1.5 m, and the ground once it 
   CHECK(WorldQueries(world).cast(down)->hit.t == 1.75);
   CHECK_FALSE(WorldQueries(world).cast({{0, 1, 0}, {0, 1, 0}}));
   CHECK(WorldQueries(world).overlapping(around).empty());
+}
+
+TEST_CASE("a ball of 0.25 m let down on a tower stops at 5/8 of its way, and is not met beside it")
+{
+  Scene scene = named_scene("tower_2");
+  scene.bodies.push_back(ball_body("ball", 0.5, {3, 0.5, 0}));
+  const World world(scene, solver_named("direct"));
+  const WorldQueries queries(world);
+  const Sphere<double> above{{0.1, 3.5, 0.2}, 0.25};
+  const auto top = queries.cast(above, {0, -2, 0}); // from 3.5 down to 2.25
+  REQUIRE(top);
+  CHECK((top->body == 2 && top->hit.time == 0.625));
+  CHECK(top->hit.normal == Vector3<double>(0, -1, 0));
+  CHECK_FALSE(queries.cast(above, {0, -1.24, 0})); // it ends a centimetre above
+  CHECK_FALSE(queries.cast(above, {0, 2, 0}));     // away from all
+  CHECK_FALSE(queries.cast(above, {0, 0, 0}));     // nowhere
+  CHECK(queries.cast({{0.1, 1.9, 0}, 0.25}, {0, -1, 0})->hit.time == 0); // in it, and deeper
+  // Past an edge, its centre 0.25 from it: below it touches, above it goes by.
+  CHECK(queries.cast({{-3, 2.24, 0}, 0.25}, {6, 0, 0})->body == 2);
+  CHECK_FALSE(queries.cast({{-3, 2.26, 0}, 0.25}, {5, 0, 0}));
+  // Of two balls the centres are 3/4 apart: from 1.5 away half a metre and a quarter are free.
+  const auto other = queries.cast({{4.5, 0.5, 0}, 0.25}, {-3, 0, 0});
+  REQUIRE(other);
+  CHECK((other->body == 3 && other->hit.time == 0.25));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(queries.cast(above, {0, nan, 0}), InvalidShape);
 }
 
 TEST_CASE("a ray without a direction and a ball that is not a number are refused by name")

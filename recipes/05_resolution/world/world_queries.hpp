@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief What a ray meets first among the bodies of a world, and what a shape overlaps.
+/// \brief What a ray or a ball meets first among the bodies of a world, and what a shape overlaps.
 
 #include "02_primitives/casts/casts.hpp"
 #include "02_primitives/meshes/ray_enters_box.hpp"
@@ -9,12 +9,15 @@
 #include "02_primitives/shape_bounds/shape_bounds.hpp"
 #include "02_primitives/shapes/checked_more_shapes.hpp"
 #include "05_resolution/contacts/near_shapes.hpp"
+#include "05_resolution/tunnelling/swept_sphere.hpp"
 #include "05_resolution/world/world.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -27,6 +30,13 @@ struct BodyHit
 {
   std::size_t body;   ///< its number
   Hit<double, 3> hit; ///< where, as chapter 2's casts say
+};
+
+/// What a ball that is moved has met.
+struct BallHit
+{
+  std::size_t body;     ///< its number
+  SweptHit<double> hit; ///< which share of the way is free, and the normal, from the ball
 };
 
 /// Bounds of a body that hold it in spite of rounding; infinite for a plane.
@@ -63,30 +73,22 @@ public:
   std::optional<BodyHit> cast(const Ray<double>& ray) const
   {
     checked(ray);
-    std::optional<BodyHit> first;
-    const RayForBoxes<double> prepared = ray_for_boxes(ray, tree_.finite_box());
-    const double longest = ray.direction.cwiseAbs().maxCoeff();
-    const auto may_come_first = [&](const Eigen::AlignedBox<double, 3>& box)
-    {
-      const double enter = ray_enters_box(prepared, box);
-      return enter < std::numeric_limits<double>::infinity() &&
-             (!first || enter <= first->hit.t * longest * (1 + 1e-12));
-    };
-    tree_.each_that(
-        may_come_first,
-        [&](int body)
-        {
-          const auto hit = std::visit(
-              [&](const auto& shape) { return cookbook::cast(ray, placed(at(body), shape)); },
-              shape_of(body));
-          const std::size_t number = place_of(body);
-          if (hit &&
-              (!first || hit->t < first->hit.t || (hit->t == first->hit.t && number < first->body)))
-          {
-            first = BodyHit{number, *hit};
-          }
-        });
-    return first;
+    const double endless = std::numeric_limits<double>::infinity();
+    return first_met<BodyHit>(
+        ray, 0, endless, [](const Hit<double, 3>& hit) { return hit.t; },
+        [&](const auto& shape) { return cookbook::cast(ray, shape); });
+  }
+
+  /// The body that a ball meets first which is moved by a way [m], world, without turning; nothing
+  /// if none, or if there is no way to go. One that it overlaps is met at once, if the way leads
+  /// deeper into it. InvalidShape if a number is not finite.
+  std::optional<BallHit> cast(const Sphere<double>& ball, const Vector3<double>& way) const
+  {
+    checked(ball);
+    check_finite("way", way);
+    return first_met<BallHit>(
+        {ball.center, way}, ball.radius, 1, [](const SweptHit<double>& hit) { return hit.time; },
+        [&](const auto& shape) { return sweep(ball, way, shape); });
   }
 
   /// The numbers of all bodies that a ball or a box overlaps or touches, the least first;
@@ -114,6 +116,57 @@ public:
   }
 
 private:
+  static auto sweep(const Sphere<double>& ball, const Vector3<double>& way, const Obb<double>& box)
+  {
+    return swept_sphere_box(ball, way, box);
+  }
+  static auto
+  sweep(const Sphere<double>& ball, const Vector3<double>& way, const Plane<double>& plane)
+  {
+    return swept_sphere_plane(ball, way, plane);
+  }
+  static auto
+  sweep(const Sphere<double>& ball, const Vector3<double>& way, const Sphere<double>& other)
+  {
+    return swept_sphere_sphere(ball, way, other);
+  }
+
+  /// The first of all hits of something that goes along a ray and is as thick as a radius [m], for
+  /// up to so many lengths of the ray: `when` a hit is, `meet` a shape where it is.
+  template <class Met, class When, class Meet>
+  std::optional<Met> first_met(
+      const Ray<double>& ray, double radius, double lengths, const When& when,
+      const Meet& meet) const
+  {
+    std::optional<Met> first;
+    RayForBoxes<double> thick = ray_for_boxes(ray, tree_.finite_box());
+    for (int i = 0; i < 3; ++i)
+    {
+      thick.little[i] += std::copysign(radius, thick.little[i]);
+    }
+    const double longest = ray.direction.cwiseAbs().maxCoeff();
+    const auto may_come_first = [&](const Eigen::AlignedBox<double, 3>& box)
+    {
+      const double enter = ray_enters_box(thick, box);
+      return enter < std::numeric_limits<double>::infinity() &&
+             enter <= (first ? when(first->hit) : lengths) * longest * (1 + 1e-12);
+    };
+    const auto ask = [&](int body)
+    {
+      const auto hit = std::visit(
+          [&](const auto& shape) { return meet(placed(at(body), shape)); }, shape_of(body));
+      const std::size_t number = place_of(body);
+      const auto sooner = [&](const Met& other)
+      { return std::pair(when(*hit), number) < std::pair(when(other.hit), other.body); };
+      if (hit && (!first || sooner(*first)))
+      {
+        first = Met{number, *hit};
+      }
+    };
+    tree_.each_that(may_come_first, ask);
+    return first;
+  }
+
   const RigidBody& at(int body) const { return world_.bodies()[place_of(body)]; }
   const decltype(SceneBody::shape)& shape_of(int body) const
   {
