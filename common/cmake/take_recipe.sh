@@ -56,8 +56,11 @@ function take(path,    line, depth, text, blank, bodies_only) {
 }
 
 # What a header offers: the name of what each comment stands before, and the comment\047s first sentence.
-function offers(path,    line, said, done) {
+# One that only includes others offers what they do.
+function offers(path,    line, said, done, any, includes, i, bodies_only) {
   while ((getline line < (root "/" path)) > 0) {
+    bodies_only = line == wanted || (bodies_only && line !~ /^#endif/)
+    if (line ~ /^#include "/ && !bodies_only) includes[++i] = named(line)
     if (line ~ /^\/\/\/ \\/) continue
     if (line ~ /^\/\/\//) {
       if (!done) said = said (said == "" ? "" : " ") substr(line, 5)
@@ -74,11 +77,13 @@ function offers(path,    line, said, done) {
       while (sub(/<[^<>]*>/, "", line)) ;
       gsub(/ *$|.*[ >&*:]/, "", line)
       printf "//   %s: %s\n", line, said
+      any = 1
     }
     said = ""
     done = 0
   }
   close(root "/" path)
+  if (!any) for (i = 1; i in includes; ++i) offers(includes[i])
 }
 
 function brief(path,    line, text) {

@@ -1,14 +1,13 @@
 #pragma once
 
 /// \file
-/// \brief How the solvers are made that solvers.hpp names.
+/// \brief How the solvers are made, each by its name.
 
 #include "05_resolution/position_based/position_based.hpp"
 #include "05_resolution/sequential_impulses/sequential_impulses.hpp"
 #include "05_resolution/wide_solver/wide_solver.hpp"
 #include "05_resolution/world/direct_or_soft.hpp"
 #include "05_resolution/world/solver_names.hpp"
-#include "05_resolution/world/world_state.hpp"
 
 #include <span>
 #include <stdexcept>

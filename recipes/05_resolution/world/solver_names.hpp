@@ -3,6 +3,8 @@
 /// \file
 /// \brief What the solvers of this chapter are called.
 
+#include "05_resolution/world/world_state.hpp"
+
 #include <string>
 #include <vector>
 
@@ -15,5 +17,10 @@ inline std::vector<std::string> solver_names()
   return {"direct",        "soft_steps",    "wide_steps", "sequential_impulses",
           "cold_impulses", "position_based"};
 }
+
+/// A solver by name, with so many substeps, or what it takes itself if that is 0.
+///
+/// std::invalid_argument if there is no such name, or the substeps are negative.
+COOKBOOK_WORLD_INLINE IslandSolver solver_named(const std::string& name, int substeps = 0);
 
 } // namespace cookbook

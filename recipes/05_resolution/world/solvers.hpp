@@ -8,15 +8,3 @@
 #if COOKBOOK_WORLD_BODIES
 #include "05_resolution/world/solver_named.hpp"
 #endif
-
-#include <string>
-
-namespace cookbook
-{
-
-/// A solver by name, with so many substeps, or what it takes itself if that is 0.
-///
-/// std::invalid_argument if there is no such name, or the substeps are negative.
-COOKBOOK_WORLD_INLINE IslandSolver solver_named(const std::string& name, int substeps = 0);
-
-} // namespace cookbook
