@@ -3,6 +3,7 @@
 
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/scenes/trial/world_scenes.hpp"
+#include "05_resolution/tunnelling/swept_sphere.hpp"
 #include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/world_queries.hpp"
 
@@ -12,6 +13,9 @@
 #include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 
 #include <limits>
+#include <optional>
+#include <variant>
+#include <vector>
 
 using namespace cookbook;
 
@@ -166,10 +170,10 @@ TEST_CASE("a ball of 0.25 m let down on a tower stops at 5/8 of its way, and is 
   CHECK_FALSE(queries.cast(above, {0, 2, 0}));     // away from all
   CHECK_FALSE(queries.cast(above, {0, 0, 0}));     // nowhere
   CHECK(queries.cast({{0.1, 1.9, 0}, 0.25}, {0, -1, 0})->hit.time == 0); // in it, and deeper
-  // Past an edge, its centre 0.25 from it: below it touches, above it goes by.
+  // Along the top at y = 2: a centimetre too low it meets the side, a centimetre higher it goes by.
   CHECK(queries.cast({{-3, 2.24, 0}, 0.25}, {6, 0, 0})->body == 2);
-  CHECK_FALSE(queries.cast({{-3, 2.26, 0}, 0.25}, {5, 0, 0}));
-  // Of two balls the centres are 3/4 apart: from 1.5 away half a metre and a quarter are free.
+  CHECK_FALSE(queries.cast({{-3, 2.26, 0}, 0.25}, {6, 0, 0}));
+  // Two balls touch with their centres 3/4 m apart: of the 3 m from 1.5 m away, 0.75 are free.
   const auto other = queries.cast({{4.5, 0.5, 0}, 0.25}, {-3, 0, 0});
   REQUIRE(other);
   CHECK((other->body == 3 && other->hit.time == 0.25));

@@ -46,7 +46,7 @@ void print_towers(const Arguments& given)
 {
   const std::vector<int> all_substeps{2, 4, 8};
   std::vector<std::vector<Leaning>> all;
-  Table table({"cubes on each other", "springs [Hz]", "(R35)", "upright after 20 s"});
+  Table table({"towers", "springs [Hz]", "(R35) [cubes]", "upright after 20 s [cubes]"});
   for (const int substeps : all_substeps)
   {
     all.push_back(leaning_towers(substeps));

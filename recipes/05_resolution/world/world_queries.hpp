@@ -36,7 +36,8 @@ struct BodyHit
 struct BallHit
 {
   std::size_t body;     ///< its number
-  SweptHit<double> hit; ///< which share of the way is free, and the normal, from the ball
+  SweptHit<double> hit; ///< which share of the way is free, and the normal: out of the ball, into
+                        ///< the body, where that of a ray's hit points out of the body
 };
 
 /// Bounds of a body that hold it in spite of rounding; infinite for a plane.
@@ -79,9 +80,10 @@ public:
         [&](const auto& shape) { return cookbook::cast(ray, shape); });
   }
 
-  /// The body that a ball meets first which is moved by a way [m], world, without turning; nothing
-  /// if none, or if there is no way to go. One that it overlaps is met at once, if the way leads
-  /// deeper into it. InvalidShape if a number is not finite.
+  /// The body that a ball meets first which is moved by a way [m], world, the one with the least
+  /// number of several; nothing if none, or if there is no way to go. One that it overlaps is met
+  /// at once, if the way leads deeper into it. InvalidShape if the ball is none, or the way not
+  /// finite.
   std::optional<BallHit> cast(const Sphere<double>& ball, const Vector3<double>& way) const
   {
     checked(ball);

@@ -10,7 +10,10 @@
 #include "common/plot/charts/chart.hpp"
 #include "common/plot/figures/figure2d.hpp"
 
+#include <Eigen/Geometry>
+
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -31,7 +34,8 @@ inline double tallest_under(int substeps)
   return tallest_tower(1.0, frequency_under(substeps), 9.81);
 }
 
-/// How far [m] the top of a tower of unit cubes has gone aside after 20 s.
+/// How far [m] any cube of a tower of unit cubes has gone aside after 20 s: the top, while it
+/// stands.
 inline double lean(int cubes, int substeps)
 {
   const Scene scene = named_scene("tower_" + std::to_string(cubes));
@@ -80,8 +84,9 @@ lean_chart(const std::vector<int>& substeps, const std::vector<std::vector<Leani
 {
   plot::Chart chart(
       "tall_towers", "", {"height of the tower, in parts of (R35)"},
-      {"top gone aside [m]", plot::Scale::log});
-  chart.describe("Towers lower than the formula stay upright for 20 s; higher ones do not.");
+      {"gone aside after 20 s [m]", plot::Scale::log});
+  chart.describe(
+      "A twentieth below the formula towers stand for 20 s, a twentieth above they have fallen.");
   for (std::size_t i = 0; i < all.size(); ++i)
   {
     std::vector<Eigen::Vector2d> line;
