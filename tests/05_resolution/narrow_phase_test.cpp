@@ -77,7 +77,7 @@ struct Surfaces
     const SceneBody a = drawn(draw, kind_a, size), b = drawn(draw, kind_b, size);
     const RigidBody body_a = rigid_body(a), body_b = rigid_body(b);
     WorldContact contact;
-    std::visit(UpdateContact{contact, body_a, body_b, margin}, a.shape, b.shape);
+    std::visit(UpdateContact{contact, body_a, body_b, margin, margin}, a.shape, b.shape);
     if (!contact.memory.manifold)
     {
       return;

@@ -174,9 +174,11 @@ TEST_CASE("on 30° with friction 0.5 it slides at 0.657 m/s², to 1 %", "[R16]")
 TEST_CASE(
     "a cube that lands flat with e = 0.5 leaves with a spin; by impulses it does not", "[R16]")
 {
-  const auto spin = [](const IslandSolver& solver)
+  Scene scene = scenes::bounce();
+  scene.bodies[2].position.y() = 0.8; // so slow that no impact is foreseen
+  const auto spin = [&](const IslandSolver& solver)
   {
-    World world(scenes::bounce(), solver);
+    World world(scene, solver);
     double most = 0;
     while (world.time() < 0.75)
     {

@@ -383,7 +383,7 @@ TEST_CASE(
   // Direct, soft steps, warm and cold impulses, positions.
   check_verdicts(
       world_verdicts(), solver_names(),
-      {{"S3", {"direct", "wide_steps"}},
+      {{"S3", {"direct", "wide_steps", "position_based"}},
        {"S6", {"direct"}},
        {"S7", {"direct", "position_based"}},
        {"S8", {"direct"}},

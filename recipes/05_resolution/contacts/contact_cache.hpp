@@ -32,45 +32,77 @@ inline WorldContact new_contact(const Scene& scene, int a, int b)
   return contact;
 }
 
-/// Writes the contacts of these pairs of bodies, in their order, out of those of the frame before,
-/// which come in the same order; pairs farther apart than a margin [m] have
-/// none, and neither have those that ignore each other.
-///
-/// `still(i)` says that a body has not moved since; a contact of two such bodies stays as it is.
-template <class Still>
-void next_contacts(
-    std::vector<WorldContact>& now, const Scene& scene, std::span<const RigidBody> bodies,
-    std::span<const WorldContact> before, std::span<const std::pair<int, int>> pairs, double margin,
-    const Still& still)
+/// The two bodies of a contact.
+inline std::pair<int, int> pair_of(const WorldContact& contact)
 {
-  now.clear();
-  auto old = before.begin();
-  for (const auto& pair : pairs)
+  return {contact.a, contact.b};
+}
+
+/// Takes contacts in among others; both are in the order of their pairs, and so is the result.
+inline void merge_in(std::vector<WorldContact>& contacts, std::span<const WorldContact> others)
+{
+  std::size_t known = contacts.size(), other = others.size();
+  contacts.resize(known + other);
+  while (other > 0)
   {
-    const std::size_t a = static_cast<std::size_t>(pair.first);
-    const std::size_t b = static_cast<std::size_t>(pair.second);
-    while (old != before.end() && std::pair(old->a, old->b) < pair)
-    {
-      ++old;
-    }
-    const bool known = old != before.end() && std::pair(old->a, old->b) == pair;
+    const bool later = known > 0 && pair_of(contacts[known - 1]) > pair_of(others[other - 1]);
+    contacts[known + other - 1] = later ? contacts[known - 1] : others[other - 1];
+    later ? --known : --other;
+  }
+}
+
+/// Brings contacts up to date with these pairs of bodies; both are in order. Pairs farther apart
+/// than `reach(a, b)` [m] have none, and neither have those that ignore each other.
+///
+/// What is known already stays where it is, as long as no pair before it begins or ends.
+/// `still(i)` says that a body has not moved since; a contact of two such bodies stays as it is.
+/// `begun` is room for those that begin.
+template <class Reach, class Still>
+void update_contacts(
+    std::vector<WorldContact>& contacts, std::vector<WorldContact>& begun, const Scene& scene,
+    std::span<const RigidBody> bodies, std::span<const std::pair<int, int>> pairs,
+    const Reach& reach, const Still& still)
+{
+  begun.clear();
+  const auto touches = [&](WorldContact& contact)
+  {
+    const std::size_t a = place_of(contact.a), b = place_of(contact.b);
+    const UpdateContact update{
+        contact, bodies[a], bodies[b], contact_margin(scene), reach(contact.a, contact.b)};
+    std::visit(update, scene.bodies[a].shape, scene.bodies[b].shape);
+    return contact.memory.manifold.has_value();
+  };
+  auto kept = contacts.begin(), known = contacts.begin();
+  for (const std::pair<int, int>& pair : pairs)
+  {
     const bool both_still = still(pair.first) && still(pair.second);
-    if ((both_still && !known) || ignores(scene, pair))
+    while (known != contacts.end() && pair_of(*known) < pair)
+    {
+      ++known;
+    }
+    if (ignores(scene, pair))
     {
       continue;
     }
-    now.push_back(known ? *old : new_contact(scene, pair.first, pair.second));
-    if (!both_still)
+    if (known != contacts.end() && pair_of(*known) == pair)
     {
-      std::visit(
-          UpdateContact{now.back(), bodies[a], bodies[b], margin}, scene.bodies[a].shape,
-          scene.bodies[b].shape);
+      if (kept != known)
+      {
+        *kept = *known;
+      }
+      kept += both_still || touches(*kept) ? 1 : 0;
     }
-    if (!now.back().memory.manifold)
+    else if (!both_still)
     {
-      now.pop_back();
+      begun.push_back(new_contact(scene, pair.first, pair.second));
+      if (!touches(begun.back()))
+      {
+        begun.pop_back();
+      }
     }
   }
+  contacts.erase(kept, contacts.end());
+  merge_in(contacts, begun);
 }
 // [world_contacts]
 

@@ -79,20 +79,21 @@ inline void anchor(WorldContact& contact, const RigidBody& a, const RigidBody& b
 }
 
 /// Brings the points of a contact up to date with where its bodies are; none where they are farther
-/// apart than a margin [m].
+/// apart than a reach [m], or are ghosts within a margin [m].
 struct UpdateContact
 {
   WorldContact& contact;
   const RigidBody& a;
   const RigidBody& b;
   double margin;
+  double reach; // no less than the margin
 
   template <class ShapeA, class ShapeB>
   void operator()(const ShapeA& shape_a, const ShapeB& shape_b) const
   {
     const auto placed_a = placed(a, shape_a);
     const auto placed_b = placed(b, shape_b);
-    contact.memory = meet(contact.memory, placed_a, placed_b, margin);
+    contact.memory = meet(contact.memory, placed_a, placed_b, reach);
     if (!contact.memory.manifold)
     {
       return;

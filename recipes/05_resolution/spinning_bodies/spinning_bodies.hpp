@@ -115,14 +115,57 @@ Tumbling<Real> tumbled(Tumbling<Real> body, const SpinAxes<Real>& axes, Real tim
 template <class Real>
 int cut(SpinAxes<Real>& axes, Real momentum, Real step)
 {
-  using std::abs;
-  const Real swing = std::sqrt(abs(axes.main.rate * axes.third.rate)) * momentum * abs(step);
+  const Real swing =
+      std::sqrt(std::abs(axes.main.rate * axes.third.rate)) * momentum * std::abs(step);
   if (swing <= Real(8))
   {
     return std::max(1, static_cast<int>(std::ceil(2 * swing)));
   }
   axes.third.rate = 0;
   return 1;
+}
+
+/// A body after it has spun freely for a step [s].
+template <class Real>
+Tumbling<Real> spun(Tumbling<Real> body, SpinAxes<Real> axes, Real step)
+{
+  const Vector3<Real> whole = body.orientation * body.momentum;
+  const int parts = cut(axes, Real(whole.norm()), step);
+  for (int part = 0; part < parts; ++part)
+  {
+    body = tumbled<Real>(body, axes, step / Real(parts));
+  }
+  const Vector3<Real> ball = (axes.ball_rate * step) * whole;
+  return {(rotation_by(ball) * body.orientation).normalized(), body.momentum};
+}
+
+/// Whether a body turns evenly for a step [s], as a ball does, or by 1/ε or more.
+template <class Real>
+bool turns_evenly(const Spinning<Real>& body, const SpinAxes<Real>& axes, Real step)
+{
+  const Real angle = body.angular_velocity.norm() * std::abs(step);
+  return axes.main.rate == Real(0) || !(angle * std::numeric_limits<Real>::epsilon() < Real(1));
+}
+
+/// A body that turns evenly after a step [s].
+template <class Real>
+Spinning<Real> turned_evenly(const Spinning<Real>& body, Real step)
+{
+  const Vector3<Real> turn = step * body.angular_velocity;
+  return {(rotation_by(turn) * body.orientation).normalized(), body.angular_velocity};
+}
+/// A body as seen along its own axes.
+template <class Real>
+Tumbling<Real> tumbling(const Spinning<Real>& body, const SpinAxes<Real>& axes)
+{
+  const Vector3<Real> spin = body.orientation.conjugate() * body.angular_velocity;
+  return {body.orientation, axes.moments.cwiseProduct(spin)};
+}
+/// The same body as seen in the world.
+template <class Real>
+Spinning<Real> spinning(const Tumbling<Real>& body, const SpinAxes<Real>& axes)
+{
+  return {body.orientation, body.orientation * body.momentum.cwiseQuotient(axes.moments)};
 }
 
 /// A body of these moments [kg m²] after it has spun freely for a step [s]; R24.
@@ -133,24 +176,9 @@ int cut(SpinAxes<Real>& axes, Real momentum, Real step)
 template <class Real>
 Spinning<Real> turned(const Spinning<Real>& body, const Vector3<Real>& moments, Real step)
 {
-  const Real angle = body.angular_velocity.norm() * std::abs(step);
-  SpinAxes<Real> axes = spin_axes(moments);
-  if (axes.main.rate == Real(0) || !(angle * std::numeric_limits<Real>::epsilon() < Real(1)))
-  {
-    const Vector3<Real> turn = step * body.angular_velocity;
-    return {(rotation_by(turn) * body.orientation).normalized(), body.angular_velocity};
-  }
-  const Vector3<Real> spin = body.orientation.conjugate() * body.angular_velocity;
-  Tumbling<Real> now{body.orientation, axes.moments.cwiseProduct(spin)};
-  const Vector3<Real> whole = body.orientation * now.momentum;
-  const int parts = cut(axes, Real(whole.norm()), step);
-  for (int part = 0; part < parts; ++part)
-  {
-    now = tumbled<Real>(now, axes, step / Real(parts));
-  }
-  const Vector3<Real> ball = (axes.ball_rate * step) * whole;
-  const Quaternion<Real> orientation = (rotation_by(ball) * now.orientation).normalized();
-  return {orientation, orientation * now.momentum.cwiseQuotient(axes.moments)};
+  const SpinAxes<Real> axes = spin_axes(moments);
+  const bool even = turns_evenly(body, axes, step);
+  return even ? turned_evenly(body, step) : spinning(spun(tumbling(body, axes), axes, step), axes);
 }
 // [turned]
 

@@ -79,7 +79,7 @@ next_touch(const StepCourses& step, int first, int other, double time, double de
     const BallOnCourse ball{course, by, time, scene.step, presses ? thin / 100 : 0};
     return std::visit(ball, shape, of_other);
   }
-  const double slack = presses ? std::min(thin, thinness(scene, other)) / 4 : 0;
+  const double slack = presses ? std::min(thin, thinness(scene, other)) / 8 : 0;
   return std::visit(
       BoxOnCourse{course, by, time, scene.step, std::max(slack, depth)}, shape, of_other);
 }

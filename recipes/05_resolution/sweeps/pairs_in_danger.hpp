@@ -46,7 +46,8 @@ bounds_on_way(const StepCourses& step, int i, const RigidBody& end)
   const Course& course = step.courses[place_of(i)];
   const auto& shape = step.scene.bodies[place_of(i)].shape;
   const double bulge = step.scene.step * step.scene.step / 8 * course.acceleration.norm();
-  const double wider = course.spin.isZero(0) ? bulge : bulge + reach(step.scene, i);
+  const double turn = step.scene.step * course.spin.norm();
+  const double wider = bulge + std::min(1.0, turn * turn / 8) * reach(step.scene, i);
   return bounds_of(course.start, shape, wider).merged(bounds_of(end, shape, wider));
 }
 

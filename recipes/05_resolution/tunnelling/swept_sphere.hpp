@@ -67,7 +67,7 @@ first_touch(const Real& start, const Real& bend, const Real& rounding, const Loo
   for (int i = 0; i < most_advances; ++i)
   {
     const Real closing = now.closing, gap = max(now.ahead.length, Real(0));
-    const bool closes = closing > rounding || (closing >= -rounding && now.pull > Real(0));
+    const bool closes = closing > rounding || (closing >= -rounding && now.pull > rounding);
     if (!closes && !bends)
     {
       return std::nullopt;

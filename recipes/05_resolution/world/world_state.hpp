@@ -31,24 +31,24 @@ namespace cookbook
 /// All that a world knows; copied, it goes on as the original does.
 struct WorldState
 {
-  Scene scene;                              ///< what the bodies are, and what pulls them
-  bool may_sleep = false;                   ///< whether bodies that rest fall asleep
-  bool has_balls = false;                   ///< whether any body is a ball
-  long steps = 0;                           ///< since the start
-  std::vector<RigidBody> bodies;            ///< in the order of the scene
-  std::vector<RigidBody> before;            ///< as the last step began
-  std::vector<RigidBody> start;             ///< after its impacts
-  std::vector<bool> gone;                   ///< who was taken out
-  std::vector<bool> falls;                  ///< who fell freely in the last step
-  std::vector<SleepState<double>> sleep;    ///< who rests, and for how long
-  std::vector<Bounds> bounds;               ///< of all that are there
-  BroadPhase near;                          ///< who may touch
-  std::vector<WorldContact> contacts;       ///< of the last step
-  std::vector<WorldContact> known_contacts; ///< of the one before
-  Islands islands;                          ///< who hangs together
-  std::vector<IslandPoint> room;            ///< for the points of an island
-  std::vector<Course> courses;              ///< of the last step, where it was swept
-  std::vector<double> ways;                 ///< [m], how far they led
+  Scene scene;                           ///< what the bodies are, and what pulls them
+  bool may_sleep = false;                ///< whether bodies that rest fall asleep
+  bool has_balls = false;                ///< whether any body is a ball
+  long steps = 0;                        ///< since the start
+  std::vector<RigidBody> bodies;         ///< in the order of the scene
+  std::vector<RigidBody> before;         ///< as the last step began
+  std::vector<RigidBody> start;          ///< after its impacts
+  std::vector<bool> gone;                ///< who was taken out
+  std::vector<bool> falls;               ///< who fell freely in the last step
+  std::vector<SleepState<double>> sleep; ///< who rests, and for how long
+  std::vector<Bounds> bounds;            ///< of all that are there
+  BroadPhase near;                       ///< who may touch
+  std::vector<WorldContact> contacts;    ///< of the last step
+  std::vector<WorldContact> begun;       ///< those that began with it
+  Islands islands;                       ///< who hangs together
+  std::vector<IslandPoint> room;         ///< for the points of an island
+  std::vector<Course> courses;           ///< of the last step, where it was swept
+  std::vector<double> ways;              ///< [m], how far they led
 };
 
 /// Whether a body is left out, since it does not move.

@@ -5,6 +5,7 @@
 
 #include "05_resolution/contacts/contact_cache.hpp"
 #include "05_resolution/damping/damping.hpp"
+#include "05_resolution/sweeps/foreseen.hpp"
 #include "05_resolution/sweeps/free_flight.hpp"
 #include "05_resolution/sweeps/simultaneous_impacts.hpp"
 #include "05_resolution/sweeps/step_sweeps.hpp"
@@ -12,7 +13,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <utility>
 
 namespace cookbook
 {
@@ -21,16 +21,16 @@ namespace cookbook
 /// Finds all contacts.
 inline void find_contacts(WorldState& world)
 {
-  const double margin = contact_margin(world.scene);
+  const Scene& scene = world.scene;
   for (Bounds& bound : world.bounds)
   {
     const std::size_t i = place_of(bound.body);
-    bound.box = bounds_of(world.bodies[i], world.scene.bodies[i].shape, margin / 2);
+    bound.box = foreseen_bounds(scene, scene.bodies[i].shape, world.bodies[i]);
   }
-  std::swap(world.contacts, world.known_contacts);
-  next_contacts(
-      world.contacts, world.scene, world.bodies, world.known_contacts,
-      world.near.pairs(world.bounds), margin, [&](int body) { return is_still(world, body); });
+  update_contacts(
+      world.contacts, world.begun, scene, world.bodies, world.near.pairs(world.bounds),
+      [&](int a, int b) { return foreseen_reach(scene, world.bodies, a, b); },
+      [&](int body) { return is_still(world, body); });
 }
 
 /// Has a body fall freely, if no contact has pushed it.

@@ -1,0 +1,241 @@
+/// \file
+/// What comes down fast ends no deeper in others than a tenth of the smaller of them.
+
+#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
+#include "05_resolution/scenes/trial/scene_bodies.hpp"
+#include "05_resolution/sweeps/foreseen.hpp"
+#include "05_resolution/world/solvers.hpp"
+#include "05_resolution/world/trial/impacts.hpp"
+#include "05_resolution/world/world.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/random_inputs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <variant>
+#include <vector>
+
+using namespace cookbook;
+
+namespace
+{
+
+const Quaternion<double> flat = Quaternion<double>::Identity();
+
+Quaternion<double> any_turn(BoxDraw& draw)
+{
+  const double w = draw.between(-1, 1);
+  const Vector3<double> v = draw.vector(-1, 1);
+  return Quaternion<double>(w, v.x(), v.y(), v.z()).normalized();
+}
+
+/// How deep a body of a world is in those before it, as a share of the smallest size of both.
+double deepest_of(const World& world, int body)
+{
+  const Scene& scene = world.scene();
+  double deepest = 0;
+  for (int i = 0; i < body; ++i)
+  {
+    const DepthBetween depth{world.bodies()[place_of(body)], world.bodies()[place_of(i)]};
+    const double size = 2 * std::min(thinness(scene, i), thinness(scene, body));
+    const auto &shape = scene.bodies[place_of(body)].shape,
+               &other = scene.bodies[place_of(i)].shape;
+    deepest = std::max(deepest, std::visit(depth, shape, other) / size);
+  }
+  return deepest;
+}
+
+/// The same of all movable bodies, at any time of half a second.
+double deepest_in_scene(const Scene& scene, const std::string& solver)
+{
+  World world(scene, solver_named(solver, solver == "direct" ? 0 : 4));
+  double deepest = 0;
+  for (int step = 0; step < 30; ++step)
+  {
+    world.step();
+    for (int i = 1; i < static_cast<int>(world.bodies().size()); ++i)
+    {
+      deepest = std::max(deepest, is_fixed(world.bodies()[place_of(i)]) ? 0 : deepest_of(world, i));
+    }
+  }
+  return deepest;
+}
+
+/// What a box of an edge [m] comes down on.
+Scene lands_on(const std::string& what, double edge)
+{
+  const double half = edge / 2, mass = 1000 * edge * edge * edge;
+  const Vector3<double> cube = Vector3<double>::Constant(half);
+  Scene scene{.bodies = {ground()}};
+  if (what == "a fixed box")
+  {
+    scene.bodies.push_back(box_body("box", cube, {0, half, 0}, 0));
+  }
+  if (what == "a free box")
+  {
+    scene.bodies.push_back(box_body("box", cube, {0, half, 0}, mass));
+  }
+  for (int i = 0; what == "three free boxes" && i < 3; ++i)
+  {
+    scene.bodies.push_back(box_body(numbered("box", i), cube, {0, (2 * i + 1) * half, 0}, mass));
+  }
+  if (what == "a plate")
+  {
+    scene.bodies.push_back(box_body("plate", {edge, edge / 20, edge}, {0, edge - edge / 20, 0}, 0));
+  }
+  if (what == "two free boxes")
+  {
+    scene.bodies.push_back(box_body("left", cube, {-half, half, 0}, mass));
+    scene.bodies.push_back(box_body("right", cube, {half, half, 0}, mass));
+  }
+  return scene;
+}
+
+/// The same with the box, turned somehow, which would reach what it comes down on after some share
+/// of the first step.
+Scene comes_down(
+    const std::string& what, double edge, double speed, double share,
+    const Quaternion<double>& turned)
+{
+  Scene scene = lands_on(what, edge);
+  const double half = edge / 2;
+  const double top = what == "the ground" ? 0 : what == "three free boxes" ? 3 * edge : edge;
+  SceneBody box =
+      box_body("falling", Vector3<double>::Constant(half), {}, 1000 * std::pow(edge, 3));
+  box.orientation = turned;
+  const double reach = half * box.orientation.toRotationMatrix().row(1).cwiseAbs().sum();
+  box.position = {0.07 * edge, top + reach + share * speed * scene.step, 0.03 * edge};
+  box.velocity.y() = -speed;
+  scene.bodies.push_back(box);
+  return scene;
+}
+
+} // namespace
+
+// [foreseen]
+TEST_CASE("what a cube will be too deep in is in reach: by the way of a step more than the margin")
+{
+  const double margin = 2 * 9.81 / 3600, way = 12.0 / 60;
+  const auto reach_of_cube = [](double gap, double speed, double speed_of_ground)
+  {
+    Scene scene{.bodies = {box_body("ground", {5, 0.5, 5}, {0, -0.5, 0})}};
+    scene.bodies.push_back(cube_body("cube", {0, 0.5 + gap, 0}));
+    scene.bodies[0].velocity.y() = speed_of_ground;
+    scene.bodies[1].velocity.y() = speed;
+    const RigidBody bodies[] = {rigid_body(scene.bodies[0]), rigid_body(scene.bodies[1])};
+    return foreseen_reach(scene, bodies, 0, 1);
+  };
+  CHECK(reach_of_cube(0.10, -12, 0) == Catch::Approx(margin + way)); // 0.1 deep
+  CHECK(reach_of_cube(0.16, -12, 0) == Catch::Approx(margin));       // 0.04 deep
+  CHECK(reach_of_cube(0.10, -12, -12) == Catch::Approx(margin));     // both go down
+  CHECK(reach_of_cube(0.10, 12, 0) == Catch::Approx(margin));        // it parts
+  CHECK(reach_of_cube(0.10, -40, 0) == Catch::Approx(margin));       // it is swept
+}
+// [foreseen]
+
+// [impacts]
+TEST_CASE("a cube that comes down flat ends no deeper in the ground than a tenth of its edge")
+{
+  for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    for (const double edge : {0.02, 0.2, 1.0, 5.0, 200.0})
+    {
+      for (const double speed : {0.5, 2.0, 5.0, 30.0, 200.0, 1000.0})
+      {
+        CAPTURE(solver, edge, speed);
+        CHECK(deepest_impact(edge, speed, solver) <= 0.1 * edge);
+      }
+    }
+  }
+}
+
+TEST_CASE("nor one turned anyhow; nor one that comes down flat in boxes, or a seventh at 30 m/s")
+{
+  BoxDraw draw(1);
+  for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    for (const double edge : {0.2, 1.0, 5.0})
+    {
+      for (const double speed : {2.0, 5.0, 30.0})
+      {
+        CAPTURE(solver, edge, speed);
+        for (int i = 0; i < inputs(20, 2); ++i)
+        {
+          const double share = draw.between(0, 1);
+          const Quaternion<double> turned = any_turn(draw);
+          CHECK(
+              deepest_in_scene(comes_down("the ground", edge, speed, share, turned), solver) <=
+              0.1);
+          for (const std::string what : {"a fixed box", "a free box", "two free boxes"})
+          {
+            CAPTURE(what);
+            const Scene scene = comes_down(what, edge, speed, share, flat);
+            CHECK(deepest_in_scene(scene, solver) <= (speed > 5 ? 1.0 / 7 : 0.1));
+          }
+        }
+      }
+    }
+  }
+}
+// [impacts]
+
+// [corners_first]
+TEST_CASE("corner first in other boxes it is an eighth on average at 5 m/s, and half at worst")
+{
+  for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    for (const std::string what : {"a fixed box", "a free box", "two free boxes"})
+    {
+      BoxDraw draw(2);
+      double sum = 0, most = 0;
+      const int tries = inputs(200, 20);
+      for (int i = 0; i < tries; ++i)
+      {
+        const double share = draw.between(0, 1);
+        const double deepest =
+            deepest_in_scene(comes_down(what, 0.2, 5, share, any_turn(draw)), solver);
+        sum += deepest;
+        most = std::max(most, deepest);
+      }
+      CAPTURE(solver, what, sum / tries, most);
+      CHECK(sum / tries <= 1.0 / 8);
+      CHECK(most <= 0.55);
+    }
+  }
+}
+// [corners_first]
+
+TEST_CASE("a ball at 30 m/s is stopped by the cube that it hits, which turns a little")
+{
+  for (const double edge : {0.2, 1.0, 5.0})
+  {
+    for (int i = 0; i < 20; ++i)
+    {
+      CAPTURE(edge, i);
+      Scene scene = comes_down("a free box", edge, 30, (i + 0.5) / 20, flat);
+      scene.bodies.back().shape = SphereShape{edge / 2};
+      CHECK(deepest_in_scene(scene, "soft_steps") <= 0.1);
+    }
+  }
+}
+
+// [too_late]
+TEST_CASE("what lies behind the one that is hit learns of it a step too late")
+{
+  const Quaternion<double> slanted =
+      rotation_by<double>(0.4 * Vector3<double>(3, 1, 7).normalized());
+  double on_stack = 0, on_light = 0;
+  for (int i = 0; i < 10; ++i)
+  {
+    const Scene stack = comes_down("three free boxes", 0.2, 30, (i + 0.5) / 10, flat);
+    Scene light = comes_down("a free box", 0.2, 30, (i + 0.5) / 10, slanted);
+    light.bodies[1].mass /= 100;
+    on_stack = std::max(on_stack, deepest_in_scene(stack, "wide_steps"));
+    on_light = std::max(on_light, deepest_in_scene(light, "wide_steps"));
+  }
+  CHECK(on_stack == Catch::Approx(0.22).margin(0.02)); // too deep, as the page says
+  CHECK(on_light == Catch::Approx(0.72).margin(0.05));
+}
+// [too_late]
