@@ -1,5 +1,6 @@
 /// \file
-/// What a world asks of memory: a scene that has settled steps without an allocation.
+/// What a world asks of memory: a scene that has settled steps without an allocation, and a body of
+/// a heap takes so much.
 
 #include "05_resolution/scenes/trial/world_scenes.hpp"
 #include "05_resolution/world/solvers.hpp"
@@ -38,3 +39,17 @@ TEST_CASE("once a tower, a pyramid or a pile has settled, a step allocates nothi
   }
 }
 // [no_allocation]
+
+// [memory]
+TEST_CASE("a body of a heap of 4,000 takes less than 7 kB, with all its contacts", "[long]")
+{
+  const Scene scene = named_scene("pile_4000");
+  const long before = held_bytes();
+  World world(scene, solver_named("wide_steps", 4));
+  while (world.time() < 4.5)
+  {
+    world.step();
+  }
+  CHECK((held_bytes() - before) / 4000 < 7000);
+}
+// [memory]

@@ -4,10 +4,18 @@
 #include <cstdlib>
 #include <new>
 
+#include <malloc.h>
+
 namespace
 {
 
 long count = 0;
+long bytes = 0;
+
+long size_of(void* room)
+{
+  return room == nullptr ? 0 : static_cast<long>(malloc_usable_size(room));
+}
 
 void* counted(std::size_t size, std::size_t alignment)
 {
@@ -15,9 +23,16 @@ void* counted(std::size_t size, std::size_t alignment)
   const std::size_t blocks = size / alignment + 1; // as many as hold it
   if (void* const room = std::aligned_alloc(alignment, blocks * alignment))
   {
+    bytes += size_of(room);
     return room;
   }
   throw std::bad_alloc();
+}
+
+void released(void* room)
+{
+  bytes -= size_of(room);
+  std::free(room);
 }
 
 constexpr std::size_t usual = __STDCPP_DEFAULT_NEW_ALIGNMENT__;
@@ -27,6 +42,11 @@ constexpr std::size_t usual = __STDCPP_DEFAULT_NEW_ALIGNMENT__;
 long cookbook::counted_allocations()
 {
   return count;
+}
+
+long cookbook::held_bytes()
+{
+  return bytes;
 }
 
 // Those of arrays, and those that do not throw, call these.
@@ -42,20 +62,20 @@ void* operator new(std::size_t size, std::align_val_t alignment)
 
 void operator delete(void* room) noexcept
 {
-  std::free(room);
+  released(room);
 }
 
 void operator delete(void* room, std::size_t) noexcept
 {
-  std::free(room);
+  released(room);
 }
 
 void operator delete(void* room, std::align_val_t) noexcept
 {
-  std::free(room);
+  released(room);
 }
 
 void operator delete(void* room, std::size_t, std::align_val_t) noexcept
 {
-  std::free(room);
+  released(room);
 }
