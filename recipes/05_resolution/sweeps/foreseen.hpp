@@ -60,6 +60,16 @@ inline double turning_way(const Scene& scene, const RigidBody& body, double reac
   return body.round ? 0 : scene.step * body.motion.angular_velocity.norm() * reach;
 }
 
+/// Whether a body is swept in this step, if it goes on as it does: a box that goes by more than
+/// half of its smallest size, a ball that goes farther than is harmless.
+inline bool will_be_swept(const Scene& scene, const RigidBody& body, int i)
+{
+  const double thin = thinness(scene, i);
+  const double way = scene.step * body.motion.velocity.norm();
+  return way + turning_way(scene, body, reach(scene, i)) >
+         (body.round ? harmless_depth(thin) : thin);
+}
+
 /// A body as it would be after a step in which nothing pushes it, but for the fall of that step: as
 /// far as that leads, the margin of contacts covers.
 inline RigidBody going_on(const Scene& scene, RigidBody body)
@@ -69,25 +79,20 @@ inline RigidBody going_on(const Scene& scene, RigidBody body)
   return body;
 }
 
-/// The bounds of a shape where its body is, and where it will be if nothing pushes it; wider by
-/// half the margin of contacts.
+/// The bounds of a body where it is, wider by half the margin of contacts; and where it will be if
+/// nothing pushes it, unless it is swept.
 inline Eigen::AlignedBox<double, 3>
-foreseen_bounds(const Scene& scene, const decltype(SceneBody::shape)& shape, const RigidBody& body)
+foreseen_bounds(const Scene& scene, const RigidBody& body, int i)
 {
-  const double reach = std::visit([](const auto& of) { return reach_of(of); }, shape);
-  const double turning = std::min(turning_way(scene, body, reach), reach);
-  const Eigen::AlignedBox<double, 3> here =
-      bounds_of(body, shape, contact_margin(scene) / 2 + turning);
+  const auto& shape = scene.bodies[place_of(i)].shape;
+  const double margin = contact_margin(scene) / 2;
+  if (will_be_swept(scene, body, i))
+  {
+    return bounds_of(body, shape, margin);
+  }
+  const double turning = turning_way(scene, body, reach(scene, i));
+  const Eigen::AlignedBox<double, 3> here = bounds_of(body, shape, margin + turning);
   return here.merged(here.translated(scene.step * body.motion.velocity));
-}
-
-/// Whether a body is swept in this step, if it goes on as it does: a box that goes by more than
-/// half of its smallest size, a ball that goes farther than is harmless [m].
-inline bool will_be_swept(const Scene& scene, const RigidBody& body, int i, double harmless)
-{
-  const double way = scene.step * body.motion.velocity.norm();
-  return body.round ? way > harmless
-                    : way + turning_way(scene, body, reach(scene, i)) > thinness(scene, i);
 }
 
 /// How far apart [m] two bodies may be and be in contact: the margin; or as far as they may come
@@ -100,8 +105,7 @@ inline double foreseen_reach(const Scene& scene, std::span<const RigidBody> bodi
   const double closing = scene.step * (b.motion.velocity - a.motion.velocity).norm() +
                          turning_way(scene, a, reach(scene, i)) +
                          turning_way(scene, b, reach(scene, j));
-  if (!(closing > harmless) || will_be_swept(scene, a, i, harmless) ||
-      will_be_swept(scene, b, j, harmless))
+  if (!(closing > harmless) || will_be_swept(scene, a, i) || will_be_swept(scene, b, j))
   {
     return margin;
   }

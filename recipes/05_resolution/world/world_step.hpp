@@ -24,8 +24,7 @@ inline void find_contacts(WorldState& world)
   const Scene& scene = world.scene;
   for (Bounds& bound : world.bounds)
   {
-    const std::size_t i = place_of(bound.body);
-    bound.box = foreseen_bounds(scene, scene.bodies[i].shape, world.bodies[i]);
+    bound.box = foreseen_bounds(scene, world.bodies[place_of(bound.body)], bound.body);
   }
   update_contacts(
       world.contacts, world.begun, scene, world.bodies, world.near.pairs(world.bounds),
