@@ -20,7 +20,7 @@ namespace cookbook
 
 // [step_sweeps]
 /// The most touches of one body in one step; from then on it only stops, and a box does not turn;
-/// after as many more it stays where it is.
+/// after as many more a box stays where it is.
 inline constexpr int most_touches_a_step = 64;
 
 /// Corrects a step in which bodies would have passed through something.
@@ -60,8 +60,11 @@ private:
     return on_the_way(step_, i, time, own, ends_[place_of(i)]);
   }
 
-  /// What has touched something so often that it stays where it is.
-  bool is_frozen(int i) const { return touched_[place_of(i)] > 2 * most_touches_a_step; }
+  /// A box that has touched something so often that it stays where it is.
+  bool is_frozen(int i) const
+  {
+    return !is_ball(step_.scene, i) && touched_[place_of(i)] > 2 * most_touches_a_step;
+  }
 
   void meet(const CourseTouch& touch)
   {
@@ -82,7 +85,12 @@ private:
                             ? std::numeric_limits<double>::infinity()
                             : std::min(threshold_, thinness(step_.scene, first) / (2 * duration_));
     double approach = bounce(a, b, contact, slow);
-    const bool rests = approach <= slow, leans = rests && !goes_on(step_, other);
+    if (approach > threshold_)
+    {
+      touches_.come_back(first);
+      touches_.come_back(other);
+    }
+    const bool rests = approach <= slow, leans = rests && !tired && !goes_on(step_, other);
     if (!ball && rests && touches_.slack_of(pair) == 0)
     {
       touches_.allow(pair, rest_depth(step_.scene, first, other));
@@ -101,7 +109,7 @@ private:
     {
       approach = std::max(approach, stop_center(a, b, touch.normal, place_of_touch(contact, a)));
     }
-    if (frozen || (ball && rests && !leans && (approach == 0 || both_balls)))
+    if (frozen || (ball && rests && !leans && (tired || approach == 0 || both_balls)))
     {
       touches_.leave(pair);
     }

@@ -87,8 +87,14 @@ public:
   /// Whether a body's course has changed.
   bool has_changed(int i) const { return versions_[place_of(i)] > 0; }
 
-  /// Two bodies that nobody looks at for the rest of the step.
+  /// Two bodies that nobody looks at for the rest of the step, or until one of them comes back.
   void leave(const std::pair<int, int>& pair) { left_.push_back(pair); }
+
+  /// Looks at a body again with all that it had been left with: somebody has hit it.
+  void come_back(int i)
+  {
+    std::erase_if(left_, [i](const auto& pair) { return pair.first == i || pair.second == i; });
+  }
 
   /// Lets two boxes overlap by a little [m] for the rest of the step: they pass each other, or rest
   /// on each other.
