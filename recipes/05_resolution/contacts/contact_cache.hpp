@@ -54,7 +54,7 @@ inline void merge_in(std::vector<WorldContact>& contacts, std::span<const WorldC
 /// Brings contacts up to date with these pairs of bodies; both are in order. Pairs farther apart
 /// than `reach(a, b)` [m] have none, and neither have those that ignore each other.
 ///
-/// What is known already stays where it is, as long as no pair before it begins or ends.
+/// What is known already keeps its place in the list, as long as no pair before it begins or ends.
 /// `still(i)` says that a body has not moved since; a contact of two such bodies stays as it is.
 /// `begun` is room for those that begin.
 template <class Reach, class Still>

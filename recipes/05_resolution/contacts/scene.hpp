@@ -68,8 +68,8 @@ inline bool ignores(const Scene& scene, const std::pair<int, int>& pair)
 }
 // [scene]
 
-/// How far apart [m] two bodies may be and still be in contact: what a fall from rest covers in two
-/// steps, so that a solver knows of a touch before there is an overlap.
+/// How far apart [m] two bodies at rest may be and still be in contact: what a fall from rest
+/// covers in two steps, so that a solver knows of a touch before there is an overlap.
 inline double contact_margin(const Scene& scene)
 {
   return 2 * scene.gravity.norm() * scene.step * scene.step;

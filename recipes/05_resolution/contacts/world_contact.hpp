@@ -31,7 +31,7 @@ struct WorldPoint
   bool solved = false;                                ///< whether that is more than a guess
 };
 
-/// Two bodies of a world that touch, or will within a margin.
+/// Two bodies of a world that touch, or may in this step.
 struct WorldContact
 {
   int a = 0;                                ///< the number of body A

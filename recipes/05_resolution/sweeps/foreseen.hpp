@@ -17,7 +17,8 @@ namespace cookbook
 {
 
 // [depth_between]
-/// How deep [m] two bodies are in each other; less than zero if they are apart.
+/// How deep [m] two bodies are in each other; less than zero if they are apart, by no matter how
+/// much.
 struct DepthBetween
 {
   const RigidBody &a, &b;
@@ -54,58 +55,67 @@ inline double harmless_depth(double thinness)
   return thinness / 10;
 }
 
-/// How far [m] turning carries any point of a body in a step.
-inline double turning_way(const Scene& scene, const RigidBody& body, double reach)
+/// How far [m] turning carries any point of a body in a step: a ball's stay on its surface, and
+/// what is fixed does not turn.
+inline double turning_way(const Scene& scene, const RigidBody& body, int i)
 {
-  return body.round ? 0 : scene.step * body.motion.angular_velocity.norm() * reach;
+  const bool turns = !body.round && !is_fixed(body);
+  return turns ? scene.step * body.motion.angular_velocity.norm() * reach(scene, i) : 0;
 }
 
-/// Whether a body is swept in this step, if it goes on as it does: a box that goes by more than
-/// half of its smallest size, a ball that goes farther than is harmless.
-inline bool will_be_swept(const Scene& scene, const RigidBody& body, int i)
+/// How far [m] a body goes in a step if nothing pushes it, but for the fall of that step.
+inline Vector3<double> way_on(const Scene& scene, const RigidBody& body)
+{
+  return is_fixed(body) ? Vector3<double>::Zero()
+                        : Vector3<double>(scene.step * body.motion.velocity);
+}
+
+/// Whether a body is left to the sweep, if it goes on as it does: a box that goes by clearly more
+/// than half of its smallest size, a ball that goes farther than is harmless.
+inline bool is_for_sweep(const Scene& scene, const RigidBody& body, int i)
 {
   const double thin = thinness(scene, i);
-  const double way = scene.step * body.motion.velocity.norm();
-  return way + turning_way(scene, body, reach(scene, i)) >
-         (body.round ? harmless_depth(thin) : thin);
+  const double way = way_on(scene, body).norm() + turning_way(scene, body, i);
+  return way > (body.round ? harmless_depth(thin) : 1.25 * thin);
 }
 
-/// A body as it would be after a step in which nothing pushes it, but for the fall of that step: as
-/// far as that leads, the margin of contacts covers.
+/// A body as it would be after a step in which nothing pushes it, but for the fall of that step.
 inline RigidBody going_on(const Scene& scene, RigidBody body)
 {
-  body.motion.center += scene.step * body.motion.velocity;
-  spin(body, scene.step);
+  if (!is_fixed(body))
+  {
+    body.motion.center += way_on(scene, body);
+    spin(body, scene.step);
+  }
   return body;
 }
 
 /// The bounds of a body where it is, wider by half the margin of contacts; and where it will be if
-/// nothing pushes it, unless it is swept.
+/// nothing pushes it, unless that is left to the sweep.
 inline Eigen::AlignedBox<double, 3>
 foreseen_bounds(const Scene& scene, const RigidBody& body, int i)
 {
   const auto& shape = scene.bodies[place_of(i)].shape;
   const double margin = contact_margin(scene) / 2;
-  if (will_be_swept(scene, body, i))
+  if (is_for_sweep(scene, body, i))
   {
     return bounds_of(body, shape, margin);
   }
-  const double turning = turning_way(scene, body, reach(scene, i));
+  const double turning = turning_way(scene, body, i);
   const Eigen::AlignedBox<double, 3> here = bounds_of(body, shape, margin + turning);
-  return here.merged(here.translated(scene.step * body.motion.velocity));
+  return here.merged(here.translated(way_on(scene, body)));
 }
 
-/// How far apart [m] two bodies may be and be in contact: the margin; or as far as they may come
-/// closer in this step, if they would end too deep in each other, and deeper than they are.
+/// How far apart [m] two bodies may be and be in contact: the margin; and as far as they may come
+/// closer in this step, if they would end too deep in each other, and clearly deeper than they are.
 inline double foreseen_reach(const Scene& scene, std::span<const RigidBody> bodies, int i, int j)
 {
   const double margin = contact_margin(scene);
   const RigidBody &a = bodies[place_of(i)], &b = bodies[place_of(j)];
   const double harmless = harmless_depth(std::min(thinness(scene, i), thinness(scene, j)));
-  const double closing = scene.step * (b.motion.velocity - a.motion.velocity).norm() +
-                         turning_way(scene, a, reach(scene, i)) +
-                         turning_way(scene, b, reach(scene, j));
-  if (!(closing > harmless) || will_be_swept(scene, a, i) || will_be_swept(scene, b, j))
+  const double closing = (way_on(scene, b) - way_on(scene, a)).norm() + turning_way(scene, a, i) +
+                         turning_way(scene, b, j);
+  if (!(closing > harmless) || is_for_sweep(scene, a, i) || is_for_sweep(scene, b, j))
   {
     return margin;
   }

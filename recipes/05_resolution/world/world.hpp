@@ -57,7 +57,8 @@ public:
   /// Whether a body is there: it was put in, and not taken out.
   bool has(std::size_t body) const { return body < bodies().size() && !state_.gone[body]; }
 
-  /// How far apart [m] two bodies may be and still be in contact.
+  /// How far apart [m] two bodies may be and still be in contact, but for impacts that are
+  /// foreseen.
   double margin() const { return contact_margin(scene()); }
 
   /// Puts a body in, and says its number; InvalidScene, and nothing changes, if it makes no sense.
