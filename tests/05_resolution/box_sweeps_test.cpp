@@ -22,13 +22,6 @@ using namespace cookbook;
 namespace
 {
 
-Quaternion<double> any_turn(BoxDraw& draw)
-{
-  const double w = draw.between(-1, 1);
-  const Vector3<double> v = draw.vector(-1, 1);
-  return Quaternion<double>(w, v.x(), v.y(), v.z()).normalized();
-}
-
 /// A spin of 1 to 100 rad/s about any axis.
 Vector3<double> spin_of(BoxDraw& draw)
 {

@@ -2,13 +2,13 @@
 /// How deep what comes down fast ends in others: a tenth of the smaller of them, and where it is
 /// more.
 
-#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/sweeps/foreseen.hpp"
 #include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/impacts.hpp"
 #include "05_resolution/world/world.hpp"
 
+#include "tests/05_resolution/evenly.hpp"
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
 
@@ -24,13 +24,6 @@ namespace
 {
 
 const Quaternion<double> flat = Quaternion<double>::Identity();
-
-Quaternion<double> any_turn(BoxDraw& draw)
-{
-  const double w = draw.between(-1, 1);
-  const Vector3<double> v = draw.vector(-1, 1);
-  return Quaternion<double>(w, v.x(), v.y(), v.z()).normalized();
-}
 
 /// How deep a body of a world is in those before it, as a share of the smallest size of both.
 double deepest_of(const World& world, int body)
@@ -122,7 +115,7 @@ TEST_CASE("what a cube will be too deep in is in reach: by the way of a step mor
     scene.bodies[0].velocity.y() = speed_of_slab;
     scene.bodies[1].velocity.y() = speed;
     const RigidBody bodies[] = {rigid_body(scene.bodies[0]), rigid_body(scene.bodies[1])};
-    return foreseen_reach(scene, bodies, 0, 1);
+    return foreseen_reach(scene, bodies, 0, 1, contact_margin(scene));
   };
   CHECK(reach_of_cube(0.10, -12, 0) == Catch::Approx(margin + way)); // 0.1 deep
   CHECK(reach_of_cube(0.16, -12, 0) == Catch::Approx(margin));       // 0.04 deep

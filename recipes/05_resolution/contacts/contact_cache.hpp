@@ -32,12 +32,6 @@ inline WorldContact new_contact(const Scene& scene, int a, int b)
   return contact;
 }
 
-/// The two bodies of a contact.
-inline std::pair<int, int> pair_of(const WorldContact& contact)
-{
-  return {contact.a, contact.b};
-}
-
 /// Takes contacts in among others; both are in the order of their pairs, and so is the result.
 inline void merge_in(std::vector<WorldContact>& contacts, std::span<const WorldContact> others)
 {
@@ -52,7 +46,8 @@ inline void merge_in(std::vector<WorldContact>& contacts, std::span<const WorldC
 }
 
 /// Brings contacts up to date with these pairs of bodies; both are in order. Pairs farther apart
-/// than `reach(a, b)` [m] have none, and neither have those that ignore each other.
+/// than `reach(a, b)` [m], no less than a margin [m], have none, and neither have those that ignore
+/// each other.
 ///
 /// What is known already keeps its place in the list, as long as no pair before it begins or ends.
 /// `still(i)` says that a body has not moved since; a contact of two such bodies stays as it is.
@@ -60,15 +55,14 @@ inline void merge_in(std::vector<WorldContact>& contacts, std::span<const WorldC
 template <class Reach, class Still>
 void update_contacts(
     std::vector<WorldContact>& contacts, std::vector<WorldContact>& begun, const Scene& scene,
-    std::span<const RigidBody> bodies, std::span<const std::pair<int, int>> pairs,
+    std::span<const RigidBody> bodies, std::span<const std::pair<int, int>> pairs, double margin,
     const Reach& reach, const Still& still)
 {
   begun.clear();
   const auto touches = [&](WorldContact& contact)
   {
     const std::size_t a = place_of(contact.a), b = place_of(contact.b);
-    const UpdateContact update{
-        contact, bodies[a], bodies[b], contact_margin(scene), reach(contact.a, contact.b)};
+    const UpdateContact update{contact, bodies[a], bodies[b], margin, reach(contact.a, contact.b)};
     std::visit(update, scene.bodies[a].shape, scene.bodies[b].shape);
     return contact.memory.manifold.has_value();
   };

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <utility>
 
 namespace cookbook
 {
@@ -50,6 +51,12 @@ struct WorldContact
     return {memory.warm.data(), memory.manifold->points.size()};
   }
 };
+
+/// The two bodies of a contact.
+inline std::pair<int, int> pair_of(const WorldContact& contact)
+{
+  return {contact.a, contact.b};
+}
 
 /// Whether two bodies press on each other at any point of a contact.
 inline bool presses(const WorldContact& contact)

@@ -6,6 +6,7 @@
 #include "04_obb_manifolds/box_box/box_box.hpp"
 #include "05_resolution/contacts/broad_phase.hpp"
 #include "05_resolution/sweeps/box_on_course.hpp"
+#include "05_resolution/sweeps/free_flight.hpp"
 #include "05_resolution/sweeps/step_courses.hpp"
 #include "common/simd/registers.hpp"
 
@@ -28,15 +29,10 @@ struct DepthBetween
     const auto found = box_axis_in<Registers<double>>(placed(a, box), placed(b, other));
     return found ? found->second : -1;
   }
-  template <class Shape>
-  double operator()(const BoxShape& box, const Shape& other) const
+  template <class Shape, class Other>
+  double operator()(const Shape& shape, const Other& other) const
   {
-    return -way_between(placed(a, box), placed(b, other)).length;
-  }
-  template <class Shape>
-  double operator()(const SphereShape& ball, const Shape& other) const
-  {
-    return -way_between(placed(a, ball), placed(b, other)).length;
+    return -way_between(placed(a, shape), placed(b, other)).length;
   }
   template <class Shape>
   double operator()(const PlaneShape& plane, const Shape& other) const
@@ -55,14 +51,6 @@ inline double harmless_depth(double thinness)
   return thinness / 10;
 }
 
-/// How far [m] turning carries any point of a body in a step: a ball's stay on its surface, and
-/// what is fixed does not turn.
-inline double turning_way(const Scene& scene, const RigidBody& body, int i)
-{
-  const bool turns = !body.round && !is_fixed(body);
-  return turns ? scene.step * body.motion.angular_velocity.norm() * reach(scene, i) : 0;
-}
-
 /// How far [m] a body goes in a step if nothing pushes it, but for the fall of that step.
 inline Vector3<double> way_on(const Scene& scene, const RigidBody& body)
 {
@@ -70,51 +58,53 @@ inline Vector3<double> way_on(const Scene& scene, const RigidBody& body)
                         : Vector3<double>(scene.step * body.motion.velocity);
 }
 
+/// How far [m] it turns any of its points meanwhile: a ball's stay on its surface.
+inline double turn_on(const Scene& scene, const RigidBody& body, int i)
+{
+  const bool turns = !body.round && !is_fixed(body);
+  return turns ? turning_way(scene, i, body.motion.angular_velocity, scene.step) : 0;
+}
+
 /// Whether a body is left to the sweep, if it goes on as it does: a box that goes by clearly more
 /// than half of its smallest size, a ball that goes farther than is harmless.
 inline bool is_for_sweep(const Scene& scene, const RigidBody& body, int i)
 {
   const double thin = thinness(scene, i);
-  const double way = way_on(scene, body).norm() + turning_way(scene, body, i);
+  const double way = way_on(scene, body).norm() + turn_on(scene, body, i);
   return way > (body.round ? harmless_depth(thin) : 1.25 * thin);
 }
 
 /// A body as it would be after a step in which nothing pushes it, but for the fall of that step.
-inline RigidBody going_on(const Scene& scene, RigidBody body)
+inline RigidBody going_on(const Scene& scene, const RigidBody& body)
 {
-  if (!is_fixed(body))
-  {
-    body.motion.center += way_on(scene, body);
-    spin(body, scene.step);
-  }
-  return body;
+  return is_fixed(body) ? body : flown(body, Vector3<double>::Zero(), scene.step);
 }
 
-/// The bounds of a body where it is, wider by half the margin of contacts; and where it will be if
-/// nothing pushes it, unless that is left to the sweep.
+/// The bounds of a body where it is, wider by half the margin [m] of contacts; and where it will be
+/// if nothing pushes it, unless that is left to the sweep.
 inline Eigen::AlignedBox<double, 3>
-foreseen_bounds(const Scene& scene, const RigidBody& body, int i)
+foreseen_bounds(const Scene& scene, const RigidBody& body, int i, double margin)
 {
   const auto& shape = scene.bodies[place_of(i)].shape;
-  const double margin = contact_margin(scene) / 2;
   if (is_for_sweep(scene, body, i))
   {
-    return bounds_of(body, shape, margin);
+    return bounds_of(body, shape, margin / 2);
   }
-  const double turning = turning_way(scene, body, i);
-  const Eigen::AlignedBox<double, 3> here = bounds_of(body, shape, margin + turning);
+  const double turning = turn_on(scene, body, i);
+  const Eigen::AlignedBox<double, 3> here = bounds_of(body, shape, margin / 2 + turning);
   return here.merged(here.translated(way_on(scene, body)));
 }
 
-/// How far apart [m] two bodies may be and be in contact: the margin; and as far as they may come
-/// closer in this step, if they would end too deep in each other, and clearly deeper than they are.
-inline double foreseen_reach(const Scene& scene, std::span<const RigidBody> bodies, int i, int j)
+/// How far apart [m] two bodies may be and be in contact: the margin [m]; and as far as they may
+/// come closer in this step, if they would end too deep in each other, and clearly deeper than they
+/// are.
+inline double
+foreseen_reach(const Scene& scene, std::span<const RigidBody> bodies, int i, int j, double margin)
 {
-  const double margin = contact_margin(scene);
   const RigidBody &a = bodies[place_of(i)], &b = bodies[place_of(j)];
   const double harmless = harmless_depth(std::min(thinness(scene, i), thinness(scene, j)));
-  const double closing = (way_on(scene, b) - way_on(scene, a)).norm() + turning_way(scene, a, i) +
-                         turning_way(scene, b, j);
+  const double closing =
+      (way_on(scene, b) - way_on(scene, a)).norm() + turn_on(scene, a, i) + turn_on(scene, b, j);
   if (!(closing > harmless) || is_for_sweep(scene, a, i) || is_for_sweep(scene, b, j))
   {
     return margin;

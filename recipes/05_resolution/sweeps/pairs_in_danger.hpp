@@ -105,9 +105,9 @@ inline bool may_meet(const StepCourses& step, int i, int j, double time)
 inline bool pressed(const StepCourses& step, const std::pair<int, int>& pair)
 {
   const auto before = [](const WorldContact& contact, const std::pair<int, int>& of)
-  { return std::pair(contact.a, contact.b) < of; };
+  { return pair_of(contact) < of; };
   const auto found = std::lower_bound(step.contacts.begin(), step.contacts.end(), pair, before);
-  return found != step.contacts.end() && std::pair(found->a, found->b) == pair && presses(*found);
+  return found != step.contacts.end() && pair_of(*found) == pair && presses(*found);
 }
 // [pressed]
 

@@ -82,11 +82,17 @@ inline bool may_have_fast_boxes(
   return false;
 }
 
+/// How far [m] a spin [rad/s] carries any point of a body round its centre in a time [s].
+inline double turning_way(const Scene& scene, int i, const Vector3<double>& spin, double time)
+{
+  return time * spin.norm() * reach(scene, i);
+}
+
 /// How far [m] any point of a body goes in a time [s] in which its centre goes by a way [m].
 inline double
 farthest_way(const StepCourses& step, int i, const Course& course, double way, double time)
 {
-  return way + time * course.spin.norm() * reach(step.scene, i);
+  return way + turning_way(step.scene, i, course.spin, time);
 }
 
 /// Writes down the courses of all bodies, from where a step began to where it ended.

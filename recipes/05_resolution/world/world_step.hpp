@@ -22,13 +22,14 @@ namespace cookbook
 inline void find_contacts(WorldState& world)
 {
   const Scene& scene = world.scene;
+  const double margin = contact_margin(scene);
   for (Bounds& bound : world.bounds)
   {
-    bound.box = foreseen_bounds(scene, world.bodies[place_of(bound.body)], bound.body);
+    bound.box = foreseen_bounds(scene, world.bodies[place_of(bound.body)], bound.body, margin);
   }
   update_contacts(
-      world.contacts, world.begun, scene, world.bodies, world.near.pairs(world.bounds),
-      [&](int a, int b) { return foreseen_reach(scene, world.bodies, a, b); },
+      world.contacts, world.begun, scene, world.bodies, world.near.pairs(world.bounds), margin,
+      [&](int a, int b) { return foreseen_reach(scene, world.bodies, a, b, margin); },
       [&](int body) { return is_still(world, body); });
 }
 

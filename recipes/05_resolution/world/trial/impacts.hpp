@@ -56,8 +56,7 @@ inline plot::Chart impacts_chart()
       "world_impacts", "", {"speed [m/s]", plot::Scale::log}, {"deepest, in edges [1]"});
   chart.describe(
       "Deepest overlap of a cube of 20 cm with the ground: in the world under a tenth of the edge "
-      "at "
-      "all speeds; looked at after the step it would grow with the speed to half of it.");
+      "at all speeds; looked at after the step it would grow with the speed to half of it.");
   const double edge = 0.2, step = 1.0 / 60;
   std::vector<Eigen::Vector2d> unswept, world;
   for (double speed = 0.5; speed < 101; speed *= std::pow(10, 0.05))
