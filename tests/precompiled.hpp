@@ -2,7 +2,7 @@
 /// What every test reads first; CMake compiles it once.
 #pragma once
 
-#include "common/math/rational.hpp"
+#include "common/exact/exact.hpp"
 #include "common/program/precompiled.hpp"
 #include "common/simd/choose.hpp"
 

@@ -16,7 +16,7 @@ function(cookbook_install_target target)
 endfunction()
 
 # cookbook_install(TARGET FOLDER…): the headers of folders below the repository's include roots, but
-# not those in trials, nor the inner loops of batches, nor what needs more than Eigen.
+# not those in trials, nor the inner loops of batches.
 function(cookbook_install target)
   cookbook_install_target(${target})
   if(NOT COOKBOOK_INSTALL)
@@ -30,8 +30,7 @@ function(cookbook_install target)
     install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cookbook/${below}
       FILES_MATCHING PATTERN "*.hpp"
       PATTERN "trial" EXCLUDE
-      PATTERN "*_kernel.hpp" EXCLUDE
-      PATTERN "math/rational.hpp" EXCLUDE)
+      PATTERN "*_kernel.hpp" EXCLUDE)
   endforeach()
 endfunction()
 

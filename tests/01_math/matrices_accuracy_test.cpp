@@ -3,12 +3,10 @@
 
 #include "01_math/matrices/matrices.hpp"
 #include "01_math/truth/trial/whole_range.hpp"
+#include "common/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
-
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
 
 #include <cmath>
 #include <limits>
@@ -17,10 +15,6 @@ using namespace cookbook;
 
 namespace
 {
-
-/// Sixty digits, of any size: enough to tell 105 binary digits from the truth.
-using Sure = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float<60>, boost::multiprecision::et_off>;
 
 // [drawn_matrix]
 /// Matrices of six kinds: entries of any size each; of one size; of ordinary size; rounded from a
@@ -57,26 +51,26 @@ SquareMatrix<Real, Size> drawn_matrix(WholeRange<Real>& random, int kind)
 template <int Size>
 struct Known
 {
-  SquareMatrix<Sure, Size> c;     ///< cofactors
-  SquareMatrix<Sure, Size> sizes; ///< the same products without their signs
-  Sure determinant;
-  Sure permanent;
-  Sure moves; ///< by how much the determinant moves, for relative changes of one
+  SquareMatrix<Reference, Size> c;     ///< cofactors
+  SquareMatrix<Reference, Size> sizes; ///< the same products without their signs
+  Reference determinant;
+  Reference permanent;
+  Reference moves; ///< by how much the determinant moves, for relative changes of one
 };
 
 /// The permanent of what is left of a matrix without a row and a column; its determinant too.
-inline std::pair<Sure, Sure> left_of(const SquareMatrix<Sure, 4>& m, int row, int column)
+inline std::pair<Reference, Reference> left_of(const SquareMatrix<Reference, 4>& m, int row, int column)
 {
-  Matrix3<Sure> left;
+  Matrix3<Reference> left;
   for (int i = 0; i < 9; ++i)
   {
     left(i / 3, i % 3) = m(i / 3 + (i / 3 >= row), i % 3 + (i % 3 >= column));
   }
-  const auto product = [&](int j, int k, int l) -> Sure
+  const auto product = [&](int j, int k, int l) -> Reference
   { return left(0, j) * left(1, k) * left(2, l); };
-  const Sure plus[] = {product(0, 1, 2), product(1, 2, 0), product(2, 0, 1)};
-  const Sure minus[] = {product(0, 2, 1), product(2, 1, 0), product(1, 0, 2)};
-  Sure determinant = 0, permanent = 0;
+  const Reference plus[] = {product(0, 1, 2), product(1, 2, 0), product(2, 0, 1)};
+  const Reference minus[] = {product(0, 2, 1), product(2, 1, 0), product(1, 0, 2)};
+  Reference determinant = 0, permanent = 0;
   for (int i = 0; i < 3; ++i)
   {
     determinant += plus[i] - minus[i];
@@ -85,20 +79,20 @@ inline std::pair<Sure, Sure> left_of(const SquareMatrix<Sure, 4>& m, int row, in
   return {determinant, permanent};
 }
 
-inline std::pair<Sure, Sure> left_of(const SquareMatrix<Sure, 3>& m, int row, int column)
+inline std::pair<Reference, Reference> left_of(const SquareMatrix<Reference, 3>& m, int row, int column)
 {
   const int i = row == 0, j = row == 2 ? 1 : 2, k = column == 0, l = column == 2 ? 1 : 2;
-  const Sure plus = m(i, k) * m(j, l), minus = m(i, l) * m(j, k);
+  const Reference plus = m(i, k) * m(j, l), minus = m(i, l) * m(j, k);
   return {plus - minus, abs(plus) + abs(minus)};
 }
 
 template <class Real, int Size>
 Known<Size> known(const SquareMatrix<Real, Size>& of)
 {
-  SquareMatrix<Sure, Size> m;
+  SquareMatrix<Reference, Size> m;
   for (int i = 0; i < Size * Size; ++i)
   {
-    m.data()[i] = Sure(of.data()[i]);
+    m.data()[i] = Reference(of.data()[i]);
   }
   Known<Size> all{{}, {}, 0, 0, 0};
   for (int i = 0; i < Size; ++i)
@@ -106,9 +100,9 @@ Known<Size> known(const SquareMatrix<Real, Size>& of)
     for (int j = 0; j < Size; ++j)
     {
       const auto [determinant, permanent] = left_of(m, i, j);
-      all.c(i, j) = (i + j) % 2 == 0 ? determinant : Sure(-determinant);
+      all.c(i, j) = (i + j) % 2 == 0 ? determinant : Reference(-determinant);
       all.sizes(i, j) = permanent;
-      all.moves += abs(Sure(m(i, j) * all.c(i, j)));
+      all.moves += abs(Reference(m(i, j) * all.c(i, j)));
       if (j == 0)
       {
         all.determinant += m(i, 0) * all.c(i, 0);
@@ -125,23 +119,23 @@ double worst_of()
 {
   using Limits = std::numeric_limits<Real>;
   WholeRange<Real> random;
-  const Sure u = Sure(Limits::epsilon()) / 2, few = Sure(std::ldexp(1.0, Limits::digits / 4));
-  const Sure least = Limits::denorm_min(), most = Limits::max();
-  Sure worst = 0;
+  const Reference u = Reference(Limits::epsilon()) / 2, few = Reference(std::ldexp(1.0, Limits::digits / 4));
+  const Reference least = Limits::denorm_min(), most = Limits::max();
+  Reference worst = 0;
   for (int i = 0; i < random_inputs; ++i)
   {
     const SquareMatrix<Real, Size> m = drawn_matrix<Real, Size>(random, i % 6);
     const Known<Size> truth = known<Real, Size>(m);
-    const Sure size = abs(truth.determinant);
+    const Reference size = abs(truth.determinant);
     const Real answered = determinant<Real, Size>(m);
-    const Sure det_bound = u * (9 * few) * size + least + truth.permanent * Sure(0x1p-98);
+    const Reference det_bound = u * (9 * few) * size + least + truth.permanent * Reference(0x1p-98);
     if (size <= most)
     {
       REQUIRE(std::isfinite(answered));
-      worst = std::max<Sure>(worst, abs(Sure(answered) - truth.determinant) / det_bound);
+      worst = std::max<Reference>(worst, abs(Reference(answered) - truth.determinant) / det_bound);
     }
     const auto x = inverse<Real, Size>(m);
-    const Sure first = u * truth.moves, second = u * u * truth.permanent;
+    const Reference first = u * truth.moves, second = u * u * truth.permanent;
     if (!x)
     {
       REQUIRE(size <= (first + 65 * second));
@@ -151,13 +145,13 @@ double worst_of()
     for (int k = 0; k < Size * Size; ++k)
     {
       const int row = k / Size, column = k % Size;
-      const Sure exact = truth.c(column, row) / truth.determinant;
-      const Sure rounding = truth.sizes(column, row) / size + 2 * few * abs(exact);
-      const Sure bound = u * 9 * rounding + 4 * least * (1 + 1 / size);
+      const Reference exact = truth.c(column, row) / truth.determinant;
+      const Reference rounding = truth.sizes(column, row) / size + 2 * few * abs(exact);
+      const Reference bound = u * 9 * rounding + 4 * least * (1 + 1 / size);
       if (abs(exact) <= most)
       {
         REQUIRE(std::isfinite((*x)(row, column)));
-        worst = std::max<Sure>(worst, abs(Sure((*x)(row, column)) - exact) / bound);
+        worst = std::max<Reference>(worst, abs(Reference((*x)(row, column)) - exact) / bound);
       }
     }
   }

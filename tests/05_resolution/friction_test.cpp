@@ -6,7 +6,7 @@
 #include "05_resolution/friction/trial/friction_pitfalls.hpp"
 #include "05_resolution/friction/trial/friction_scenes.hpp"
 #include "05_resolution/friction/trial/friction_verdicts.hpp"
-#include "common/math/rational.hpp"
+#include "common/exact/exact.hpp"
 
 #include "tests/05_resolution/meetings.hpp"
 #include "tests/catch.hpp"
@@ -27,7 +27,7 @@ const V up(0, 1, 0);
 /// A vector of fractions, rounded.
 V rounded(const Vector3<Rational>& v)
 {
-  return {v.x().convert_to<double>(), v.y().convert_to<double>(), v.z().convert_to<double>()};
+  return {static_cast<double>(v.x()), static_cast<double>(v.y()), static_cast<double>(v.z())};
 }
 
 Body<double> rounded(const Body<Rational>& body)
@@ -36,7 +36,7 @@ Body<double> rounded(const Body<Rational>& body)
   result.motion = {
       rounded(body.motion.center), rounded(body.motion.velocity),
       rounded(body.motion.angular_velocity)};
-  result.inverse_mass = body.inverse_mass.convert_to<double>();
+  result.inverse_mass = static_cast<double>(body.inverse_mass);
   for (int column = 0; column < 3; ++column)
   {
     result.inverse_inertia.col(column) =

@@ -2,7 +2,7 @@
 /// What holds for the shared mathematics.
 
 #include "common/math/norm.hpp"
-#include "common/math/rational.hpp"
+#include "common/exact/exact.hpp"
 #include "common/math/rotation.hpp"
 #include "common/math/ulp.hpp"
 #include "common/math/wide.hpp"
@@ -70,12 +70,6 @@ TEST_CASE("a float is widened to double, and a double stays one", "[math]")
   STATIC_REQUIRE(std::is_same_v<Wide<float>, double>);
   STATIC_REQUIRE(std::is_same_v<Wide<double>, double>);
   CHECK(widen(Vector3<float>(0.1f, 2, 3)).x() == static_cast<double>(0.1f));
-}
-
-TEST_CASE("an exact 0.1f is not a tenth", "[math]")
-{
-  CHECK(exact<Rational>(0.1f) == Rational(13421773, 134217728));
-  CHECK(exact<Rational>(Vector3<double>(0.5, 0.25, 3)).y() == Rational(1, 4));
 }
 
 TEMPLATE_TEST_CASE(

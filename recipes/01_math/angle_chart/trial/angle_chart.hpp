@@ -4,7 +4,7 @@
 /// \brief Pairs of vectors of every angle, and how wrong a way to find it is.
 
 #include "01_math/angles/trial/angles_cases.hpp"
-#include "common/math/rational.hpp"
+#include "common/exact/exact.hpp"
 #include "common/measure/statistics.hpp"
 
 #include <cmath>

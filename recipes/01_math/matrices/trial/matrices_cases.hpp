@@ -4,7 +4,7 @@
 /// \brief Ways to invert a matrix, matrices that break some of them, and how far off an inverse is.
 
 #include "01_math/matrices/matrices.hpp"
-#include "common/math/rational.hpp"
+#include "common/exact/exact.hpp"
 #include "common/program/table.hpp"
 #include "common/program/verdicts.hpp"
 

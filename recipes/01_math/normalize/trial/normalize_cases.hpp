@@ -4,7 +4,7 @@
 /// \brief Vectors that break some way of normalising, and how far an answer is from the truth.
 
 #include "01_math/normalize/normalize.hpp"
-#include "common/math/rational.hpp"
+#include "common/exact/exact.hpp"
 #include "common/math/ulp.hpp"
 #include "common/program/table.hpp"
 #include "common/program/verdicts.hpp"

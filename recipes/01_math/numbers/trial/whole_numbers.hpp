@@ -3,7 +3,7 @@
 /// \file
 /// \brief Exact arithmetic that is quick: floats as whole multiples of one power of two.
 
-#include "common/math/rational.hpp"
+#include <gmpxx.h>
 
 #include <cmath>
 #include <limits>
@@ -12,7 +12,7 @@ namespace cookbook
 {
 
 /// A whole number of any size.
-using Whole = boost::multiprecision::cpp_int;
+using Whole = mpz_class;
 
 // [whole]
 /// The digits behind the point that all numbers of a type fit in.
@@ -29,7 +29,7 @@ Whole whole(Real x, int digits = all_digits<Real>())
   constexpr int size = std::numeric_limits<Real>::digits;
   int exponent = 0;
   const Real fraction = std::frexp(x, &exponent);
-  const Whole mantissa = static_cast<long long>(std::ldexp(fraction, size));
+  const Whole mantissa = static_cast<long>(std::ldexp(fraction, size));
   const int shift = exponent - size + digits;
   return shift >= 0 ? Whole(mantissa << shift) : Whole(mantissa >> -shift);
 }

@@ -5,7 +5,7 @@
 
 #include "01_math/rotations/quaternion_of.hpp"
 #include "01_math/rotations/trial/rotations_pitfalls.hpp"
-#include "common/math/rational.hpp"
+#include "common/exact/exact.hpp"
 #include "common/math/rotation.hpp"
 #include "common/measure/statistics.hpp"
 

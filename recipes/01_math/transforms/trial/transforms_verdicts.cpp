@@ -2,7 +2,7 @@
 
 #include "01_math/transforms/trial/local_cases.hpp"
 #include "01_math/transforms/trial/transforms_cases.hpp"
-#include "common/math/rational.hpp"
+#include "common/exact/exact.hpp"
 #include "common/program/table.hpp"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include "02_primitives/casts/casts.hpp"
 #include "02_primitives/casts/trial/casts_pitfalls.hpp"
 #include "02_primitives/shapes/trial/number_draw.hpp"
-#include "common/math/rational.hpp"
+#include "common/exact/exact.hpp"
 #include "common/measure/statistics.hpp"
 
 #include <cmath>

@@ -7,7 +7,7 @@
 #include "02_primitives/closest_segments/closest_segments.hpp"
 #include "02_primitives/meshes/triangle_closest.hpp"
 #include "02_primitives/shapes/trial/number_draw.hpp"
-#include "common/math/rational.hpp"
+#include "common/exact/exact.hpp"
 #include "common/measure/statistics.hpp"
 
 #include <algorithm>

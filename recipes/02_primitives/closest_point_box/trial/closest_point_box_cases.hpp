@@ -5,7 +5,7 @@
 /// truth.
 
 #include "02_primitives/closest_point_box/trial/closest_point_box_pitfalls.hpp"
-#include "common/math/rational.hpp"
+#include "common/exact/exact.hpp"
 #include "common/math/rotation.hpp"
 #include "common/program/table.hpp"
 #include "common/program/verdicts.hpp"

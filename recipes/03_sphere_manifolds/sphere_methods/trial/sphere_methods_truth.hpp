@@ -4,7 +4,7 @@
 /// \brief Pairs of spheres by the name of what is hard about them, and how wrong a method is there.
 
 #include "03_sphere_manifolds/sphere_methods/trial/sphere_methods.hpp"
-#include "common/math/rational.hpp"
+#include "common/exact/exact.hpp"
 #include "common/math/ulp.hpp"
 #include "common/measure/statistics.hpp"
 
