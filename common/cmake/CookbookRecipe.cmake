@@ -212,13 +212,13 @@ function(cookbook_test name)
   endif()
 endfunction()
 
-# A program of tests, from SOURCE; optimised a little only, unless it asks for accuracy.
+# A program of tests, from SOURCE; optimised a little only, unless COOKBOOK_OPTIMISED_TESTS names it.
 function(cookbook_test_program target source)
   add_executable(${target} ${source})
   target_link_libraries(${target} PRIVATE
     ${COOKBOOK_CHAPTER_TARGET} cookbook_exact cookbook_tools cookbook_test_main ${ARGN})
   cookbook_warnings(${target})
-  if(NOT target MATCHES "_accuracy_test$")
+  if(NOT target IN_LIST COOKBOOK_OPTIMISED_TESTS)
     cookbook_lightly(${target})
     target_precompile_headers(${target} REUSE_FROM cookbook_test_headers)
   endif()
