@@ -94,7 +94,7 @@ TEST_CASE("two worlds that were given one solver are what they are alone, for 50
     const std::string solver =
         solver_names()[static_cast<std::size_t>(seed) % solver_names().size()];
     CAPTURE(seed, solver);
-    const IslandSolver shared = solver_named(solver);
+    const WorldSolver shared = solver_named(solver);
     World alone(falling(seed), solver_named(solver));
     World one(falling(seed), shared), other(falling(seed + 50), shared);
     for (int i = 0; i < 120; ++i)

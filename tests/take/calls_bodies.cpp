@@ -340,7 +340,7 @@ int main()
       "wide_solver",
       [lanes = WideContacts()](IslandView view, const Island& island) mutable
       {
-        wide_steps(view, island, 1.0 / 60, SoftSettings{}, lanes);
+        wide_steps(view, {&island, 1}, 1.0 / 60, SoftSettings{}, lanes);
         return true;
       });
 #endif

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace cookbook
@@ -37,6 +38,26 @@ struct IslandView
 
 /// Moves the bodies of one island on by a step [s], and sets the impulses of its contacts.
 using IslandSolver = std::function<void(IslandView, const Island&, double)>;
+
+/// The same for any number of islands, none of which may feel that there are others.
+using WorldSolver = std::function<void(IslandView, std::span<const Island>, double)>;
+
+/// A solver that solves islands one after the other; none if there is none for one.
+inline WorldSolver one_by_one(IslandSolver solver)
+{
+  if (!solver)
+  {
+    return {};
+  }
+  return
+      [solver = std::move(solver)](IslandView world, std::span<const Island> islands, double step)
+  {
+    for (const Island& island : islands)
+    {
+      solver(world, island, step);
+    }
+  };
+}
 
 /// Finds what impulses at a point feel, with the bodies as they are turned now.
 inline void find_masses(IslandPoint& point)

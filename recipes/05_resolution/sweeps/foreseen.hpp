@@ -6,7 +6,6 @@
 #include "04_obb_manifolds/box_box/box_box.hpp"
 #include "05_resolution/contacts/broad_phase.hpp"
 #include "05_resolution/sweeps/box_on_course.hpp"
-#include "05_resolution/sweeps/free_flight.hpp"
 #include "05_resolution/sweeps/step_courses.hpp"
 #include "common/simd/registers.hpp"
 
@@ -74,10 +73,15 @@ inline bool is_for_sweep(const Scene& scene, const RigidBody& body, int i)
   return way > (body.round ? harmless_depth(thin) : 1.25 * thin);
 }
 
-/// A body as it would be after a step in which nothing pushes it, but for the fall of that step.
-inline RigidBody going_on(const Scene& scene, const RigidBody& body)
+/// A body where it would be after a step in which it goes and turns on as it does.
+inline RigidBody going_on(const Scene& scene, RigidBody body)
 {
-  return is_fixed(body) ? body : flown(body, Vector3<double>::Zero(), scene.step);
+  body.motion.center += way_on(scene, body);
+  if (!body.round && !is_fixed(body))
+  {
+    turn_by(body, scene.step * body.motion.angular_velocity);
+  }
+  return body;
 }
 
 /// The bounds of a body where it is, wider by half the margin [m] of contacts; and where it will be

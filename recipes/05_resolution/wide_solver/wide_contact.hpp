@@ -23,6 +23,7 @@ struct WideContact
   Body<Four> body_a;                     ///< the four bodies A, as far as a push changes them
   Body<Four> body_b;                     ///< the four bodies B
   Vector3<Four> across;                  ///< [1], world, a direction of each surface
+  Four correction_speed;                 ///< [m/s], no overlap is taken away faster
   std::size_t first;                     ///< the place of its first point
   std::size_t points;                    ///< how many there are: the most of any lane
 };
@@ -74,6 +75,49 @@ void set_lane(ContactConstraint<Four>& to, std::size_t lane, const ContactConstr
   to.coefficient.lanes[lane] = static_cast<float>(from.coefficient);
   to.apart.lanes[lane] = static_cast<float>(from.apart);
   to.impulse.lanes[lane] = static_cast<float>(from.impulse);
+}
+
+/// Puts a contact into a lane, but for its points.
+inline void put_contact(WideContact& four, std::size_t lane, WorldContact& contact)
+{
+  four.contacts[lane] = &contact;
+  four.a[lane] = contact.a;
+  four.b[lane] = contact.b;
+  set_lane(four.across, lane, contact.normal().unitOrthogonal());
+}
+
+/// Puts the points of four contacts into their lanes, their impulses as so large a share of a
+/// frame's.
+inline void put_points(
+    const WideContact& four, IslandView world, std::span<ContactConstraint<Four>> points,
+    double share)
+{
+  for (std::size_t lane = 0; lane < 4; ++lane)
+  {
+    std::size_t place = 0;
+    for (const WorldPoint& point : points_in(four, lane))
+    {
+      const WorldContact& contact = *four.contacts[lane];
+      const RigidBody& a = world.bodies[place_of(contact.a)];
+      const RigidBody& b = world.bodies[place_of(contact.b)];
+      ContactConstraint<double> at = constraint_of(a, b, contact, point);
+      at.impulse *= share;
+      at.friction *= share;
+      set_lane(points[place++], lane, at);
+    }
+  }
+}
+
+/// Takes the masses of four contacts' bodies, and finds what impulses at their points feel.
+inline void take_masses(
+    WideContact& four, std::span<LaneBody> bodies, std::span<ContactConstraint<Four>> points)
+{
+  gather_inverse_masses(bodies, four.a, four.body_a);
+  gather_inverse_masses(bodies, four.b, four.body_b);
+  for (ContactConstraint<Four>& at : points)
+  {
+    find_masses<Four>(at, four.body_a, four.body_b, four.across);
+  }
 }
 
 /// Takes what a point in one lane has been given, so many times.

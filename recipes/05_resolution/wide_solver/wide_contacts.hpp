@@ -1,9 +1,10 @@
 #pragma once
 
 /// \file
-/// \brief The contacts of an island, four side by side, colour by colour.
+/// \brief The contacts of islands, four side by side, colour by colour.
 
 #include "05_resolution/contact_graph/contact_graph.hpp"
+#include "05_resolution/wide_solver/islands_together.hpp"
 #include "05_resolution/wide_solver/wide_contact.hpp"
 
 #include <algorithm>
@@ -16,43 +17,57 @@ namespace cookbook
 {
 
 // [wide_contacts]
-/// The contacts of an island, and its bodies, as lanes.
+/// The contacts of islands, and their bodies, as lanes.
 class WideContacts
 {
 public:
-  /// Takes the contacts of an island, their impulses as they are for one of so many small steps.
-  void take(IslandView world, const Island& island, int substeps)
+  /// The islands whose contacts are taken.
+  IslandsTogether islands;
+
+  /// Takes the contacts of all islands, their impulses as they are for one of so many small steps.
+  void take(IslandView world, int substeps)
   {
-    color(world, island);
-    take_bodies(world, island);
+    color(world);
+    take_bodies(world);
     fours_.clear();
-    points_.clear();
+    make_room(fours_, islands.contacts().size() / 4 + std::size_t(graph_.colors()));
+    std::size_t points = 0;
     for (int color = 0; color < graph_.colors(); ++color)
     {
-      take_color(world, island, graph_[color], 1.0 / substeps);
+      points = take_color(world, graph_[color], points);
     }
-    find_masses(world, island);
+    make_room(points_, points);
+    points_.assign(points, no_point());
+    for (const WideContact& four : fours_)
+    {
+      put_points(four, world, points_of(four), 1.0 / substeps);
+    }
+    find_masses(world, [](const Island&) { return true; });
   }
 
-  /// What impulses feel, as the bodies are turned now.
-  void find_masses(IslandView world, const Island& island)
+  /// What impulses feel, as the bodies are turned now in those islands that `turned(island)` says.
+  template <class Turned>
+  void find_masses(IslandView world, const Turned& turned)
   {
-    for (const int i : island.bodies)
+    bool any = false;
+    for (const Island& island : islands.all())
     {
-      put_inverse_masses(world.bodies[place_of(i)], bodies_[place_of(i)]);
-    }
-    for (WideContact& four : fours_)
-    {
-      gather_inverse_masses(bodies_, four.a, four.body_a);
-      gather_inverse_masses(bodies_, four.b, four.body_b);
-      for (ContactConstraint<Four>& at : points_of(four))
+      if (turned(island))
       {
-        cookbook::find_masses<Four>(at, four.body_a, four.body_b, four.across);
+        any = true;
+        for (const int i : island.bodies)
+        {
+          put_inverse_masses(world.bodies[place_of(i)], body(i));
+        }
       }
     }
+    for (std::size_t i = 0; any && i < fours_.size(); ++i)
+    {
+      take_masses(fours_[i], bodies_, points_of(fours_[i]));
+    }
   }
 
-  /// Lets `look(a, b, at)` change every point, four at a time; their bodies stay as they are.
+  /// Lets `look(four, at)` change every point, four at a time; their bodies stay as they are.
   template <class Look>
   void look_at_each(const Look& look)
   {
@@ -62,7 +77,7 @@ public:
     }
   }
 
-  /// Lets `change(a, b, at)` change every point and its bodies, four at a time.
+  /// Lets `change(four, at)` change every point and its bodies, four at a time.
   template <class Change>
   void change_each(const Change& change)
   {
@@ -107,14 +122,14 @@ private:
     gather_motion(bodies_, four.b, four.body_b);
     for (ContactConstraint<Four>& at : points_of(four))
     {
-      look(four.body_a, four.body_b, at);
+      look(four, at);
     }
   }
 
-  void color(IslandView world, const Island& island)
+  void color(IslandView world)
   {
     pairs_.clear();
-    for (const int number : island.contacts)
+    for (const int number : islands.contacts())
     {
       const WorldContact& contact = world.contacts[place_of(number)];
       pairs_.emplace_back(contact.a, contact.b);
@@ -124,14 +139,11 @@ private:
   }
 
   /// Bodies have their places in the world; behind them is nobody, whom nothing moves.
-  void take_bodies(IslandView world, const Island& island)
+  void take_bodies(IslandView world)
   {
     bodies_.resize(world.bodies.size());
     bodies_.emplace_back();
-    for (const int i : island.bodies)
-    {
-      put_motion(world.bodies[place_of(i)], body(i));
-    }
+    islands.for_each_body([&](int i) { put_motion(world.bodies[place_of(i)], body(i)); });
     for (const auto& [a, b] : pairs_)
     {
       for (const int i : {a, b})
@@ -145,11 +157,12 @@ private:
     }
   }
 
-  /// Contacts with as many points come together, so that few lanes idle.
-  void take_color(IslandView world, const Island& island, std::span<const int> of, double scale)
+  /// Contacts with as many points come together, so that few lanes idle; how many points there are
+  /// with those of this colour.
+  std::size_t take_color(IslandView world, std::span<const int> of, std::size_t before)
   {
     const auto contact_of = [&](int pair) -> WorldContact&
-    { return world.contacts[place_of(island.contacts[place_of(pair)])]; };
+    { return world.contacts[place_of(islands.contacts()[place_of(pair)])]; };
     order_.assign(of.begin(), of.end());
     const auto points = [&](int pair) { return contact_of(pair).points().size(); };
     std::sort(
@@ -158,33 +171,17 @@ private:
     for (std::size_t i = 0; i < order_.size(); i += 4)
     {
       WideContact& four = fours_.emplace_back(no_contact(world.bodies.size()));
-      four.first = points_.size();
+      four.first = before;
       four.points = points(order_[i]);
-      points_.resize(four.first + four.points, no_point());
+      before += four.points;
       for (std::size_t lane = 0; lane < std::min<std::size_t>(4, order_.size() - i); ++lane)
       {
-        put_lane(world, four, lane, contact_of(order_[i + lane]), scale);
+        const int pair = order_[i + lane];
+        put_contact(four, lane, contact_of(pair));
+        four.correction_speed.lanes[lane] = islands.correction_speed(place_of(pair));
       }
     }
-  }
-
-  void put_lane(
-      IslandView world, WideContact& four, std::size_t lane, WorldContact& contact, double scale)
-  {
-    const RigidBody& a = world.bodies[place_of(contact.a)];
-    const RigidBody& b = world.bodies[place_of(contact.b)];
-    four.contacts[lane] = &contact;
-    four.a[lane] = contact.a;
-    four.b[lane] = contact.b;
-    set_lane(four.across, lane, contact.normal().unitOrthogonal());
-    std::size_t place = four.first;
-    for (const WorldPoint& point : contact.points())
-    {
-      ContactConstraint<double> at = constraint_of(a, b, contact, point);
-      at.impulse *= scale;
-      at.friction *= scale;
-      set_lane(points_[place++], lane, at);
-    }
+    return before;
   }
 
   ContactGraph graph_;

@@ -7,6 +7,7 @@
 #include "05_resolution/wide_solver/wide_contacts.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace cookbook
 {
@@ -34,38 +35,42 @@ inline bool fits_floats(IslandView world, const Island& island)
   return std::all_of(island.bodies.begin(), island.bodies.end(), fits);
 }
 
-/// Moves the bodies of an island on by a step [s], as soft_steps() does, four contacts at a time in
-/// float; R13, R16.
+/// Moves the bodies of islands on by a step [s], as soft_steps() does, four contacts at a time in
+/// float; R13, R16. The four may be of different islands: none feels that there are others.
 ///
 /// Contacts come colour by colour, so that the order differs from that of soft_steps(), and with it
 /// the answer; poses stay in double. What does not fit into floats is left to soft_steps(). `lanes`
 /// is kept from step to step for its room alone.
 inline void wide_steps(
-    IslandView world, const Island& island, double step, const SoftSettings& settings,
+    IslandView world, std::span<const Island> islands, double step, const SoftSettings& settings,
     WideContacts& lanes)
 {
-  if (!fits_floats(world, island))
+  lanes.islands.clear();
+  for (const Island& island : islands)
   {
-    return soft_steps(world, island, step, settings);
+    if (fits_floats(world, island))
+    {
+      lanes.islands.add(island, speed_of_correction(world, island, step, settings));
+    }
+    else
+    {
+      soft_steps(world, island, step, settings);
+    }
   }
   const double small = step / settings.substeps;
   const Softness<Four> spring = in_every_lane(spring_for(small, settings));
   const Four in_step(static_cast<float>(small));
-  const Four fastest(static_cast<float>(speed_of_correction(world, island, step, settings)));
-  const auto each_body = [&](const auto& change)
-  {
-    for (const int i : island.bodies)
-    {
-      change(world.bodies[place_of(i)], lanes.body(i));
-    }
+  const auto each_body = [&](const auto& change) {
+    lanes.islands.for_each_body([&](int i) { change(world.bodies[place_of(i)], lanes.body(i)); });
   };
   const auto correct_all = [&](const Softness<Four>& how)
   {
-    lanes.change_each([&](Body<Four>& a, Body<Four>& b, ContactConstraint<Four>& at)
-                      { correct<Four>(a, b, at, how, in_step, fastest); });
+    lanes.change_each(
+        [&](WideContact& of, ContactConstraint<Four>& at)
+        { correct<Four>(of.body_a, of.body_b, at, how, in_step, of.correction_speed); });
     each_body([](RigidBody& body, const LaneBody& lane) { take_motion(lane, body); });
   };
-  lanes.take(world, island, settings.substeps);
+  lanes.take(world, settings.substeps);
   for (int i = 0; i < settings.substeps; ++i)
   {
     each_body(
@@ -74,8 +79,8 @@ inline void wide_steps(
           body.motion.velocity += small * world.gravity;
           put_motion(body, lane);
         });
-    lanes.change_each([](Body<Four>& a, Body<Four>& b, ContactConstraint<Four>& at)
-                      { warm_start<Four>(a, b, at); });
+    lanes.change_each([](WideContact& of, ContactConstraint<Four>& at)
+                      { warm_start<Four>(of.body_a, of.body_b, at); });
     correct_all(spring);
     each_body(
         [&](RigidBody& body, LaneBody& lane)
@@ -83,12 +88,11 @@ inline void wide_steps(
           move(body, small);
           put_motion(body, lane);
         });
-    lanes.look_at_each([&](Body<Four>& a, Body<Four>& b, ContactConstraint<Four>& at)
-                       { at.apart += in_step * parting_speed<Four>(a, b, at); });
-    if (largest_turn(world, island, small) > noticed_turn)
-    {
-      lanes.find_masses(world, island);
-    }
+    lanes.look_at_each([&](WideContact& of, ContactConstraint<Four>& at)
+                       { at.apart += in_step * parting_speed<Four>(of.body_a, of.body_b, at); });
+    lanes.find_masses(
+        world,
+        [&](const Island& island) { return largest_turn(world, island, small) > noticed_turn; });
     correct_all(rigid<Four>());
   }
   lanes.store(settings.substeps);

@@ -17,7 +17,7 @@ namespace cookbook
 {
 
 // [solvers]
-COOKBOOK_WORLD_INLINE IslandSolver solver_named(const std::string& name, int substeps)
+COOKBOOK_WORLD_INLINE WorldSolver solver_named(const std::string& name, int substeps)
 {
   if (substeps < 0)
   {
@@ -26,24 +26,24 @@ COOKBOOK_WORLD_INLINE IslandSolver solver_named(const std::string& name, int sub
   const auto or_else = [&](int usual) { return substeps > 0 ? substeps : usual; };
   if (name == "direct")
   {
-    return DirectOrSoft(or_else(8));
+    return one_by_one(DirectOrSoft(or_else(8)));
   }
   if (name == "soft_steps")
   {
-    return [how = SoftSettings{.substeps = or_else(4)}](IslandView w, const Island& i, double h)
-    { soft_steps(w, i, h, how); };
+    const SoftSettings how{.substeps = or_else(4)};
+    return one_by_one([how](IslandView w, const Island& i, double h) { soft_steps(w, i, h, how); });
   }
   if (name == "wide_steps")
   {
     return [how = SoftSettings{.substeps = or_else(4)},
-            lanes = WideContacts()](IslandView w, const Island& i, double h) mutable
-    { wide_steps(w, i, h, how, lanes); };
+            lanes = WideContacts()](IslandView w, std::span<const Island> all, double h) mutable
+    { wide_steps(w, all, h, how, lanes); };
   }
   if (name == "sequential_impulses" || name == "cold_impulses")
   {
     const bool warm = name == "sequential_impulses";
-    return [how = SequentialSettings{.iterations = 8, .warm = warm},
-            n = or_else(1)](IslandView w, const Island& i, double h)
+    const SequentialSettings how{.iterations = 8, .warm = warm};
+    const auto steps = [how, n = or_else(1)](IslandView w, const Island& i, double h)
     {
       const auto scale = [&](double by)
       {
@@ -58,12 +58,13 @@ COOKBOOK_WORLD_INLINE IslandSolver solver_named(const std::string& name, int sub
       }
       scale(n);
     };
+    return one_by_one(steps);
   }
   if (name == "position_based")
   {
-    return
-        [how = PositionSettings{.substeps = or_else(20)}](IslandView w, const Island& i, double h)
-    { position_based(w, i, h, how); };
+    const PositionSettings how{.substeps = or_else(20)};
+    return one_by_one([how](IslandView w, const Island& i, double h)
+                      { position_based(w, i, h, how); });
   }
   std::string all;
   for (const std::string& one : solver_names())

@@ -21,6 +21,6 @@ inline std::vector<std::string> solver_names()
 /// A solver by name, with so many substeps, or what it takes itself if that is 0.
 ///
 /// std::invalid_argument if there is no such name, or the substeps are negative.
-COOKBOOK_WORLD_INLINE IslandSolver solver_named(const std::string& name, int substeps = 0);
+COOKBOOK_WORLD_INLINE WorldSolver solver_named(const std::string& name, int substeps = 0);
 
 } // namespace cookbook

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -30,8 +31,7 @@ class World
 {
 public:
   /// The scene as it starts; InvalidScene if it makes no sense, or if there is no solver.
-  World(const Scene& scene, IslandSolver solver, bool may_sleep = false)
-      : solver_(std::move(solver))
+  World(const Scene& scene, WorldSolver solver, bool may_sleep = false) : solver_(std::move(solver))
   {
     if (!solver_)
     {
@@ -43,6 +43,14 @@ public:
     {
       enter(body);
     }
+  }
+
+  /// The same with a solver of one island, an IslandSolver.
+  template <class Solver>
+  requires std::is_invocable_v<Solver&, IslandView, const Island&, double>
+  World(const Scene& scene, Solver solver, bool may_sleep = false)
+      : World(scene, one_by_one(std::move(solver)), may_sleep)
+  {
   }
 
   const Scene& scene() const { return state_.scene; }                    ///< what there is
@@ -154,7 +162,7 @@ private:
     }
   }
 
-  IslandSolver solver_;
+  WorldSolver solver_;
   WorldState state_;
 };
 // [world]

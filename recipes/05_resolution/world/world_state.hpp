@@ -46,6 +46,7 @@ struct WorldState
   std::vector<WorldContact> contacts;    ///< of the last step
   std::vector<WorldContact> begun;       ///< those that began with it
   Islands islands;                       ///< who hangs together
+  std::vector<Island> touching;          ///< those that are solved; empty between steps
   std::vector<IslandPoint> room;         ///< for the points of an island
   std::vector<Course> courses;           ///< of the last step, where it was swept
   std::vector<double> ways;              ///< [m], how far they led
@@ -59,6 +60,6 @@ inline bool is_still(const WorldState& world, int body)
 // [world_state]
 
 /// Goes on by one step of the scene.
-COOKBOOK_WORLD_INLINE void step(WorldState& world, const IslandSolver& solver);
+COOKBOOK_WORLD_INLINE void step(WorldState& world, const WorldSolver& solver);
 
 } // namespace cookbook

@@ -45,24 +45,44 @@ inline void fall_unless_pushed(WorldState& world, std::size_t i, bool touches)
   }
 }
 
-/// Moves an island: bounces, contacts; and what no contact has pushed flies on.
-inline void advance(WorldState& world, const Island& island, const IslandSolver& solver)
+/// Moves all islands that are awake: bounces, contacts; and what no contact has pushed flies on.
+inline void advance(WorldState& world, const WorldSolver& solver)
 {
   const IslandView view{world.bodies, world.contacts, world.scene.gravity, world.room};
-  const bool touches = !island.contacts.empty();
-  if (touches)
+  const auto for_each_awake = [&](const auto& call)
   {
-    simultaneous_impacts(view, island, world.scene.step);
-    for (const int i : island.bodies)
+    for (std::size_t i = 0; i < world.islands.size(); ++i)
     {
-      world.start[place_of(i)] = world.bodies[place_of(i)];
+      const Island island = world.islands[i];
+      if (!is_still(world, island.bodies.front()))
+      {
+        call(island, !island.contacts.empty());
+      }
     }
-    solver(view, island, world.scene.step);
-  }
-  for (const int i : island.bodies)
-  {
-    fall_unless_pushed(world, place_of(i), touches);
-  }
+  };
+  for_each_awake(
+      [&](const Island& island, bool touches)
+      {
+        if (touches)
+        {
+          simultaneous_impacts(view, island, world.scene.step);
+          world.touching.push_back(island);
+        }
+        for (const int i : island.bodies)
+        {
+          world.start[place_of(i)] = world.bodies[place_of(i)];
+        }
+      });
+  solver(view, world.touching, world.scene.step);
+  world.touching.clear();
+  for_each_awake(
+      [&](const Island& island, bool touches)
+      {
+        for (const int i : island.bodies)
+        {
+          fall_unless_pushed(world, place_of(i), touches);
+        }
+      });
 }
 
 /// Has bodies bounce off what they would have passed through, and wakes whom they hit.
@@ -106,7 +126,7 @@ inline void finish(WorldState& world, std::size_t i)
   }
 }
 
-COOKBOOK_WORLD_INLINE void step(WorldState& world, const IslandSolver& solver)
+COOKBOOK_WORLD_INLINE void step(WorldState& world, const WorldSolver& solver)
 {
   find_contacts(world);
   world.start = world.before = world.bodies;
@@ -116,14 +136,7 @@ COOKBOOK_WORLD_INLINE void step(WorldState& world, const IslandSolver& solver)
   {
     settle(world.sleep, world.islands.numbers(), SleepLimits<double>{});
   }
-  for (std::size_t i = 0; i < world.islands.size(); ++i)
-  {
-    const Island island = world.islands[i];
-    if (!is_still(world, island.bodies.front()))
-    {
-      advance(world, island, solver);
-    }
-  }
+  advance(world, solver);
   if (world.has_balls || may_have_fast_boxes(world.scene, world.start, world.bodies))
   {
     sweep(world);

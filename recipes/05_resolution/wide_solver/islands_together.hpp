@@ -1,0 +1,71 @@
+#pragma once
+
+/// \file
+/// \brief Islands that are solved together, and what is known of the contacts of each.
+
+#include "05_resolution/islands/island.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace cookbook
+{
+
+/// Room for so many, and for a quarter more where there has to be more than there was.
+template <class Type>
+void make_room(std::vector<Type>& all, std::size_t count)
+{
+  if (all.capacity() < count)
+  {
+    all.reserve(count + count / 4);
+  }
+}
+
+// [islands_together]
+/// Islands, and their contacts one after the other.
+class IslandsTogether
+{
+public:
+  /// Forgets all islands.
+  void clear()
+  {
+    islands_.clear();
+    contacts_.clear();
+    speeds_.clear();
+  }
+
+  /// Adds an island, and how fast [m/s] its overlaps are taken away.
+  void add(const Island& island, double correction_speed)
+  {
+    islands_.push_back(island);
+    contacts_.insert(contacts_.end(), island.contacts.begin(), island.contacts.end());
+    speeds_.resize(contacts_.size(), static_cast<float>(correction_speed));
+  }
+
+  /// Calls `call(body)` with the numbers of all bodies, island by island.
+  template <class Call>
+  void for_each_body(const Call& call) const
+  {
+    for (const Island& island : islands_)
+    {
+      for (const int body : island.bodies)
+      {
+        call(body);
+      }
+    }
+  }
+
+  std::span<const Island> all() const { return islands_; }    ///< as they were added
+  std::span<const int> contacts() const { return contacts_; } ///< the numbers of theirs
+  /// How fast [m/s] the overlap of a contact is taken away, by its place among all.
+  float correction_speed(std::size_t place) const { return speeds_[place]; }
+
+private:
+  std::vector<Island> islands_;
+  std::vector<int> contacts_;
+  std::vector<float> speeds_;
+};
+// [islands_together]
+
+} // namespace cookbook
