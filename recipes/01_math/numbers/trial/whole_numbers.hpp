@@ -6,6 +6,7 @@
 #include <gmpxx.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 namespace cookbook
@@ -31,14 +32,15 @@ Whole whole(Real x, int digits = all_digits<Real>())
   const Real fraction = std::frexp(x, &exponent);
   const Whole mantissa = static_cast<long>(std::ldexp(fraction, size));
   const int shift = exponent - size + digits;
-  return shift >= 0 ? Whole(mantissa << shift) : Whole(mantissa >> -shift);
+  const unsigned by = static_cast<unsigned>(std::abs(shift));
+  return shift >= 0 ? Whole(mantissa << by) : Whole(mantissa >> by);
 }
 // [whole]
 
 /// 2^exponent.
 inline Whole power_of_two(int exponent)
 {
-  return Whole(1) << exponent;
+  return Whole(1) << static_cast<unsigned>(exponent);
 }
 
 } // namespace cookbook
