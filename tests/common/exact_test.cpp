@@ -5,10 +5,13 @@
 
 #include "tests/catch.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 using namespace cookbook;
 
@@ -116,7 +119,8 @@ TEST_CASE("a copied number owes nothing to its original", "[exact]")
   Reference a = 2, b = a;
   a += 1;
   CHECK(b == 2);
-  b = b;
+  const Reference& itself = b;
+  b = itself;
   CHECK(b == 2);
   Rational c = 2, d = c;
   c += 1;
