@@ -8,7 +8,6 @@ namespace cookbook
 
 Reference::Reference()
 {
-  static_assert(digits >= 333);
   mpfr_custom_init(digits_, digits);
   mpfr_custom_init_set(value_, MPFR_ZERO_KIND, 0, digits, digits_);
 }

@@ -21,7 +21,7 @@ namespace cookbook
 class Reference
 {
 public:
-  static constexpr int digits = 6 * GMP_NUMB_BITS; ///< of two; 333 make a hundred of ten
+  static constexpr int digits = 384; ///< of two; 333 make a hundred of ten
 
   Reference(); ///< zero
 

@@ -46,7 +46,7 @@ struct WorldState
   std::vector<WorldContact> contacts;    ///< of the last step
   std::vector<WorldContact> begun;       ///< those that began with it
   Islands islands;                       ///< who hangs together
-  std::vector<Island> touching;          ///< those that are solved; empty between steps
+  std::vector<Island> touching;          ///< those that a step gives to the solver
   std::vector<IslandPoint> room;         ///< for the points of an island
   std::vector<Course> courses;           ///< of the last step, where it was swept
   std::vector<double> ways;              ///< [m], how far they led

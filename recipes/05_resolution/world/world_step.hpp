@@ -49,6 +49,7 @@ inline void fall_unless_pushed(WorldState& world, std::size_t i, bool touches)
 inline void advance(WorldState& world, const WorldSolver& solver)
 {
   const IslandView view{world.bodies, world.contacts, world.scene.gravity, world.room};
+  world.touching.clear();
   const auto for_each_awake = [&](const auto& call)
   {
     for (std::size_t i = 0; i < world.islands.size(); ++i)
@@ -74,7 +75,6 @@ inline void advance(WorldState& world, const WorldSolver& solver)
         }
       });
   solver(view, world.touching, world.scene.step);
-  world.touching.clear();
   for_each_awake(
       [&](const Island& island, bool touches)
       {
