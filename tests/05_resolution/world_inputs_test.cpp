@@ -10,6 +10,8 @@
 
 #include <limits>
 #include <numbers>
+#include <span>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -71,6 +73,25 @@ TEST_CASE("a body that is put in while others sleep wakes whom it hits only, and
     world.step();
   }
   CHECK(world.bodies()[6].motion.center.y() == Catch::Approx(3.5).margin(1e-6));
+}
+
+TEST_CASE("a world whose solver has thrown once goes on, and gives each island once")
+{
+  int calls = 0;
+  std::size_t islands = 0;
+  const WorldSolver solver = [&](IslandView, std::span<const Island> all, double)
+  {
+    islands = all.size();
+    if (++calls == 2)
+    {
+      throw std::runtime_error("not today");
+    }
+  };
+  World world(named_scene("floor_4"), solver);
+  world.step();
+  CHECK_THROWS_AS(world.step(), std::runtime_error);
+  world.step();
+  CHECK(islands == 4);
 }
 
 TEST_CASE("who uses a world badly is told by name, and nothing changes")
