@@ -1,6 +1,5 @@
 #include "common/exact/rational.hpp"
-
-#include <mpfr.h>
+#include "common/exact/reference.hpp"
 
 #include <cmath>
 #include <memory>
@@ -10,25 +9,6 @@
 
 namespace cookbook
 {
-namespace
-{
-
-/// A fraction to 200 digits of two, which then are rounded to those of a float or double.
-struct Rounded
-{
-  explicit Rounded(mpq_srcptr fraction)
-  {
-    mpfr_init2(value, 200);
-    mpfr_set_q(value, fraction, MPFR_RNDN);
-  }
-  Rounded(const Rounded&) = delete;
-  Rounded& operator=(const Rounded&) = delete;
-  ~Rounded() { mpfr_clear(value); }
-
-  mpfr_t value;
-};
-
-} // namespace
 
 Rational::Rational()
 {
@@ -88,49 +68,50 @@ Rational::~Rational()
 
 Rational::operator float() const
 {
-  return mpfr_get_flt(Rounded(value_).value, MPFR_RNDN);
+  return static_cast<float>(Reference(*this));
 }
 
 Rational::operator double() const
 {
-  return mpfr_get_d(Rounded(value_).value, MPFR_RNDN);
+  return static_cast<double>(Reference(*this));
 }
 
 Rational::operator long double() const
 {
-  return mpfr_get_ld(Rounded(value_).value, MPFR_RNDN);
+  return static_cast<long double>(Reference(*this));
+}
+
+/// What one of GMP's functions makes of two fractions.
+template <class Function>
+Rational Rational::of(Function function, const Rational& a, const Rational& b)
+{
+  Rational result;
+  function(result.value_, a.value_, b.value_);
+  return result;
 }
 
 Rational operator+(const Rational& a, const Rational& b)
 {
-  Rational sum;
-  mpq_add(sum.value_, a.value_, b.value_);
-  return sum;
+  return Rational::of(mpq_add, a, b);
 }
 
 Rational operator-(const Rational& a, const Rational& b)
 {
-  Rational difference;
-  mpq_sub(difference.value_, a.value_, b.value_);
-  return difference;
+  return Rational::of(mpq_sub, a, b);
 }
 
 Rational operator*(const Rational& a, const Rational& b)
 {
-  Rational product;
-  mpq_mul(product.value_, a.value_, b.value_);
-  return product;
+  return Rational::of(mpq_mul, a, b);
 }
 
 Rational operator/(const Rational& a, const Rational& b)
 {
-  if (mpq_sgn(b.value_) == 0)
+  if (b.sign() == 0)
   {
     throw std::domain_error("a fraction divided by zero");
   }
-  Rational quotient;
-  mpq_div(quotient.value_, a.value_, b.value_);
-  return quotient;
+  return Rational::of(mpq_div, a, b);
 }
 
 std::ostream& operator<<(std::ostream& out, const Rational& a)

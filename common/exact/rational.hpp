@@ -80,32 +80,30 @@ public:
   mpq_srcptr value() const { return value_; }
 
 private:
+  template <class Function>
+  static Rational of(Function function, const Rational& a, const Rational& b);
+
   mpq_t value_;
 };
 
-} // namespace cookbook
-
-/// What Eigen asks of a number.
-template <>
-struct Eigen::NumTraits<cookbook::Rational> : Eigen::GenericNumTraits<cookbook::Rational>
+/// What Eigen asks of a number with a sign that takes long to compute with.
+template <class Number>
+struct SlowNumTraits : Eigen::GenericNumTraits<Number>
 {
-  using Real = cookbook::Rational;
-  using NonInteger = cookbook::Rational;
-  using Literal = cookbook::Rational;
-  using Nested = cookbook::Rational;
-
   enum
   {
-    IsComplex = 0,
-    IsInteger = 0,
     IsSigned = 1,
-    RequireInitialization = 1,
     ReadCost = 10,
     AddCost = 100,
     MulCost = 100
   };
+};
 
-  static Real epsilon() { return 0; }
-  static Real dummy_precision() { return 0; }
+} // namespace cookbook
+
+/// Fractions in Eigen's matrices; they have no digits to count.
+template <>
+struct Eigen::NumTraits<cookbook::Rational> : cookbook::SlowNumTraits<cookbook::Rational>
+{
   static int digits10() { return 0; }
 };

@@ -33,38 +33,38 @@ Reference& Reference::operator=(const Reference& other)
   return *this;
 }
 
+/// What one of MPFR's functions makes of numbers, rounded once.
+template <class Function, class... Numbers>
+Reference Reference::of(Function function, const Numbers&... numbers)
+{
+  Reference result;
+  function(result.value_, numbers.value_..., MPFR_RNDN);
+  return result;
+}
+
 Reference operator+(const Reference& a, const Reference& b)
 {
-  Reference sum;
-  mpfr_add(sum.value_, a.value_, b.value_, MPFR_RNDN);
-  return sum;
+  return Reference::of(mpfr_add, a, b);
 }
 
 Reference operator-(const Reference& a, const Reference& b)
 {
-  Reference difference;
-  mpfr_sub(difference.value_, a.value_, b.value_, MPFR_RNDN);
-  return difference;
+  return Reference::of(mpfr_sub, a, b);
 }
 
 Reference operator*(const Reference& a, const Reference& b)
 {
-  Reference product;
-  mpfr_mul(product.value_, a.value_, b.value_, MPFR_RNDN);
-  return product;
+  return Reference::of(mpfr_mul, a, b);
 }
 
 Reference operator/(const Reference& a, const Reference& b)
 {
-  Reference quotient;
-  mpfr_div(quotient.value_, a.value_, b.value_, MPFR_RNDN);
-  return quotient;
+  return Reference::of(mpfr_div, a, b);
 }
 
-Reference operator-(Reference a)
+Reference operator-(const Reference& a)
 {
-  mpfr_neg(a.value_, a.value_, MPFR_RNDN);
-  return a;
+  return Reference::of(mpfr_neg, a);
 }
 
 std::partial_ordering operator<=>(const Reference& a, const Reference& b)
@@ -73,40 +73,36 @@ std::partial_ordering operator<=>(const Reference& a, const Reference& b)
                                                    : mpfr_cmp(a.value_, b.value_) <=> 0;
 }
 
-Reference abs(Reference a)
+Reference abs(const Reference& a)
 {
-  mpfr_abs(a.value_, a.value_, MPFR_RNDN);
-  return a;
+  return Reference::of(mpfr_abs, a);
 }
 
-Reference sqrt(Reference a)
+Reference sqrt(const Reference& a)
 {
-  mpfr_sqrt(a.value_, a.value_, MPFR_RNDN);
-  return a;
+  return Reference::of(mpfr_sqrt, a);
 }
 
-Reference sin(Reference angle)
+Reference sin(const Reference& angle)
 {
-  mpfr_sin(angle.value_, angle.value_, MPFR_RNDN);
-  return angle;
+  return Reference::of(mpfr_sin, angle);
 }
 
-Reference cos(Reference angle)
+Reference cos(const Reference& angle)
 {
-  mpfr_cos(angle.value_, angle.value_, MPFR_RNDN);
-  return angle;
+  return Reference::of(mpfr_cos, angle);
 }
 
-Reference atan2(Reference y, const Reference& x)
+Reference atan2(const Reference& y, const Reference& x)
 {
-  mpfr_atan2(y.value_, y.value_, x.value_, MPFR_RNDN);
-  return y;
+  return Reference::of(mpfr_atan2, y, x);
 }
 
-Reference ldexp(Reference a, int exponent)
+Reference ldexp(const Reference& a, int exponent)
 {
-  mpfr_mul_2si(a.value_, a.value_, exponent, MPFR_RNDN);
-  return a;
+  Reference result;
+  mpfr_mul_2si(result.value_, a.value_, exponent, MPFR_RNDN);
+  return result;
 }
 
 int ilogb(const Reference& a)

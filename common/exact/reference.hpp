@@ -55,25 +55,28 @@ public:
   friend Reference operator-(const Reference& a, const Reference& b);
   friend Reference operator*(const Reference& a, const Reference& b);
   friend Reference operator/(const Reference& a, const Reference& b);
-  friend Reference operator-(Reference a);
+  friend Reference operator-(const Reference& a);
   friend bool operator==(const Reference& a, const Reference& b)
   {
     return mpfr_equal_p(a.value_, b.value_) != 0;
   }
   friend std::partial_ordering operator<=>(const Reference& a, const Reference& b);
 
-  friend Reference abs(Reference a);
-  friend Reference sqrt(Reference a);
-  friend Reference sin(Reference angle);
-  friend Reference cos(Reference angle);
-  friend Reference atan2(Reference y, const Reference& x);
-  friend Reference ldexp(Reference a, int exponent);
+  friend Reference abs(const Reference& a);
+  friend Reference sqrt(const Reference& a);
+  friend Reference sin(const Reference& angle);
+  friend Reference cos(const Reference& angle);
+  friend Reference atan2(const Reference& y, const Reference& x);
+  friend Reference ldexp(const Reference& a, int exponent);
   friend int ilogb(const Reference& a);
 
   /// Written with 17 digits.
   friend std::ostream& operator<<(std::ostream& out, const Reference& a);
 
 private:
+  template <class Function, class... Numbers>
+  static Reference of(Function function, const Numbers&... numbers);
+
   mp_limb_t digits_[digits / GMP_NUMB_BITS]; // in place, for there are many numbers
   mpfr_t value_;
 };
@@ -104,25 +107,8 @@ struct std::numeric_limits<cookbook::Reference>
   static cookbook::Reference quiet_NaN() { return std::numeric_limits<double>::quiet_NaN(); }
 };
 
-/// What Eigen asks of a number.
+/// Numbers of a hundred digits in Eigen's matrices.
 template <>
-struct Eigen::NumTraits<cookbook::Reference> : Eigen::GenericNumTraits<cookbook::Reference>
+struct Eigen::NumTraits<cookbook::Reference> : cookbook::SlowNumTraits<cookbook::Reference>
 {
-  using Real = cookbook::Reference;
-  using NonInteger = cookbook::Reference;
-  using Literal = cookbook::Reference;
-  using Nested = cookbook::Reference;
-
-  enum
-  {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 1,
-    ReadCost = 10,
-    AddCost = 100,
-    MulCost = 100
-  };
-
-  static Real dummy_precision() { return 1e-90; }
 };

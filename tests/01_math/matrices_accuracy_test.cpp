@@ -59,7 +59,8 @@ struct Known
 };
 
 /// The permanent of what is left of a matrix without a row and a column; its determinant too.
-inline std::pair<Reference, Reference> left_of(const SquareMatrix<Reference, 4>& m, int row, int column)
+inline std::pair<Reference, Reference>
+left_of(const SquareMatrix<Reference, 4>& m, int row, int column)
 {
   Matrix3<Reference> left;
   for (int i = 0; i < 9; ++i)
@@ -79,7 +80,8 @@ inline std::pair<Reference, Reference> left_of(const SquareMatrix<Reference, 4>&
   return {determinant, permanent};
 }
 
-inline std::pair<Reference, Reference> left_of(const SquareMatrix<Reference, 3>& m, int row, int column)
+inline std::pair<Reference, Reference>
+left_of(const SquareMatrix<Reference, 3>& m, int row, int column)
 {
   const int i = row == 0, j = row == 2 ? 1 : 2, k = column == 0, l = column == 2 ? 1 : 2;
   const Reference plus = m(i, k) * m(j, l), minus = m(i, l) * m(j, k);
@@ -119,7 +121,8 @@ double worst_of()
 {
   using Limits = std::numeric_limits<Real>;
   WholeRange<Real> random;
-  const Reference u = Reference(Limits::epsilon()) / 2, few = Reference(std::ldexp(1.0, Limits::digits / 4));
+  const Reference u = Reference(Limits::epsilon()) / 2,
+                  few = Reference(std::ldexp(1.0, Limits::digits / 4));
   const Reference least = Limits::denorm_min(), most = Limits::max();
   Reference worst = 0;
   for (int i = 0; i < random_inputs; ++i)

@@ -476,7 +476,8 @@ TEST_CASE("each way to wrap an angle holds or fails as the table says", "[case:A
 // [wrap]
 
 // [degrees_of_radians]
-TEST_CASE("half a turn is 180° by the nearest float to 180 / π, 179.99992° as published", "[case:X38]")
+TEST_CASE(
+    "half a turn is 180° by the nearest float to 180 / π, 179.99992° as published", "[case:X38]")
 {
   const float half_turn = 3.14159265f;
   CHECK(half_turn * 57.2957795f == 180);

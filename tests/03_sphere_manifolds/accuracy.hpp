@@ -4,8 +4,8 @@
 
 #include "02_primitives/shapes/shapes.hpp"
 #include "03_sphere_manifolds/manifold/manifold.hpp"
-#include "common/math/norm.hpp"
 #include "common/exact/exact.hpp"
+#include "common/math/norm.hpp"
 #include "common/math/ulp.hpp"
 
 #include "tests/catch.hpp"

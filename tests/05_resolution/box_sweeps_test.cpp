@@ -91,7 +91,7 @@ Shot shot(BoxDraw& draw, Flight flight, Wall kind)
   box.friction = draw.between(0, 1);
   if (!slides)
   {
-    box.orientation = any_turn(draw);
+    box.orientation = Quaternion<double>(draw.rotation());
   }
   if (flight == Flight::spins)
   {
@@ -201,7 +201,7 @@ void boxes_meet(int tries, int steps_after)
       SceneBody box = box_body(side < 0 ? "left" : "right", half, {side * 1.5, 0, 0});
       box.mass = evenly(draw, 0.01, 100);
       box.velocity = {-side * evenly(draw, 10, 1000), 0, 0};
-      box.orientation = any_turn(draw);
+      box.orientation = Quaternion<double>(draw.rotation());
       box.angular_velocity = spin_of(draw);
       box.restitution = draw.between(0, 1);
       scene.bodies.push_back(box);
@@ -367,7 +367,7 @@ TEST_CASE("300 boxes of 1 mm to 20 cm thrown into a corner of three planes stay 
         evenly(draw, 0.0005, 0.1), evenly(draw, 0.0005, 0.1), evenly(draw, 0.0005, 0.1)};
     SceneBody box = box_body("box", half, draw.vector(0.5, 1));
     box.velocity = -evenly(draw, 1, 1000) * box.position.normalized();
-    box.orientation = any_turn(draw);
+    box.orientation = Quaternion<double>(draw.rotation());
     box.angular_velocity = spin_of(draw);
     box.restitution = draw.whole(2) * draw.between(0, 1);
     scene.bodies.push_back(box);
@@ -426,7 +426,7 @@ TEST_CASE("500 plates of 1 to 5 mm at 1 to 1,000 m/s pass no wall of 1 to 5 mm, 
         box_body("wall", {evenly(draw, 0.0005, 0.0025), 50, 50}, away, 0),
         box_body("plate", half, away - Vector3<double>(draw.between(1, 3), 0, 0))};
     scene.bodies[2].velocity = {evenly(draw, 1, 1000), draw.between(-1, 1), 0};
-    scene.bodies[2].orientation = any_turn(draw);
+    scene.bodies[2].orientation = Quaternion<double>(draw.rotation());
     scene.bodies[2].angular_velocity = spin_of(draw);
     scene.bodies[2].restitution = draw.whole(2) * 0.5;
     CAPTURE(i);

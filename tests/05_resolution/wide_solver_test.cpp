@@ -193,7 +193,7 @@ void colored_soft_steps(IslandView world, const Island& island, double step)
   std::vector<std::pair<int, int>> pairs;
   for (const int number : island.contacts)
   {
-    pairs.emplace_back(world.contacts[place_of(number)].a, world.contacts[place_of(number)].b);
+    pairs.push_back(pair_of(world.contacts[place_of(number)]));
   }
   ContactGraph graph;
   graph.color(

@@ -1,8 +1,8 @@
 /// \file
 /// What holds for the shared mathematics.
 
-#include "common/math/norm.hpp"
 #include "common/exact/exact.hpp"
+#include "common/math/norm.hpp"
 #include "common/math/rotation.hpp"
 #include "common/math/ulp.hpp"
 #include "common/math/wide.hpp"

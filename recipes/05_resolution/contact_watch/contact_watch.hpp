@@ -31,7 +31,7 @@ public:
     {
       if (presses(contact))
       {
-        now_.emplace_back(contact.a, contact.b);
+        now_.push_back(pair_of(contact));
       }
     }
     begun_.clear();

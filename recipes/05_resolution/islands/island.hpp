@@ -35,7 +35,7 @@ public:
     pairs_.clear();
     for (const WorldContact& contact : contacts)
     {
-      pairs_.emplace_back(contact.a, contact.b);
+      pairs_.push_back(pair_of(contact));
     }
     find_islands(
         numbers_, [&](int i) { return !is_fixed(bodies[place_of(i)]); }, pairs_);

@@ -77,12 +77,14 @@ void set_lane(ContactConstraint<Four>& to, std::size_t lane, const ContactConstr
   to.impulse.lanes[lane] = static_cast<float>(from.impulse);
 }
 
-/// Puts a contact into a lane, but for its points.
-inline void put_contact(WideContact& four, std::size_t lane, WorldContact& contact)
+/// Puts a contact into a lane, but for its points, and how fast [m/s] its overlap is taken away.
+inline void
+put_contact(WideContact& four, std::size_t lane, WorldContact& contact, float correction_speed)
 {
   four.contacts[lane] = &contact;
   four.a[lane] = contact.a;
   four.b[lane] = contact.b;
+  four.correction_speed.lanes[lane] = correction_speed;
   set_lane(four.across, lane, contact.normal().unitOrthogonal());
 }
 

@@ -61,9 +61,12 @@ public:
         }
       }
     }
-    for (std::size_t i = 0; any && i < fours_.size(); ++i)
+    if (any)
     {
-      take_masses(fours_[i], bodies_, points_of(fours_[i]));
+      for (WideContact& four : fours_)
+      {
+        take_masses(four, bodies_, points_of(four));
+      }
     }
   }
 
@@ -131,8 +134,7 @@ private:
     pairs_.clear();
     for (const int number : islands.contacts())
     {
-      const WorldContact& contact = world.contacts[place_of(number)];
-      pairs_.emplace_back(contact.a, contact.b);
+      pairs_.push_back(pair_of(world.contacts[place_of(number)]));
     }
     graph_.color(
         world.bodies.size(), pairs_, [&](int i) { return !is_fixed(world.bodies[place_of(i)]); });
@@ -177,8 +179,7 @@ private:
       for (std::size_t lane = 0; lane < std::min<std::size_t>(4, order_.size() - i); ++lane)
       {
         const int pair = order_[i + lane];
-        put_contact(four, lane, contact_of(pair));
-        four.correction_speed.lanes[lane] = islands.correction_speed(place_of(pair));
+        put_contact(four, lane, contact_of(pair), islands.correction_speed(place_of(pair)));
       }
     }
     return before;

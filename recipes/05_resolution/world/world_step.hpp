@@ -68,10 +68,10 @@ inline void advance(WorldState& world, const WorldSolver& solver)
         {
           simultaneous_impacts(view, island, world.scene.step);
           world.touching.push_back(island);
-        }
-        for (const int i : island.bodies)
-        {
-          world.start[place_of(i)] = world.bodies[place_of(i)];
+          for (const int i : island.bodies)
+          {
+            world.start[place_of(i)] = world.bodies[place_of(i)];
+          }
         }
       });
   solver(view, world.touching, world.scene.step);

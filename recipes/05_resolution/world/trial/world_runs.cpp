@@ -80,7 +80,7 @@ std::vector<std::pair<int, int>> touching_pairs(const Scene& scene)
   std::vector<std::pair<int, int>> pairs;
   for (const WorldContact& contact : world.contacts())
   {
-    pairs.emplace_back(contact.a, contact.b);
+    pairs.push_back(pair_of(contact));
   }
   return pairs;
 }
