@@ -3,7 +3,7 @@
 /// \file
 /// \brief Whether two turned boxes overlap, by the axes that may part them.
 
-#include "02_primitives/shape_bounds/box_shadow.hpp"
+#include "02_primitives/boxes_overlap/box_axes.hpp"
 
 #include <limits>
 
@@ -11,27 +11,29 @@ namespace cookbook
 {
 
 // [boxes_overlap]
-/// Whether the shadows of two boxes on an axis leave no gap that is more than rounding.
-///
-/// The axis may have any length up to 1: all shadows shrink with it. What rounding may do does not:
-/// of nearly parallel edges, the cross product is little but rounding, and must not part boxes.
+/// What rounding may do to the shadows [m] of two boxes on an axis that is no longer than 1.
 template <class Real>
-bool shadows_overlap(const Obb<Real>& a, const Obb<Real>& b, const Vector3<Real>& axis)
+Real shadow_rounding(const RelativeBoxes<Real>& boxes)
 {
-  using std::abs;
-  const Vector3<Real> offset = b.center - a.center;
-  const Real sizes = offset.template lpNorm<1>() + a.half_extents.sum() + b.half_extents.sum();
-  const Real rounding = 8 * Real(std::numeric_limits<Real>::epsilon()) * sizes;
-  return abs(offset.dot(axis)) <= box_radius(a, axis) + box_radius(b, axis) + rounding;
+  return 8 * Real(std::numeric_limits<Real>::epsilon()) *
+         (boxes.offset.template lpNorm<1>() + boxes.half_a.sum() + boxes.half_b.sum());
+}
+
+/// Whether the shadows of two boxes on an axis leave no gap that is more than rounding.
+template <class Real>
+bool shadows_overlap(const AxisOverlap<Real>& on_axis, const Real& rounding)
+{
+  return on_axis.overlap >= -rounding;
 }
 
 /// Whether the faces of two boxes let them overlap: three axes of each. If not, they are apart.
 template <class Real>
-bool faces_overlap(const Obb<Real>& a, const Obb<Real>& b)
+bool faces_overlap(const RelativeBoxes<Real>& boxes, const Real& rounding)
 {
   for (int i = 0; i < 3; ++i)
   {
-    if (!shadows_overlap<Real>(a, b, a.axes.col(i)) || !shadows_overlap<Real>(a, b, b.axes.col(i)))
+    if (!shadows_overlap(face_axis_of_a(boxes, i), rounding) ||
+        !shadows_overlap(face_axis_of_b(boxes, i), rounding))
     {
       return false;
     }
@@ -39,20 +41,33 @@ bool faces_overlap(const Obb<Real>& a, const Obb<Real>& b)
   return true;
 }
 
+/// The same for two boxes in the world.
+template <class Real>
+bool faces_overlap(const Obb<Real>& a, const Obb<Real>& b)
+{
+  const RelativeBoxes<Real> boxes = relative_boxes(a, b);
+  return faces_overlap(boxes, shadow_rounding(boxes));
+}
+
 /// Whether two boxes overlap: by their faces, and by nine axes that are square to an edge of each.
 /// Touching to rounding counts.
 template <class Real>
 bool boxes_overlap(const Obb<Real>& a, const Obb<Real>& b)
 {
-  if (!faces_overlap(a, b))
+  const RelativeBoxes<Real> boxes = relative_boxes(a, b);
+  const Real rounding = shadow_rounding(boxes);
+  if (!faces_overlap(boxes, rounding))
   {
     return false;
   }
-  for (int i = 0; i < 9; ++i)
+  for (int i = 0; i < 3; ++i)
   {
-    if (!shadows_overlap<Real>(a, b, a.axes.col(i / 3).cross(b.axes.col(i % 3))))
+    for (int j = 0; j < 3; ++j)
     {
-      return false;
+      if (!shadows_overlap(edge_axis(boxes, i, j), rounding))
+      {
+        return false;
+      }
     }
   }
   return true;

@@ -80,7 +80,7 @@ Nearest<Real> nearest_on_triangle(const Vector3<Real>* corners, int i, int j, in
   const bool over_face =
       squared > Real(0) && inside.x() > Real(0) && inside.y() > Real(0) && inside.z() > Real(0);
   const bool is_thin = !(squared > thin_squared_sine<Real> * ab.squaredNorm() * ca.squaredNorm());
-  Nearest<Real> nearest{Vector<Real, 4>::Zero(), Vector3<Real>::Zero()};
+  Nearest<Real> nearest{Vector<Real, 4>::Zero(), a};
   if (over_face)
   {
     const Vector3<Real> shares = inside / inside.sum();
@@ -95,10 +95,22 @@ Nearest<Real> nearest_on_triangle(const Vector3<Real>* corners, int i, int j, in
       return nearest;
     }
   }
-  Nearest<Real> edge = nearest_on_segment(corners, i, j);
-  edge = closer_of(edge, nearest_on_segment(corners, j, k));
-  edge = closer_of(edge, nearest_on_segment(corners, k, i));
-  return over_face ? closer_of(nearest, edge) : edge;
+  else
+  {
+    nearest.shares[i] = Real(1);
+  }
+  // The closest point lies on an edge that the origin is beyond; of a thin triangle on any.
+  const auto ask = [&](const Real& how_far_inside, int from, int to)
+  {
+    if (is_thin || !(how_far_inside > Real(0)))
+    {
+      nearest = closer_of(nearest, nearest_on_segment(corners, from, to));
+    }
+  };
+  ask(inside.z(), i, j);
+  ask(inside.x(), j, k);
+  ask(inside.y(), k, i);
+  return nearest;
 }
 // [nearest_on_triangle]
 

@@ -4,9 +4,9 @@
 /// \brief The manifold of two boxes that remembers the frame before: its axis, its points, and what
 /// was known of each.
 
+#include "02_primitives/boxes_overlap/box_axes.hpp"
 #include "04_obb_manifolds/box_box/box_box.hpp"
 #include "04_obb_manifolds/feature_memory/contact_memory.hpp"
-#include "04_obb_manifolds/separating_axes/box_axes.hpp"
 
 #include <cmath>
 #include <utility>

@@ -3,7 +3,7 @@
 /// \file
 /// \brief All differences of a point of A and a point of B, by their farthest points alone.
 
-#include "04_obb_manifolds/separating_axes/box_axes.hpp"
+#include "02_primitives/boxes_overlap/box_axes.hpp"
 
 namespace cookbook
 {

@@ -3,7 +3,7 @@
 /// \file
 /// \brief The separating-axis test of two boxes: whether they overlap, which way, and how deep.
 
-#include "04_obb_manifolds/separating_axes/box_axes.hpp"
+#include "02_primitives/boxes_overlap/box_axes.hpp"
 #include "common/math/norm.hpp"
 
 #include <optional>

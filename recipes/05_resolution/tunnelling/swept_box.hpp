@@ -3,7 +3,7 @@
 /// \file
 /// \brief When two boxes that move and turn first touch.
 
-#include "04_obb_manifolds/separating_axes/box_axes.hpp"
+#include "02_primitives/boxes_overlap/box_axes.hpp"
 #include "05_resolution/tunnelling/swept_sphere.hpp"
 #include "common/math/norm.hpp"
 

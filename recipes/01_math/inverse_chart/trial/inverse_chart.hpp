@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <limits>
 #include <random>
@@ -25,24 +26,22 @@
 namespace cookbook
 {
 
-/// A way to invert that is timed, by name.
+/// A way to invert that is timed, by name, built into a loop.
 template <int Size>
 struct TimedInverse
 {
   using M = SquareMatrix<double, Size>;                       ///< what it inverts
   std::string name;                                           ///< as on the chart
-  M (*invert)(const M&);                                      ///< the way
-  void (*invert_all)(const std::vector<M>&, std::vector<M>&); ///< the way built into a loop
+  void (*invert_all)(const std::vector<M>&, std::vector<M>&); ///< into as many answers
 };
 
-/// A way, and the loop that it is built into.
+/// A way to invert one matrix, built into a loop.
 template <int Size, class Invert>
 TimedInverse<Size> timed_inverse(const std::string& name, Invert)
 {
   using M = SquareMatrix<double, Size>;
   return {
-      name, [](const M& m) -> M { return Invert()(m); },
-      [](const std::vector<M>& all, std::vector<M>& answers)
+      name, [](const std::vector<M>& all, std::vector<M>& answers)
       {
         for (std::size_t i = 0; i < all.size(); ++i)
         {
@@ -57,12 +56,14 @@ template <int Size>
 std::vector<TimedInverse<Size>> timed_inverses()
 {
   using M = SquareMatrix<double, Size>;
+  static const M singular = M::Constant(std::numeric_limits<double>::quiet_NaN());
   const auto way = [](const std::string& name, auto invert)
   { return timed_inverse<Size>(name, invert); };
   return {
       way("Eigen inverse", [](const M& m) -> M { return m.inverse(); }),
-      way("PartialPivLU", [](const M& m) -> M { return m.partialPivLu().inverse(); }),
-      way("FullPivLU", [](const M& m) -> M { return m.fullPivLu().inverse(); }),
+      way("PartialPivLU", [](const M& m) -> M { return partial_lu_inverse<double, Size>(m); }),
+      way("FullPivLU",
+          [](const M& m) -> M { return full_lu_inverse<double, Size>(m).value_or(singular); }),
 #ifdef COOKBOOK_HAS_GLM
       way("GLM",
           [](const M& m) -> M
@@ -77,11 +78,7 @@ std::vector<TimedInverse<Size>> timed_inverses()
 #endif
       way("adjugate", [](const M& m) -> M { return adjugate_inverse<double, Size>(m); }),
       way("recommended",
-          [](const M& m) -> M
-          {
-            return inverse<double, Size>(m).value_or(
-                M::Constant(std::numeric_limits<double>::quiet_NaN()));
-          })};
+          [](const M& m) -> M { return inverse<double, Size>(m).value_or(singular); })};
 }
 // [timed_inverses]
 
@@ -129,9 +126,11 @@ measure::ErrorStatistics inverse_errors(
 {
   using Exact = SquareMatrix<Rational, Size>;
   std::vector<double> errors;
-  for (const SquareMatrix<double, Size>& m : matrices)
+  std::vector<SquareMatrix<double, Size>> answers(matrices.size());
+  way.invert_all(matrices, answers);
+  for (std::size_t k = 0; k < matrices.size(); ++k)
   {
-    const SquareMatrix<double, Size> answer = way.invert(m);
+    const SquareMatrix<double, Size>&m = matrices[k], &answer = answers[k];
     if (!answer.allFinite())
     {
       errors.push_back(std::numeric_limits<double>::infinity());

@@ -4,6 +4,7 @@
 /// \brief Ways to invert a matrix, matrices that break some of them, and how far off an inverse is.
 
 #include "01_math/matrices/matrices.hpp"
+#include "01_math/matrices/trial/lu_inverses.hpp"
 #include "common/exact/exact.hpp"
 #include "common/program/table.hpp"
 #include "common/program/verdicts.hpp"
@@ -59,13 +60,8 @@ std::array<InverseMethod<Real>, 6> inverse_methods()
           m.computeInverseWithCheck(answer, invertible);
           return invertible ? Answer(answer) : Answer();
         }},
-       {"PartialPivLU", [](const M& m) -> Answer { return m.partialPivLu().inverse(); }},
-       {"FullPivLU",
-        [](const M& m)
-        {
-          const Eigen::FullPivLU<M> lu(m);
-          return lu.isInvertible() ? Answer(lu.inverse()) : Answer();
-        }},
+       {"PartialPivLU", [](const M& m) -> Answer { return partial_lu_inverse<Real, 3>(m); }},
+       {"FullPivLU", full_lu_inverse<Real, 3>},
        {"recommended", inverse<Real, 3>}}};
 }
 // [inverse_methods]

@@ -3,11 +3,11 @@
 /// \file
 /// \brief The verdict on each method from frame to frame: does its axis stay, do its points?
 
+#include "02_primitives/boxes_overlap/box_axes.hpp"
 #include "04_obb_manifolds/edge_clipping/edge_clipping.hpp"
 #include "04_obb_manifolds/face_clipping/face_clipping.hpp"
 #include "04_obb_manifolds/feature_memory/trial/feature_memory_scenes.hpp"
 #include "04_obb_manifolds/gjk_epa/gjk_epa.hpp"
-#include "04_obb_manifolds/separating_axes/box_axes.hpp"
 #include "common/program/verdicts.hpp"
 
 #include <functional>
