@@ -110,7 +110,7 @@ TEST_CASE(
   const Softness<double> none = softness(0.0, 0.0, 1.0 / 240);
   CHECK(soft_change(none, 1.0, -3.0, 0.0, 0.0) == 0);
   CHECK(soft_change(none, 1.0, -3.0, 0.0, 2.0) == -2);
-  CHECK(soft_change(rigid<double>(), 0.5, -3.0, 0.0, 2.0) == 6);
+  CHECK(soft_change(rigid<double>(), 2.0, -3.0, 0.0, 2.0) == 6);
   CHECK(soft_change(rigid<double>(), 0.5, -3.0, 1.0, 2.0) == 8);
 }
 

@@ -17,18 +17,22 @@ namespace cookbook
 {
 
 // [world_contacts]
-/// The contact of two bodies of a scene that is new.
-///
 /// Two surfaces meet with the geometric mean of their frictions and the larger restitution.
+inline void mix_surfaces(const Scene& scene, WorldContact& contact)
+{
+  const SceneBody& a = scene.bodies[place_of(contact.a)];
+  const SceneBody& b = scene.bodies[place_of(contact.b)];
+  contact.friction = std::sqrt(a.friction * b.friction);
+  contact.restitution = std::max(a.restitution, b.restitution);
+}
+
+/// The contact of two bodies of a scene that is new.
 inline WorldContact new_contact(const Scene& scene, int a, int b)
 {
-  const SceneBody& of_a = scene.bodies[static_cast<std::size_t>(a)];
-  const SceneBody& of_b = scene.bodies[static_cast<std::size_t>(b)];
   WorldContact contact;
   contact.a = a;
   contact.b = b;
-  contact.friction = std::sqrt(of_a.friction * of_b.friction);
-  contact.restitution = std::max(of_a.restitution, of_b.restitution);
+  mix_surfaces(scene, contact);
   return contact;
 }
 
@@ -66,6 +70,7 @@ void update_contacts(
     std::visit(update, scene.bodies[a].shape, scene.bodies[b].shape);
     return contact.memory.manifold.has_value();
   };
+  WorldContact candidate;
   auto kept = contacts.begin(), known = contacts.begin();
   for (const std::pair<int, int>& pair : pairs)
   {
@@ -88,10 +93,13 @@ void update_contacts(
     }
     else if (!both_still)
     {
-      begun.push_back(new_contact(scene, pair.first, pair.second));
-      if (!touches(begun.back()))
+      candidate.a = pair.first;
+      candidate.b = pair.second;
+      candidate.memory.manifold.reset();
+      if (touches(candidate))
       {
-        begun.pop_back();
+        mix_surfaces(scene, candidate);
+        begun.push_back(candidate);
       }
     }
   }

@@ -18,33 +18,20 @@ namespace cookbook
 {
 
 // [meet]
-/// What is known of a contact once it has a new manifold: a point with a feature that was there
-/// before keeps what was known of it.
-inline ContactMemory<double, WorldPoint> remembered(
-    const ContactMemory<double, WorldPoint>& before, std::optional<Manifold<double>> manifold)
-{
-  ContactMemory<double, WorldPoint> now{std::move(manifold), {}};
-  if (now.manifold && before.manifold)
-  {
-    now.warm = carried_by_id(*before.manifold, before.warm, *now.manifold);
-  }
-  return now;
-}
-
-/// Two shapes that touch, or will within a margin [m], in this frame.
+/// The manifold of two shapes that touch, or will within a margin [m], in this frame.
 template <class A, class B>
-ContactMemory<double, WorldPoint>
-meet(const ContactMemory<double, WorldPoint>& before, const A& a, const B& b, double margin)
+std::optional<Manifold<double>>
+meet(const std::optional<Manifold<double>>&, const A& a, const B& b, double margin)
 {
-  return remembered(before, within(a, b, margin));
+  return within(a, b, margin);
 }
 
-/// Two boxes, on the axis of the frame before unless another is better.
+/// That of two boxes, on the axis of the frame before unless another is better.
 ///
 /// The axis is that of the boxes once both have grown by half the margin, for only then do they
 /// overlap; the points are those of the boxes as they are.
-inline ContactMemory<double, WorldPoint> meet(
-    const ContactMemory<double, WorldPoint>& before, const Obb<double>& a, const Obb<double>& b,
+inline std::optional<Manifold<double>> meet(
+    const std::optional<Manifold<double>>& before, const Obb<double>& a, const Obb<double>& b,
     double margin)
 {
   const Obb<double> grown_a = grown(a, margin / 2), grown_b = grown(b, margin / 2);
@@ -52,15 +39,27 @@ inline ContactMemory<double, WorldPoint> meet(
       box_axis_in<Registers<double>>(grown_a, grown_b);
   if (!found)
   {
-    return {};
+    return std::nullopt;
   }
-  const auto [axis, overlap] = steady_axis(axis_of(before.manifold), grown_a, grown_b, *found);
+  const auto [axis, overlap] = steady_axis(axis_of(before), grown_a, grown_b, *found);
   const Vector3<double> normal = axis_direction(a, b, axis);
   const double growth = margin / 2 *
                         ((a.axes.transpose() * normal).cwiseAbs().sum() +
                          (b.axes.transpose() * normal).cwiseAbs().sum());
-  return remembered(
-      before, box_box_on<Registers<double>>(a, b, axis, overlap - growth, growth + margin));
+  return box_box_on<Registers<double>>(a, b, axis, overlap - growth, growth + margin);
+}
+
+/// Gives a contact its manifold of this frame: a point with a feature that was there before keeps
+/// what was known of it.
+inline void
+renew(ContactMemory<double, WorldPoint>& known, const std::optional<Manifold<double>>& manifold)
+{
+  if (manifold)
+  {
+    known.warm = known.manifold ? carried_by_id(*known.manifold, known.warm, *manifold)
+                                : PerPoint<WorldPoint>{};
+  }
+  known.manifold = manifold;
 }
 // [meet]
 
@@ -93,20 +92,18 @@ struct UpdateContact
   {
     const auto placed_a = placed(a, shape_a);
     const auto placed_b = placed(b, shape_b);
-    contact.memory = meet(contact.memory, placed_a, placed_b, reach);
-    if (!contact.memory.manifold)
+    std::optional<Manifold<double>> met = meet(contact.memory.manifold, placed_a, placed_b, reach);
+    if (met && is_ghost(placed_a, placed_b, met->normal, -met->depth, margin))
     {
-      return;
+      met.reset();
     }
-    const double gap = -contact.memory.manifold->depth;
-    if (is_ghost(placed_a, placed_b, contact.normal(), gap, margin))
+    renew(contact.memory, met);
+    if (met)
     {
-      contact.memory = {};
-      return;
+      anchor(contact, a, b);
     }
-    anchor(contact, a, b);
   }
-  void operator()(const PlaneShape&, const PlaneShape&) const { contact.memory = {}; }
+  void operator()(const PlaneShape&, const PlaneShape&) const { contact.memory.manifold.reset(); }
 };
 // [update_contact]
 

@@ -71,6 +71,10 @@ inline std::optional<Manifold<double>> manifold_of(const Plane<double>& a, const
 /// The manifold of a plane and a box: its corners below the plane, each with its number as feature.
 inline std::optional<Manifold<double>> manifold_of(const Plane<double>& a, const Obb<double>& b)
 {
+  if (a.normal.dot(b.center) - a.distance > b.half_extents.sum()) // beyond any corner's reach
+  {
+    return std::nullopt;
+  }
   Manifold<double> manifold{a.normal, 0, {}};
   for (unsigned corner = 0; corner < 8; ++corner)
   {

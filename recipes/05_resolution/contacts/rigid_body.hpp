@@ -76,10 +76,17 @@ inline double kinetic_energy(const RigidBody& body)
          2;
 }
 
+/// How a body is turned, once it has turned about the direction of a vector by its length [rad],
+/// world.
+inline Quaternion<double> turned_by(const RigidBody& body, const Vector3<double>& turn)
+{
+  return (rotation_by<double>(turn) * body.orientation).normalized();
+}
+
 /// Turns a body about the direction of a vector by its length [rad], world.
 inline void turn_by(RigidBody& body, const Vector3<double>& turn)
 {
-  body.orientation = (rotation_by<double>(turn) * body.orientation).normalized();
+  body.orientation = turned_by(body, turn);
   update_axes(body);
 }
 

@@ -57,20 +57,16 @@ constexpr Softness<Real> softness(Real frequency, Real damping_ratio, Real step)
 /// What a soft contact adds [N s] to its impulse so far, where its surfaces part at a speed [m/s]
 /// and are to be pushed apart at another, the bias [m/s]; R14.
 ///
-/// `inverse_mass` [1/kg] is the contact's K. The sum never falls below zero: contacts do not pull.
-/// Zero where nothing can move.
+/// `mass` [kg] is what the push feels, 1/K; zero where nothing can move. The sum never falls below
+/// zero: contacts do not pull.
 template <class Real>
 Real soft_change(
-    const Softness<Real>& soft, const Real& inverse_mass, const Real& speed, const Real& bias,
+    const Softness<Real>& soft, const Real& mass, const Real& speed, const Real& bias,
     const Real& so_far)
 {
-  if (inverse_mass == Real(0))
-  {
-    return Real(0);
-  }
-  const Real missing = soft.mass_scale * (bias - speed) / inverse_mass;
-  const Real change = missing - soft.impulse_scale * so_far;
-  return std::max(Real(-so_far), change);
+  using std::max;
+  const Real missing = mass * soft.mass_scale * (bias - speed);
+  return max(Real(-so_far), Real(missing - soft.impulse_scale * so_far));
 }
 // [soft_change]
 

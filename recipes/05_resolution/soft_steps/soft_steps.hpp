@@ -27,20 +27,22 @@ struct SoftSettings
 
 // [soft_steps]
 /// Corrects a point once, as a spring that pushes out of an overlap, or as a stop that allows a gap
-/// to close in one small step [s] and no sooner; then its friction.
+/// to close in one small step [s] and no sooner, R14; then its friction.
 template <class Real>
 void correct(
     Body<Real>& a, Body<Real>& b, ContactConstraint<Real>& at, const Softness<Real>& spring,
     const Real& small, const Real& correction_speed)
 {
-  using std::max;
+  using std::min;
   const auto closed = at.apart <= Real(0);
-  const Real push_out = max(Real(spring.bias_rate * at.apart), Real(-correction_speed));
-  const Real bias = either(closed, push_out, [&] { return at.apart / small; });
-  const Real mass_scale = either(closed, spring.mass_scale, [] { return Real(1); });
-  const Real impulse_scale = either(closed, spring.impulse_scale, [] { return Real(0); });
-  const Real wanted = at.normal_mass * mass_scale * (parting_speed(a, b, at) + bias);
-  add_impulse<Real>(a, b, at, -wanted - impulse_scale * at.impulse);
+  const Real push_out = min(Real(-spring.bias_rate * at.apart), correction_speed);
+  const Real bias = either(closed, push_out, [&] { return -at.apart / small; });
+  const Softness<Real> soft{
+      either(closed, spring.bias_rate, [] { return Real(0); }),
+      either(closed, spring.mass_scale, [] { return Real(1); }),
+      either(closed, spring.impulse_scale, [] { return Real(0); })};
+  add_impulse<Real>(
+      a, b, at, soft_change<Real>(soft, at.normal_mass, parting_speed(a, b, at), bias, at.impulse));
   add_friction(a, b, at);
 }
 

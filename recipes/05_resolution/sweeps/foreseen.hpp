@@ -73,13 +73,15 @@ inline bool is_for_sweep(const Scene& scene, const RigidBody& body, int i)
   return way > (body.round ? harmless_depth(thin) : 1.25 * thin);
 }
 
-/// A body where it would be after a step in which it goes and turns on as it does.
+/// A body where it would be after a step in which it goes and turns on as it does; its inertia is
+/// still that of where it is.
 inline RigidBody going_on(const Scene& scene, RigidBody body)
 {
   body.motion.center += way_on(scene, body);
   if (!body.round && !is_fixed(body))
   {
-    turn_by(body, scene.step * body.motion.angular_velocity);
+    body.orientation = turned_by(body, scene.step * body.motion.angular_velocity);
+    body.axes = body.orientation.toRotationMatrix();
   }
   return body;
 }

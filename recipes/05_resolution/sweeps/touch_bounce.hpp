@@ -32,7 +32,7 @@ struct MeetOnCourse
     const Obb<double> here = placed(a, box);
     const auto there = placed(b, other);
     const double apart = std::max(0.0, way_between(here, there).length);
-    contact.memory = meet({}, here, there, 2 * apart + 1e-3 * thinness_of(box));
+    renew(contact.memory, meet({}, here, there, 2 * apart + 1e-3 * thinness_of(box)));
     if (contact.memory.manifold)
     {
       anchor(contact, a, b);

@@ -119,7 +119,7 @@ private:
   }
 
   template <class Look>
-  void look_at(WideContact& four, const Look& look)
+  [[gnu::flatten]] void look_at(WideContact& four, const Look& look)
   {
     gather_motion(bodies_, four.a, four.body_a);
     gather_motion(bodies_, four.b, four.body_b);

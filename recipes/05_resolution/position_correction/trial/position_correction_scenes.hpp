@@ -40,7 +40,7 @@ inline void push(SunkCube& cube, const Softness<double>& soft, double bias)
 {
   for (double& impulse : cube.impulses)
   {
-    const double change = soft_change(soft, 1 / cube.mass, cube.speed, bias, impulse);
+    const double change = soft_change(soft, cube.mass, cube.speed, bias, impulse);
     impulse += change;
     cube.speed += change / cube.mass;
   }

@@ -53,7 +53,7 @@ inline plot::Look plain_look(std::size_t i)
 inline plot::Chart flips_figure(const FreeSpin& scene, double rate)
 {
   plot::Chart chart("spinning_bodies_flips", "", {"time [s]"}, {"spin about y [rad/s]"});
-  chart.describe("The spin about the middle axis of a body that flips, by six methods.")
+  chart.describe("The spin about the middle axis of a body that flips, by five methods.")
       .legend(plot::Legend::below);
   const std::vector<SpinMethod> methods = spin_methods();
   for (const std::size_t i : {0u, 1u, 2u, 3u, 7u})
