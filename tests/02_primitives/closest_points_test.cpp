@@ -83,3 +83,17 @@ TEST_CASE("what is not a number ends, too", "[closest_points]")
   const Obb<double> box{{0, 0, nan}, Matrix3<double>::Identity(), {1, 1, 1}};
   CHECK_NOTHROW(closest_points(box, solid));
 }
+
+TEST_CASE("a triangle of -1e300 m is answered as one of -1 m, in either order", "[closest_points]")
+{
+  const Eigen::Vector3d origin(0, 0, 0);
+  for (const int power : {-1000, 0, 1000})
+  {
+    const double m = std::ldexp(-1.0, power); // the closest point is the middle, (m, m, m)
+    const Triangle<double> triangle{{3 * m, 0, 0}, {0, 3 * m, 0}, {0, 0, 3 * m}};
+    const ClosestPoints<double, 3> found = closest_points(origin, triangle);
+    CHECK(found.distance == Catch::Approx(-m * std::sqrt(3.0)).epsilon(1e-14).margin(0));
+    CHECK((found.b / m - Eigen::Vector3d(1, 1, 1)).norm() < 1e-14);
+    CHECK((closest_points(triangle, origin).a / m - Eigen::Vector3d(1, 1, 1)).norm() < 1e-14);
+  }
+}

@@ -175,3 +175,19 @@ TEST_CASE(
        {"circles of 0.2 µm, half overlapped", {published, ours}}});
 }
 // [plane_verdicts]
+
+TEST_CASE("a circle of 1e-300 m leaves one of 1 m, 1e9 m away, as a point does")
+{
+  const auto way = way_apart<double>({{1e9, 0}, 1}, {{1e-300, 0}, 1e-300});
+  CHECK(way.normal == Point(-1, 0));
+  CHECK(way.depth == 1 - 1e9);
+}
+
+TEST_CASE("two squares one above the other are parted along y")
+{
+  const std::array<Point, 4> a{Point(0, 0), Point(1, 0), Point(1, 1), Point(0, 1)};
+  const std::array<Point, 4> b{Point(0, 3), Point(1, 3), Point(1, 4), Point(0, 4)};
+  const auto axis = separating_axis<double>(a, b);
+  REQUIRE(axis);
+  CHECK(*axis == Point(0, 1));
+}

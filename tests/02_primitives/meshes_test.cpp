@@ -61,7 +61,7 @@ std::vector<TriangleMesh<double>> some_meshes()
   TriangleMesh<double> shrinking;
   for (int i = 0; i < 250; ++i)
   {
-    const double size = std::pow(0.5, i);
+    const double size = std::pow(0.0625, i);
     const int first = 3 * i;
     shrinking.vertices.insert(
         shrinking.vertices.end(), {{size, 0, 0}, {size, size, 0}, {size, 0, size}});

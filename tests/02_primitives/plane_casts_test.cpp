@@ -255,3 +255,16 @@ TEST_CASE("a ray along a segment meets its nearer end; across, the side it comes
   CHECK(above->point == V(4, 0));
 }
 // [cast_examples]
+
+TEST_CASE("a segment that ends on a turned edge is met, at t = 1 or a rounding before, never after")
+{
+  // The edge of the board goes through (3, 4).
+  const TurnedRectangle<double> board{{0, 0}, std::atan2(4, 3), {5, 2}};
+  for (int y = 26; y <= 30; ++y)
+  {
+    const auto hit = cast(Segment2<double>{{-25, double(y)}, {3, 4}}, board);
+    REQUIRE(hit);
+    CHECK(hit->t <= 1);
+    CHECK(hit->t > 1 - 1e-14);
+  }
+}

@@ -99,3 +99,11 @@ TEST_CASE("bounds, sphere and farthest point of a capsule, and what shapes hold"
   CHECK(contains(solid, Eigen::Vector3d(1, 1, 1)));
   CHECK_FALSE(contains(solid, Eigen::Vector3d(2, 2, 1)));
 }
+
+TEST_CASE("planes whose normals have lengths 1, 1 and 1e-20 meet at (1, 2, 3)", "[P15]")
+{
+  const Plane<double> x{{1, 0, 0}, 1}, y{{0, 1, 0}, 2}, z{{0, 0, 1e-20}, 3e-20};
+  const auto p = point_of_planes(x, y, z);
+  REQUIRE(p);
+  CHECK((*p - Eigen::Vector3d(1, 2, 3)).norm() < 1e-14);
+}

@@ -82,4 +82,6 @@ TEST_CASE("a box along the axes has its corners in order, a ray points somewhere
   CHECK(checked(Ray<double>{o, 2 * one}).direction == 2 * one);
   CHECK_THROWS_WITH(checked(Ray<double>{o, o}), "direction must be other than zero, got 0, 0, 0");
   CHECK_THROWS_AS((checked(Ray<double>{o, infinite * one})), InvalidShape);
+  CHECK_THROWS_WITH(
+      checked(Ray<double>{{0, not_a_number, 0}, one}), "origin.y must be finite, got nan");
 }

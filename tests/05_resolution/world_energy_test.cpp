@@ -151,6 +151,32 @@ TEST_CASE(
 }
 // [passive]
 
+// [rocking]
+TEST_CASE("a plank that rocks on a drum swings on as it did; in small steps it swings up", "[R4]")
+{
+  const auto swing = [](const char* solver)
+  {
+    Scene scene;
+    scene.bodies = {ball_body("drum", 1, {0, 0, 0}), box_body("plank", {1, 0.1, 0.2}, {0, 1.1, 0})};
+    scene.bodies[0].mass = 0;
+    scene.bodies[0].friction = scene.bodies[1].friction = 1;
+    scene.bodies[1].angular_velocity = {0, 0, 0.25};
+    World world(scene, solver_named(solver));
+    double most = 0; // [rad], in the last of twenty seconds
+    while (world.time() < 20)
+    {
+      world.step();
+      const Quaternion<double>& turned = world.bodies()[1].orientation;
+      most = world.time() > 18 ? std::max(most, 2 * std::abs(turned.z())) : 0;
+    }
+    return most;
+  };
+  CHECK(swing("direct") == Catch::Approx(0.05).margin(0.0025)); // 0.25 rad/s at 5 rad/s
+  CHECK(swing("soft_steps") > 0.15);
+  CHECK(swing("wide_steps") > 0.15);
+}
+// [rocking]
+
 // [frictionless_floor]
 TEST_CASE(
     "a brick that tumbles on a frictionless floor keeps its angular momentum about y", "[M12]")

@@ -12,6 +12,7 @@
 #include <numbers>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -152,6 +153,97 @@ TEST_CASE("two that ignore each other fall through each other, and rest on all o
   CHECK(world.scene().ignored.size() == 1);
 }
 // [ignore]
+
+TEST_CASE("pairs that ignore each other may be named in any order")
+{
+  Scene scene = named_scene("tower_3");
+  scene.ignored = {{3, 2}, {2, 1}, {1, 3}};
+  World world(scene, solver_named("direct"));
+  while (world.time() < 3)
+  {
+    world.step();
+  }
+  for (const std::size_t cube : {1, 2, 3})
+  {
+    CHECK(world.body(cube).motion.center.y() == Catch::Approx(0.5).margin(1e-6));
+  }
+}
+
+TEST_CASE("a fixed door that is put into a crate that sleeps wakes it, and pushes it out")
+{
+  Scene scene = named_scene("tower_1");
+  scene.bodies.push_back(cube_body("far", {50, 0.5, 0}));
+  for (const bool may_sleep : {false, true})
+  {
+    World world(scene, solver_named("direct"), may_sleep);
+    const auto on = [&](double time)
+    {
+      while (world.time() < time)
+      {
+        world.step();
+      }
+    };
+    on(2);
+    REQUIRE(world.sleeps(1) == may_sleep);
+    world.add(box_body("door", {0.2, 0.4, 0.4}, {0.6, 0.5, 0}, 0)); // 0.1 m deep
+    CHECK_FALSE(world.sleeps(1));
+    CHECK(world.sleeps(2) == may_sleep);
+    on(4);
+    CHECK(world.body(1).motion.center.x() == Catch::Approx(-0.1).margin(0.01));
+  }
+}
+
+TEST_CASE("what is asked of a body that is not there, or not any more, says so", "[case:L3]")
+{
+  World world(named_scene("tower_2"), solver_named("direct"));
+  world.remove(2);
+  for (const std::size_t body : {2, 99})
+  {
+    const std::string words = "there is no body " + std::to_string(body);
+    const auto says_so = [&](const auto& ask)
+    {
+      try
+      {
+        ask();
+      }
+      catch (const std::out_of_range& wrong)
+      {
+        return words == wrong.what();
+      }
+      return false;
+    };
+    CHECK(says_so([&] { world.body(body); }));
+    CHECK(says_so([&] { world.sleeps(body); }));
+    CHECK(says_so([&] { apply_impulse(world, body, {1, 0, 0}); }));
+    CHECK(says_so([&] { apply_force(world, body, {1, 0, 0}); }));
+    CHECK(says_so([&] { apply_torque(world, body, {1, 0, 0}); }));
+  }
+}
+
+// [pressed]
+TEST_CASE("a crate of 1 kg that is pressed by 100 N weighs 109.81 N; small steps say otherwise")
+{
+  const auto weight = [](const char* solver)
+  {
+    World world(named_scene("tower_1"), solver_named(solver));
+    double load = 0;
+    while (world.time() < 2)
+    {
+      apply_force(world, 1, {0, -100, 0});
+      world.step();
+      load = 0;
+      for (const WorldPoint& point : world.contacts().at(0).points())
+      {
+        load += point.impulse / world.scene().step;
+      }
+    }
+    return load;
+  };
+  CHECK(weight("direct") == Catch::Approx(109.81).margin(1e-6));
+  CHECK(weight("soft_steps") < 20);
+  CHECK(weight("wide_steps") < 20);
+}
+// [pressed]
 
 // [damped_bodies]
 TEST_CASE(

@@ -243,7 +243,48 @@ TEST_CASE(
   crate = {"crate", BoxShape{{1, 1, 1}}, 1};
   crate.position.z() = infinity;
   CHECK(reason(crate) == "crate: position.z must be finite, got inf");
+  crate = {"crate", BoxShape{{1, 1, 1}}, 0};
+  crate.velocity.x() = 3;
+  CHECK(reason(crate) == "crate: velocity must be zero, for mass 0 means fixed, got length 3");
+  crate = {"", BoxShape{{1, 1, 1}}, -1};
+  CHECK(reason(crate) == "body 0: mass must be zero or more, got -1");
 }
+
+TEST_CASE("bodies that ignore themselves, or others that are not there, are refused", "[case:L3]")
+{
+  for (const auto& wrong : {std::pair(1, 1), std::pair(-1, 0), std::pair(0, 3)})
+  {
+    Scene scene = named_scene("tower_2");
+    scene.ignored = {{0, 1}, wrong};
+    CAPTURE(wrong.first, wrong.second);
+    CHECK_THROWS_AS(World(scene, solver_named("direct")), InvalidScene);
+  }
+}
+
+// [small_towers]
+TEST_CASE("three cubes let fall by a tenth of a millimetre stand if they are of 5 mm, not of 2 mm")
+{
+  const auto height = [](double edge)
+  {
+    Scene scene;
+    scene.bodies = {ground()};
+    for (int i = 0; i < 3; ++i)
+    {
+      const Vector3<double> place(0, edge * (i + 0.5) + 1e-4 * (i + 1), 0);
+      scene.bodies.push_back(
+          box_body("cube", Vector3<double>::Constant(edge / 2), place, 1000 * std::pow(edge, 3)));
+    }
+    World world(scene, solver_named("direct"));
+    while (world.time() < 10)
+    {
+      world.step();
+    }
+    return world.bodies()[3].motion.center.y() / edge;
+  };
+  CHECK(height(0.005) == Catch::Approx(2.5).margin(0.01));
+  CHECK(height(0.002) < 1);
+}
+// [small_towers]
 
 TEST_CASE("a force that is not finite is refused, and nothing else moves differently", "[case:L3]")
 {

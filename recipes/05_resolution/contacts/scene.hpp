@@ -58,7 +58,7 @@ struct Scene
   double step = 1.0 / 60;                     ///< [s], one frame
   double duration = 10;                       ///< [s]
   std::vector<SceneBody> bodies{};            ///< results have them in this order
-  std::vector<std::pair<int, int>> ignored{}; ///< bodies that pass through each other, in order
+  std::vector<std::pair<int, int>> ignored{}; ///< bodies that pass through each other
 };
 
 /// Whether two bodies of a scene, the smaller number first, pass through each other.

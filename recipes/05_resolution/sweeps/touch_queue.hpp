@@ -15,12 +15,19 @@ namespace cookbook
 {
 
 // [touch_queue]
+/// A body that has been hit so often in a step is not looked at again with what it was left with: a
+/// jam of bodies that nothing pulls would never end, each pair that was left being hit by another.
+inline constexpr int most_hits_a_step = 512;
+
 /// The touches of a step to come; those of a course that has changed since are forgotten.
 class TouchQueue
 {
 public:
   /// Of these courses, which may change.
-  explicit TouchQueue(const StepCourses& step) : step_(step), versions_(step.courses.size(), 0) {}
+  explicit TouchQueue(const StepCourses& step)
+      : step_(step), versions_(step.courses.size(), 0), hits_(step.courses.size(), 0)
+  {
+  }
 
   /// Writes down when two bodies touch, if they do so after a time [s].
   void look_for(int i, int j, double time)
@@ -93,7 +100,10 @@ public:
   /// Looks at a body again with all that it had been left with: somebody has hit it.
   void come_back(int i)
   {
-    std::erase_if(left_, [i](const auto& pair) { return pair.first == i || pair.second == i; });
+    if (++hits_[place_of(i)] <= most_hits_a_step)
+    {
+      std::erase_if(left_, [i](const auto& pair) { return pair.first == i || pair.second == i; });
+    }
   }
 
   /// Lets two boxes overlap by a little [m] for the rest of the step: they pass each other, or rest
@@ -116,6 +126,7 @@ private:
 
   const StepCourses& step_;
   std::vector<int> versions_; // how often each course has changed
+  std::vector<int> hits_;     // how often each body has been hit
   std::vector<int> changed_;  // the bodies whose course has
   std::vector<std::pair<int, int>> left_;
   std::vector<std::pair<std::pair<int, int>, double>> slacks_;

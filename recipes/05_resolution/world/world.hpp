@@ -60,8 +60,18 @@ public:
   /// The bodies as the last step began.
   const std::vector<RigidBody>& bodies_before() const { return state_.before; }
   double time() const { return double(state_.steps) * scene().step; } ///< [s], since the start
+  /// A body.
+  const RigidBody& body(std::size_t body) const
+  {
+    check_there(body);
+    return bodies()[body];
+  }
   /// Whether a body sleeps.
-  bool sleeps(std::size_t body) const { return state_.sleep[body].asleep; }
+  bool sleeps(std::size_t body) const
+  {
+    check_there(body);
+    return state_.sleep[body].asleep;
+  }
   /// Whether a body is there: it was put in, and not taken out.
   bool has(std::size_t body) const { return body < bodies().size() && !state_.gone[body]; }
 
@@ -70,11 +80,21 @@ public:
   double margin() const { return contact_margin(scene()); }
 
   /// Puts a body in, and says its number; InvalidScene, and nothing changes, if it makes no sense.
+  /// What sleeps where it is put wakes.
   std::size_t add(const SceneBody& body)
   {
-    state_.scene.bodies.push_back(checked(body));
+    const std::size_t added = bodies().size();
+    state_.scene.bodies.push_back(checked(body, added));
     enter(body);
-    return bodies().size() - 1;
+    const Bounds& bound = state_.bounds.back();
+    for (const Bounds& other : state_.bounds)
+    {
+      if (state_.sleep[place_of(other.body)].asleep && other.box.intersects(bound.box))
+      {
+        wake_island_of(place_of(other.body));
+      }
+    }
+    return added;
   }
 
   /// Takes a body out: from the next step on it stays where it is, and nothing touches it. What has
@@ -122,7 +142,8 @@ public:
     check_there(a);
     check_there(b);
     std::vector<std::pair<int, int>>& ignored = state_.scene.ignored;
-    const std::pair<int, int> pair = std::minmax(static_cast<int>(a), static_cast<int>(b));
+    const std::pair<int, int> pair =
+        checked_pair({static_cast<int>(a), static_cast<int>(b)}, bodies().size());
     if (!ignores(scene(), pair))
     {
       ignored.insert(std::upper_bound(ignored.begin(), ignored.end(), pair), pair);
@@ -137,8 +158,9 @@ public:
 private:
   void enter(const SceneBody& body)
   {
-    state_.bounds.push_back({{}, static_cast<int>(bodies().size())});
     state_.bodies.push_back(rigid_body(body));
+    state_.bounds.push_back(
+        {bounds_of(bodies().back(), body.shape, margin()), static_cast<int>(bodies().size()) - 1});
     state_.gone.push_back(false);
     state_.sleep.emplace_back();
     state_.has_balls = state_.has_balls || bodies().back().round;

@@ -6,8 +6,11 @@
 #include "05_resolution/contacts/rigid_body.hpp"
 #include "05_resolution/mass_properties/checked_mass.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
 
 namespace cookbook
@@ -59,6 +62,17 @@ inline void check_range(const std::string& member, double value, double least, d
   }
 }
 
+/// Throws InvalidShape if a fixed body has a velocity.
+inline void
+check_still_if_fixed(const std::string& member, const Vector3<double>& value, double mass)
+{
+  if (mass == 0 && !value.isZero(0))
+  {
+    throw InvalidShape(
+        member, "zero, for mass 0 means fixed", "length " + text_of(value.stableNorm()));
+  }
+}
+
 /// Throws InvalidShape unless a body of a scene can be moved as it is.
 inline void check(const SceneBody& body)
 {
@@ -71,6 +85,8 @@ inline void check(const SceneBody& body)
   check_finite("position", body.position);
   check_finite("velocity", body.velocity);
   check_finite("angular_velocity", body.angular_velocity);
+  check_still_if_fixed("velocity", body.velocity, body.mass);
+  check_still_if_fixed("angular_velocity", body.angular_velocity, body.mass);
   const double length = body.orientation.norm();
   if (!(length > 0.5 && length < 2))
   {
@@ -86,8 +102,8 @@ inline void check(const SceneBody& body)
   }
 }
 
-/// The body itself, or InvalidScene.
-inline const SceneBody& checked(const SceneBody& body)
+/// The body itself, or InvalidScene, which calls a body without a name by its number.
+inline const SceneBody& checked(const SceneBody& body, std::size_t number)
 {
   try
   {
@@ -95,13 +111,31 @@ inline const SceneBody& checked(const SceneBody& body)
   }
   catch (const InvalidShape& wrong)
   {
-    throw InvalidScene(std::string(body.name).append(": ").append(wrong.what()));
+    const std::string name = body.name.empty() ? "body " + std::to_string(number) : body.name;
+    throw InvalidScene(std::string(name).append(": ").append(wrong.what()));
   }
   return body;
 }
 
-/// The scene itself, or InvalidScene.
-inline const Scene& checked(const Scene& scene)
+/// Two bodies that pass through each other, the smaller number first; InvalidScene unless they are
+/// two of so many.
+inline std::pair<int, int> checked_pair(std::pair<int, int> pair, std::size_t bodies)
+{
+  const auto [a, b] = std::minmax(pair.first, pair.second);
+  if (a < 0 || a == b || static_cast<std::size_t>(b) >= bodies)
+  {
+    throw InvalidScene(std::string("scene: ignored must be two of ")
+                           .append(std::to_string(bodies))
+                           .append(" bodies, got ")
+                           .append(std::to_string(pair.first))
+                           .append(" and ")
+                           .append(std::to_string(pair.second)));
+  }
+  return {a, b};
+}
+
+/// The scene itself, with the pairs that ignore each other in order; or InvalidScene.
+inline Scene checked(Scene scene)
 {
   try
   {
@@ -113,10 +147,15 @@ inline const Scene& checked(const Scene& scene)
   {
     throw InvalidScene(std::string("scene: ").append(wrong.what()));
   }
-  for (const SceneBody& body : scene.bodies)
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
   {
-    checked(body);
+    checked(scene.bodies[i], i);
   }
+  for (std::pair<int, int>& pair : scene.ignored)
+  {
+    pair = checked_pair(pair, scene.bodies.size());
+  }
+  std::sort(scene.ignored.begin(), scene.ignored.end());
   return scene;
 }
 // [checked_scene]

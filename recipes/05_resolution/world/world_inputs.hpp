@@ -17,7 +17,7 @@ inline void apply_impulse(
 {
   check_finite("impulse", impulse);
   check_finite("point", point);
-  Body<double> pushed = world.bodies().at(body);
+  Body<double> pushed = world.body(body);
   push<double>(pushed, point - pushed.motion.center, impulse);
   world.set_velocity(body, pushed.motion.velocity, pushed.motion.angular_velocity);
 }
@@ -25,7 +25,7 @@ inline void apply_impulse(
 /// The same at a body's centre, so that it does not turn.
 inline void apply_impulse(World& world, std::size_t body, const Vector3<double>& impulse)
 {
-  apply_impulse(world, body, impulse, world.bodies().at(body).motion.center);
+  apply_impulse(world, body, impulse, world.body(body).motion.center);
 }
 
 /// Has a force [N], world, act on a body at a point [m], world, in the next step: all of its
@@ -40,14 +40,14 @@ inline void apply_force(
 /// The same at a body's centre.
 inline void apply_force(World& world, std::size_t body, const Vector3<double>& force)
 {
-  apply_force(world, body, force, world.bodies().at(body).motion.center);
+  apply_force(world, body, force, world.body(body).motion.center);
 }
 
 /// Has a torque [N m], world, act on a body in the next step.
 inline void apply_torque(World& world, std::size_t body, const Vector3<double>& torque)
 {
   check_finite("torque", torque);
-  const RigidBody& turned = world.bodies().at(body);
+  const RigidBody& turned = world.body(body);
   const Vector3<double> gained = turned.inverse_inertia * (world.scene().step * torque);
   world.set_velocity(body, turned.motion.velocity, turned.motion.angular_velocity + gained);
 }

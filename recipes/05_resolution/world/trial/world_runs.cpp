@@ -58,7 +58,7 @@ WorldRun run_world(
   run.residual = residual(world);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
   {
-    run.asleep += world.sleeps(i) ? 1 : 0;
+    run.asleep += world.has(i) && world.sleeps(i) ? 1 : 0;
   }
   return run;
 }
