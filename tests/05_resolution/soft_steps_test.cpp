@@ -132,7 +132,7 @@ double critical_stiffness(std::size_t cubes)
 
 TEST_CASE("cubes on springs lose their balance where the formula says, to 0.2 / n cubes", "[R35]")
 {
-  for (const std::size_t cubes : {5, 9, 15, 24, 38})
+  for (const std::size_t cubes : {5U, 9U, 15U, 24U, 38U})
   {
     for (const double edge : {0.01, 1.0})
     {

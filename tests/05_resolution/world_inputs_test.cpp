@@ -163,7 +163,7 @@ TEST_CASE("pairs that ignore each other may be named in any order")
   {
     world.step();
   }
-  for (const std::size_t cube : {1, 2, 3})
+  for (const std::size_t cube : {1U, 2U, 3U})
   {
     CHECK(world.body(cube).motion.center.y() == Catch::Approx(0.5).margin(1e-6));
   }
@@ -197,7 +197,7 @@ TEST_CASE("what is asked of a body that is not there, or not any more, says so",
 {
   World world(named_scene("tower_2"), solver_named("direct"));
   world.remove(2);
-  for (const std::size_t body : {2, 99})
+  for (const std::size_t body : {2U, 99U})
   {
     const std::string words = "there is no body " + std::to_string(body);
     const auto says_so = [&](const auto& ask)
