@@ -375,8 +375,6 @@ TEST_CASE("60,000 balls that pass an edge by up to a radius keep their velocity 
 }
 // [misses]
 
-// [sleepers]
-// [crushed]
 TEST_CASE("ten balls between a wall and 50 kg at 10 m/s gain no energy, but some pass the wall")
 {
   for (const double gravity : {0.0, 9.81})
@@ -404,8 +402,8 @@ TEST_CASE("ten balls between a wall and 50 kg at 10 m/s gain no energy, but some
     CHECK(behind > 0);
   }
 }
-// [crushed]
 
+// [sleepers]
 TEST_CASE("a fast ball wakes the tower that it hits")
 {
   Scene scene;

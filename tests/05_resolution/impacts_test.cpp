@@ -2,13 +2,13 @@
 /// How deep what comes down fast ends in others: a tenth of the smaller of them, and where it is
 /// more.
 
+#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/sweeps/foreseen.hpp"
 #include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/impacts.hpp"
 #include "05_resolution/world/world.hpp"
 
-#include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
 

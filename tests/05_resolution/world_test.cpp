@@ -261,7 +261,6 @@ TEST_CASE("bodies that ignore themselves, or others that are not there, are refu
   }
 }
 
-// [small_towers]
 TEST_CASE("three cubes let fall by a tenth of a millimetre stand if they are of 5 mm, not of 2 mm")
 {
   const auto height = [](double edge)
@@ -284,7 +283,6 @@ TEST_CASE("three cubes let fall by a tenth of a millimetre stand if they are of 
   CHECK(height(0.005) == Catch::Approx(2.5).margin(0.01));
   CHECK(height(0.002) < 1);
 }
-// [small_towers]
 
 TEST_CASE("a force that is not finite is refused, and nothing else moves differently", "[case:L3]")
 {

@@ -86,14 +86,7 @@ public:
     const std::size_t added = bodies().size();
     state_.scene.bodies.push_back(checked(body, added));
     enter(body);
-    const Bounds& bound = state_.bounds.back();
-    for (const Bounds& other : state_.bounds)
-    {
-      if (state_.sleep[place_of(other.body)].asleep && other.box.intersects(bound.box))
-      {
-        wake_island_of(place_of(other.body));
-      }
-    }
+    wake_touched_by(state_.bounds.back());
     return added;
   }
 
@@ -136,7 +129,8 @@ public:
     state_.sleep.assign(bodies().size(), {});
   }
 
-  /// Has two bodies pass through each other from the next step on, and wakes both.
+  /// Has two bodies pass through each other from the next step on, and wakes both; InvalidScene if
+  /// they are one.
   void ignore(std::size_t a, std::size_t b)
   {
     check_there(a);
@@ -173,6 +167,22 @@ private:
     {
       state_.islands.find(state_.bodies, state_.contacts);
       wake(state_.sleep, state_.islands.numbers(), static_cast<int>(body));
+    }
+  }
+
+  /// Wakes what sleeps where a body is, with all that hangs together with it.
+  void wake_touched_by(const Bounds& bound)
+  {
+    if (state_.may_sleep)
+    {
+      state_.islands.find(state_.bodies, state_.contacts);
+      for (const Bounds& other : state_.bounds)
+      {
+        if (state_.sleep[place_of(other.body)].asleep && other.box.intersects(bound.box))
+        {
+          wake(state_.sleep, state_.islands.numbers(), other.body);
+        }
+      }
     }
   }
 
