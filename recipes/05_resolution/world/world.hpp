@@ -83,11 +83,10 @@ public:
   /// What sleeps where it is put wakes.
   std::size_t add(const SceneBody& body)
   {
-    const std::size_t added = bodies().size();
-    state_.scene.bodies.push_back(checked(body, added));
+    state_.scene.bodies.push_back(checked(body, bodies().size()));
     enter(body);
     wake_touched_by(state_.bounds.back());
-    return added;
+    return bodies().size() - 1;
   }
 
   /// Takes a body out: from the next step on it stays where it is, and nothing touches it. What has
@@ -129,8 +128,7 @@ public:
     state_.sleep.assign(bodies().size(), {});
   }
 
-  /// Has two bodies pass through each other from the next step on, and wakes both; InvalidScene if
-  /// they are one.
+  /// Has two bodies, not one, pass through each other from the next step on, and wakes both.
   void ignore(std::size_t a, std::size_t b)
   {
     check_there(a);
