@@ -13,4 +13,4 @@ endif()
 
 cookbook_precompiled(cookbook_test_headers ${PROJECT_SOURCE_DIR}/tests/precompiled.hpp
   cookbook_common cookbook_exact cookbook_tools cookbook_test_main)
-cookbook_lightly(cookbook_test_headers)
+cookbook_lightly(cookbook_test_headers -O1)
