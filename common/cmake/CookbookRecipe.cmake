@@ -7,7 +7,7 @@ function(cookbook_warnings target)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<BOOL:${COOKBOOK_STRICT}>:-Werror>
     $<$<CONFIG:Release>:-O3> -fno-math-errno -ffp-contract=off ${ARGN})
-  # g++ collects its garbage from 600 MB on, not before: a sixth less time, a tenth more memory.
+  # g++ collects its garbage from 600 MB on, not before: a tenth less time, a tenth more memory.
   target_compile_options(${target} PRIVATE
     $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=600000>)
   # g++ 12 warns of overlapping copies inside std::string that cannot happen.
