@@ -47,7 +47,7 @@ SquareMatrix<Real, Size> drawn_matrix(WholeRange<Real>& random, int kind)
 }
 // [drawn_matrix]
 
-/// What is known of a matrix, in sixty digits.
+/// What is known of a matrix, in a hundred digits.
 template <int Size>
 struct Known
 {

@@ -56,7 +56,7 @@ bool is_within_gamma(const Vector<Real, Size>& a, const Vector<Real, Size>& b)
 } // namespace
 
 // [tenth]
-TEST_CASE("0.1 as a float is 13421773 / 2^27, a tenth and 1/10 of 2^-26 of ten", "[rounding]")
+TEST_CASE("0.1 as a float is 13421773 / 2^27, which is a tenth and a tenth of 2^-26", "[rounding]")
 {
   const Rational tenth = exact<Rational>(0.1f);
   CHECK(tenth == Rational(13421773, 134217728));

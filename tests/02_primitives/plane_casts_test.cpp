@@ -175,7 +175,7 @@ TEMPLATE_TEST_CASE(
 
 // [extremes]
 TEMPLATE_TEST_CASE(
-    "from the least number to the largest, nothing is NaN, and no answer is infinite", "[casts]",
+    "from the least number to the largest, nothing is NaN, and only t may be infinite", "[casts]",
     float, double)
 {
   using Real = TestType;

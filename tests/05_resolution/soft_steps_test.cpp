@@ -1,13 +1,16 @@
 /// \file
 /// Soft steps: a cube sinks as a spring says, twice the substeps sink a quarter, towers stand.
 
+#include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/soft_steps/soft_steps.hpp"
 #include "05_resolution/soft_steps/trial/soft_steps_figures.hpp"
 #include "05_resolution/soft_steps/trial/tall_towers.hpp"
+#include "05_resolution/world/solvers.hpp"
 
 #include "tests/catch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -39,6 +42,41 @@ TEST_CASE("a cube on soft contacts sinks by g / ω², as on a spring of their fr
   }
 }
 // [spring]
+
+// [thin_plate]
+TEST_CASE(
+    "in small steps a plate of 1 kg sinks by its load over its springs, and 100 kg go through it",
+    "[R1][R14]")
+{
+  const auto sunk = [](const char* solver, double mass) // [m]: the plate, and the crate on it
+  {
+    Scene scene;
+    scene.bodies = {
+        ground(), box_body("plate", {0.2, 0.01, 0.2}, {0, 0.01, 0}),
+        box_body("crate", {0.5, 0.5, 0.5}, {0, 0.52, 0}, mass)};
+    World world(scene, solver_named(solver));
+    while (world.time() < 5)
+    {
+      world.step();
+    }
+    return std::array<double, 2>{
+        0.01 - world.bodies()[1].motion.center.y(), 0.52 - world.bodies()[2].motion.center.y()};
+  };
+  // Corners of the plate are 20 cm from its middle along x and z, and feel K = 1/m + 2 · 0.2² / I.
+  const double plate = 1 + 0.08 / ((0.04 + 0.0001) / 3), crate = 0.1 + 0.08 / (10 / 6.0);
+  const double frequency = 2 * std::numbers::pi * 0.125 * 240, four = 4 * frequency * frequency;
+  const double below = 11 * 9.81 * plate / four, above = 10 * 9.81 * (plate + crate) / four;
+  for (const char* solver : {"soft_steps", "wide_steps"})
+  {
+    CAPTURE(solver);
+    const auto [low, high] = sunk(solver, 10);
+    CHECK(low == Catch::Approx(below).epsilon(0.002));
+    CHECK(high == Catch::Approx(below + above).epsilon(0.002));
+    CHECK(sunk(solver, 100)[1] > 0.02);
+  }
+  CHECK(sunk("direct", 100)[1] < 1e-6);
+}
+// [thin_plate]
 
 // [R16]
 TEST_CASE("twice the substeps let a tower of five sink a quarter as far", "[R16][long]")

@@ -99,7 +99,7 @@ Vector3<Real> ordinary_size(const Vector3<WideDouble>& v)
 /// The unit normal of a surface after the matrix `m`: along M⁻ᵀ n, M14, by cofactors.
 ///
 /// Right for entries of every size, for mirrors, and for a matrix that flattens space to a plane.
-/// A normal that has no image, for it lay in that plane or all that is left is a line, gets +y.
+/// A normal that has no image, for it is square to what is squashed or a line is left, gets +y.
 /// Which side the answer points to is certain wherever the matrix has an inverse(). `n` may have
 /// any length; zero counts as +y.
 template <class Real>

@@ -18,7 +18,7 @@ namespace cookbook
 /// What the code published beside the seed book computes, in our own words; X05, X06, X07.
 ///
 /// A squared distance below float's epsilon is taken for a centre inside the box, a third of a
-/// millimetre early. Inside, the normal points from the box's centre instead of through the nearest
+/// millimetre early. Inside, the normal points to the box's centre instead of through the nearest
 /// face, and the depth is the radius, however deep the sphere is. A sphere in the very centre
 /// counts as apart.
 inline std::optional<Manifold<float>>
