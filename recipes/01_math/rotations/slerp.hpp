@@ -64,7 +64,8 @@ Quaternion<Real> nlerp(const Quaternion<Real>& a, const Quaternion<Real>& b, con
   const TurnEnds<Real> ends = turn_ends(a, b);
   const Real share = std::abs(t) * std::numeric_limits<Real>::epsilon() >= Real(1) ? Real(0) : t;
   const Quaternion<Real> step = combined<Real>(Real(1), ends.b, Real(-1), ends.a);
-  return unit_quaternion(combined<Real>(Real(1), ends.a, share, step));
+  const Quaternion<Real> chord = combined<Real>(Real(1), ends.a, share, step);
+  return times<Real>(Real(1) / std::sqrt(dot(chord, chord)), chord);
 }
 // [nlerp]
 
