@@ -26,8 +26,8 @@ among() { # among WORD LIST
   case " $2 " in *" $1 "*) return 0 ;; *) return 1 ;; esac
 }
 
-one_by_one() { # each line is a function and its arguments
-  while read -r call what more; do "$call" "$what" "$more"; done
+one_by_one() { # each line is a function and its arguments, three at most
+  while read -r call one two three; do "$call" "$one" "$two" "$three"; done
 }
 
 two_at_a_time() { # every other line each
@@ -42,52 +42,49 @@ compile() { # compile NAME WHAT OPTIONS...: one sentence, and the compiler's, wh
   log="$work/$1.log" what="$1: $2"
   shift 2
   "$compiler" -std=c++20 -isystem "$eigen" -x c++ "$@" >"$log" 2>&1 && return
-  echo "$what does not compile"
+  echo "$what cannot be compiled"
   sed -n 1,15p "$log"
   return 1
 }
 
+# What the headers include, compiled once; with -Wpedantic, as all that reads it.
+first() {
+  sed -n '/mmintrin/d; s/^\(#include <[^>]*>\).*/\1/p' "$work"/*.hpp | sort -u >"$work/first"
+  "$compiler" --version | grep -q clang || compile first "what all read first" $bits -x c++-header -c "$work/first"
+}
+
 # Which bits come out must not depend on where a compiler puts fused multiply-adds.
-run() { # run NAME WHAT OPTIONS...: compiles calls, and leaves what they print in NAME.bits
-  compile "$@" -O1 -ffp-contract=off -o "$work/$1.calls" || return 0
-  "$work/$1.calls" >"$work/$1.bits" || echo "$1: the calls of $2 end with an error"
-}
-
-house() { # house CALLS: calls the house's own headers
-  options="-I $root -I $root/recipes"
-  names=$(sed -n 's/^#ifdef TAKE_//p' "$1")
-  for name in $names; do
-    options="$options -D TAKE_$name -include $(echo "$root"/recipes/*/"$name/$name.hpp")"
+bits="-Wpedantic -O1 -ffp-contract=off"
+calls() { # calls WHOSE CALLS [OPTION]: calls the house's headers, or those taken; what comes out is in NAME.bits
+  whose=$1 calls=$(basename "$2" .cpp) source=$2
+  set -- $bits $3 -include "$work/first"
+  for name in $(sed -n 's/^#ifdef TAKE_//p' "$source" | sort -u); do
+    case $whose in
+      house) set -- "$@" -I "$root" -I "$root/recipes" -include "$(echo "$root"/recipes/*/"$name/$name.hpp")" ;;
+      *) set -- "$@" -Wall -Wextra -Wconversion -Wshadow -Werror -include "$work/$name.hpp" ;;
+    esac
+    set -- "$@" -D "TAKE_$name"
   done
-  # shellcheck disable=SC2086 # the options are words
-  run "house_$(basename "$1" .cpp)" "the house" $options "$1"
+  compile "$whose.$calls" "what calls $whose headers" "$@" "$source" -o "$work/$whose.$calls" || return 0
+  "$work/$whose.$calls" >"$work/$whose.$calls.bits" || echo "$calls: the calls of $whose headers end with an error"
 }
 
-same_bits() { # same_bits NAME WHAT OPTIONS...
-  : >"$work/$1.bits"
-  run "$@"
-  grep -qxF "$(cat "$work/$1.bits")" "$work"/house_*.bits || echo "$1: $2 gives other bits than the house"
+same_bits() { # same_bits WHOSE CALLS: what was taken gives the house's bits
+  calls=$(basename "$2" .cpp)
+  diff "$work/house.$calls.bits" "$work/$1.$calls.bits" || echo "$calls: $1 headers give other bits than the house"
 }
 
-taken() { # taken NAME [OPTION]: compiles a header for warnings, and compares its bits with the house's
-  name=$1 option=$2 id=$1$2 plain="-fno-exceptions -fno-rtti"
-  ! among "$name" "$needs_exceptions" || plain=
-  set -- ${option:+"$option"} -include "$work/$name.hpp"
-  warn="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror $plain"
-  calls=$(grep -lx "#ifdef TAKE_$name" "$root"/tests/take/calls_*.cpp) || among "$name" "$only_declare" ||
+taken() { # taken NAME [OPTION]: compiles alone for the web, or for this machine where it needs exceptions
+  name=$1
+  set -- $2 -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -include "$work/$name.hpp"
+  among "$name" "$needs_exceptions" || set -- "$@" -fno-exceptions -fno-rtti --target="$wasm"
+  compile "$name" "the taken header, alone," "$@" /dev/null || true
+  grep -qx "#ifdef TAKE_$name" "$root"/tests/take/calls_*.cpp || among "$name" "$only_declare" ||
     echo "$name: tests/take calls nothing of it"
-  # shellcheck disable=SC2086 # the options are words
-  if [ -z "$wasm" ] && [ -n "$calls" ]; then
-    same_bits "$id" "the taken header" $warn "$@" -D "TAKE_$name" "$calls"
-  elif [ -n "$wasm" ] && [ -n "$plain" ]; then
-    compile "$id" "the taken header, for $wasm," -fsyntax-only --target="$wasm" $warn "$@" /dev/null || true
-  else
-    compile "$id" "the taken header" -fsyntax-only $warn "$@" /dev/null || true
-  fi
 }
 
-# A compiler that knows the web compiles each header for it, and all of them together for this machine;
-# another one, g++, compares bits. Either takes a minute.
+# A compiler that knows the web compiles each header alone, for it, and all of them together for this
+# machine; another one, g++, compares bits. Either takes a minute.
 wasm=wasm32-wasi
 echo '#include <vector>' | "$compiler" --target="$wasm" -fsyntax-only -x c++ - 2>/dev/null || {
   echo "left out: $compiler has no C++ library for $wasm"
@@ -114,19 +111,39 @@ together() {
     $(cut -d ' ' -f 1 "$work/sizes" | sed "s|.*|-include $work/&.hpp|") /dev/null || true
 }
 
-# A header that does not speak of COOKBOOK_PLAIN is the same text with it. The largest come first.
-{
-  [ -z "$wasm" ] || echo together
+# A header that does not speak of COOKBOOK_PLAIN is the same text with it.
+plainly() { # plainly NAME...: whether one of them speaks of it
+  for name in "$@"; do
+    ! grep -q COOKBOOK_PLAIN "$work/$name.hpp" || return 0
+  done
+  return 1
+}
+
+alone() { # the largest come first
+  echo together
   sort -k 2,2nr "$work/sizes" | while read -r name _; do
     echo "taken $name"
-    ! grep -q COOKBOOK_PLAIN "$work/$name.hpp" || echo "taken $name -DCOOKBOOK_PLAIN"
+    ! plainly "$name" || echo "taken $name -DCOOKBOOK_PLAIN"
   done
   echo compiled_once
-} >"$work/taken"
+}
+
+compared() { # compared calls|same_bits: two lines or three for each file of calls
+  for source in "$root"/tests/take/calls_*.cpp; do
+    [ "$1" = same_bits ] || echo "calls house $source"
+    echo "$1 taken $source"
+    # shellcheck disable=SC2046 # the names are words
+    ! plainly $(sed -n 's/^#ifdef TAKE_//p' "$source") || echo "$1 plain $source -DCOOKBOOK_PLAIN"
+  done
+}
 
 complaints=$(
   awk '$2 > $3 { print $1 " brings " $2 " lines, its budget is " $3 }' "$work/sizes"
-  [ -n "$wasm" ] || printf 'house %s\n' "$root"/tests/take/calls_*.cpp | two_at_a_time
-  two_at_a_time <"$work/taken"
+  if [ -n "$wasm" ]; then
+    alone | two_at_a_time
+  elif first; then
+    compared calls | two_at_a_time
+    compared same_bits | one_by_one
+  fi
 )
 [ -z "$complaints" ] || { echo "$complaints"; exit 1; }
