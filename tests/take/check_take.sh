@@ -50,6 +50,7 @@ compile() { # compile NAME WHAT OPTIONS...: one sentence, and the compiler's, wh
 # What the headers include, compiled once; with -Wpedantic, as all that reads it.
 first() {
   sed -n '/mmintrin/d; s/^\(#include <[^>]*>\).*/\1/p' "$work"/*.hpp | sort -u >"$work/first"
+  # shellcheck disable=SC2086 # the options are words
   "$compiler" --version | grep -q clang || compile first "what all read first" $bits -x c++-header -c "$work/first"
 }
 
@@ -57,7 +58,9 @@ first() {
 bits="-Wpedantic -O1 -ffp-contract=off"
 calls() { # calls WHOSE CALLS [OPTION]: calls the house's headers, or those taken; what comes out is in NAME.bits
   whose=$1 calls=$(basename "$2" .cpp) source=$2
+  # shellcheck disable=SC2086 # the options are words
   set -- $bits $3 -include "$work/first"
+  # shellcheck disable=SC2013 # the names are words
   for name in $(sed -n 's/^#ifdef TAKE_//p' "$source" | sort -u); do
     case $whose in
       house) set -- "$@" -I "$root" -I "$root/recipes" -include "$(echo "$root"/recipes/*/"$name/$name.hpp")" ;;
@@ -76,6 +79,7 @@ same_bits() { # same_bits WHOSE CALLS: what was taken gives the house's bits
 
 taken() { # taken NAME [OPTION]: compiles alone for the web, or for this machine where it needs exceptions
   name=$1
+  # shellcheck disable=SC2086 # the option is a word, or nothing
   set -- $2 -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -include "$work/$name.hpp"
   among "$name" "$needs_exceptions" || set -- "$@" -fno-exceptions -fno-rtti --target="$wasm"
   compile "$name" "the taken header, alone," "$@" /dev/null || true
