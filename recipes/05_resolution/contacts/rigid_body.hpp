@@ -24,6 +24,9 @@ struct RigidBody : Body<double>
   Vector3<double> moments;        ///< [kg m²], along the body's axes; 0 where it is fixed
   Matrix3<double> axes;           ///< [1], the orientation as a matrix; a ball's stay the world's
   bool round;                     ///< a ball: where it touches does not turn with it
+  /// [m/s²], world, by the forces of this step; gravity is not among them.
+  Vector3<double> acceleration = Vector3<double>::Zero();
+  Vector3<double> angular_acceleration = Vector3<double>::Zero(); ///< [rad/s²], world, the same
 };
 
 /// True if no push moves the body.
@@ -32,9 +35,24 @@ inline bool is_fixed(const RigidBody& body)
   return body.inverse_mass == 0;
 }
 
+/// Forgets the forces of a step.
+inline void forget_forces(RigidBody& body)
+{
+  body.acceleration.setZero();
+  body.angular_acceleration.setZero();
+}
+
+/// Pulls a body that is not fixed by gravity [m/s²] and by the forces of the step, for a time [s].
+inline void pull(RigidBody& body, const Vector3<double>& gravity, double time)
+{
+  body.motion.velocity += time * (gravity + body.acceleration);
+  body.motion.angular_velocity += time * body.angular_acceleration;
+}
+
 /// Takes a body's mass, so that nothing moves it any more.
 inline void fix(RigidBody& body)
 {
+  forget_forces(body);
   body.motion.velocity.setZero();
   body.motion.angular_velocity.setZero();
   body.inverse_mass = 0;

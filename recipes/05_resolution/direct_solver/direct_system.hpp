@@ -94,13 +94,13 @@ inline void gather(
   system.points.clear();
   for (const int i : island.bodies)
   {
-    const RigidBody& body = world.bodies[place_of(i)];
-    Vector6 velocity;
-    velocity << body.motion.velocity, body.motion.angular_velocity;
-    system.velocities.push_back(velocity);
-    velocity.head<3>() += step * world.gravity;
+    RigidBody body = world.bodies[place_of(i)];
+    const auto velocity = [&]
+    { return (Vector6() << body.motion.velocity, body.motion.angular_velocity).finished(); };
+    system.velocities.push_back(velocity());
+    pull(body, world.gravity, step);
     system.bodies.push_back(
-        {1 / body.inverse_mass, world_inertia(body.moments, body.axes), velocity});
+        {1 / body.inverse_mass, world_inertia(body.moments, body.axes), velocity()});
   }
   for (const int i : island.contacts)
   {

@@ -106,7 +106,7 @@ inline void position_based(
         [&](RigidBody& was, RigidBody& body)
         {
           was = body;
-          body.motion.velocity += small * world.gravity;
+          pull(body, world.gravity, small);
           move(body, small);
         });
     for (int pass = 0; pass < settings.iterations; ++pass)

@@ -101,7 +101,7 @@ inline std::vector<SequentialPoint> sequential_points(
 {
   for (const int body : island.bodies)
   {
-    world.bodies[static_cast<std::size_t>(body)].motion.velocity += step * world.gravity;
+    pull(world.bodies[static_cast<std::size_t>(body)], world.gravity, step);
   }
   std::vector<SequentialPoint> points;
   for (IslandPoint& point : points_of(world, island))

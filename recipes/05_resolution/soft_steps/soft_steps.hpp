@@ -103,7 +103,7 @@ soft_steps(IslandView world, const Island& island, double step, const SoftSettin
   {
     for (const int body : island.bodies)
     {
-      world.bodies[static_cast<std::size_t>(body)].motion.velocity += small * world.gravity;
+      pull(world.bodies[static_cast<std::size_t>(body)], world.gravity, small);
     }
     for (IslandPoint& point : points)
     {

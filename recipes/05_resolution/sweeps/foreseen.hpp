@@ -50,18 +50,25 @@ inline double harmless_depth(double thinness)
   return thinness / 10;
 }
 
-/// How far [m] a body goes in a step if nothing pushes it, but for the fall of that step.
+/// How a body moves after the forces of a step, but for gravity.
+inline Motion<double> forced_on(const Scene& scene, RigidBody body)
+{
+  pull(body, Vector3<double>::Zero(), scene.step);
+  return body.motion;
+}
+
+/// How far [m] a body goes in a step if no other pushes it, but for the fall of that step.
 inline Vector3<double> way_on(const Scene& scene, const RigidBody& body)
 {
   return is_fixed(body) ? Vector3<double>::Zero()
-                        : Vector3<double>(scene.step * body.motion.velocity);
+                        : Vector3<double>(scene.step * forced_on(scene, body).velocity);
 }
 
 /// How far [m] it turns any of its points meanwhile: a ball's stay on its surface.
 inline double turn_on(const Scene& scene, const RigidBody& body, int i)
 {
   const bool turns = !body.round && !is_fixed(body);
-  return turns ? turning_way(scene, i, body.motion.angular_velocity, scene.step) : 0;
+  return turns ? turning_way(scene, i, forced_on(scene, body).angular_velocity, scene.step) : 0;
 }
 
 /// Whether a body is left to the sweep, if it goes on as it does: a box that goes by clearly more
@@ -80,7 +87,7 @@ inline RigidBody going_on(const Scene& scene, RigidBody body)
   body.motion.center += way_on(scene, body);
   if (!body.round && !is_fixed(body))
   {
-    body.orientation = turned_by(body, scene.step * body.motion.angular_velocity);
+    body.orientation = turned_by(body, scene.step * forced_on(scene, body).angular_velocity);
     body.axes = body.orientation.toRotationMatrix();
   }
   return body;

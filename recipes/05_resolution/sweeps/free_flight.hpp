@@ -9,24 +9,28 @@ namespace cookbook
 {
 
 // [fly]
-/// A body after it has fallen and spun freely for a time [s]: exactly along its parabola.
+/// A body after gravity and the forces of a step alone have moved it for a time [s]: exactly along
+/// its parabola.
 inline RigidBody flown(RigidBody body, const Vector3<double>& gravity, double time)
 {
-  body.motion.center += time * (body.motion.velocity + time / 2 * gravity);
-  body.motion.velocity += time * gravity;
+  const Vector3<double> pulled = gravity + body.acceleration;
+  body.motion.center += time * (body.motion.velocity + time / 2 * pulled);
+  pull(body, gravity, time);
   spin(body, time);
   return body;
 }
 // [fly]
 
-/// Whether a body, since it was at the start of a step [s], has been given anything but gravity.
-inline bool was_pushed(
-    const RigidBody& now, const RigidBody& start, const Vector3<double>& gravity, double step)
+/// Whether anything but gravity and forces has changed how a body moves, since it was at the start
+/// of a step [s].
+inline bool
+was_pushed(const RigidBody& now, RigidBody start, const Vector3<double>& gravity, double step)
 {
-  const Vector3<double> fallen = start.motion.velocity + step * gravity;
-  const double turned = (now.motion.angular_velocity - start.motion.angular_velocity).norm();
-  return (now.motion.velocity - fallen).norm() > 1e-9 * fallen.norm() ||
-         turned > 1e-9 * start.motion.angular_velocity.norm();
+  pull(start, gravity, step);
+  const auto differs = [](const Vector3<double>& a, const Vector3<double>& b)
+  { return (a - b).norm() > 1e-9 * b.norm(); };
+  return differs(now.motion.velocity, start.motion.velocity) ||
+         differs(now.motion.angular_velocity, start.motion.angular_velocity);
 }
 
 } // namespace cookbook

@@ -26,10 +26,10 @@ inline double impact_target(const IslandPoint& point, const Vector3<double>& gra
   {
     return -1;
   }
-  const auto falls = [&](const RigidBody& body) { return is_fixed(body) ? 0.0 : 1.0; };
-  const double fall = gravity.dot(point.normal);
-  const double acceleration = fall * (falls(*point.b) - falls(*point.a));
-  const double threshold = bounce_threshold(gravity.norm(), step);
+  const auto pulls = [&](const RigidBody& body)
+  { return is_fixed(body) ? 0.0 : (gravity + body.acceleration).dot(point.normal); };
+  const double acceleration = pulls(*point.b) - pulls(*point.a);
+  const double threshold = bounce_threshold(std::max(gravity.norm(), -acceleration), step);
   const double target = bounced_speed<double>(
       speed, {acceleration, 0, -apart}, point.contact->restitution, threshold);
   return target > 0 ? target : -1;

@@ -76,7 +76,7 @@ inline void wide_steps(
     each_body(
         [&](RigidBody& body, LaneBody& lane)
         {
-          body.motion.velocity += small * world.gravity;
+          pull(body, world.gravity, small);
           put_motion(body, lane);
         });
     lanes.change_each([](WideContact& of, ContactConstraint<Four>& at)

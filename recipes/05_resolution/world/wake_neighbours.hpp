@@ -5,6 +5,7 @@
 
 #include "05_resolution/islands/island.hpp"
 #include "05_resolution/sleeping/sleeping.hpp"
+#include "05_resolution/world/world_state.hpp"
 
 #include <span>
 #include <vector>
@@ -22,6 +23,23 @@ inline void wake_neighbours(
     if (contact.a == body || contact.b == body)
     {
       wake(states, numbers, contact.a + contact.b - body);
+    }
+  }
+}
+
+/// Wakes what sleeps in the bounds of a body, with all that hangs together with it.
+inline void wake_touched_by(WorldState& world, const Bounds& bound)
+{
+  if (!world.may_sleep)
+  {
+    return;
+  }
+  world.islands.find(world.bodies, world.contacts);
+  for (const Bounds& other : world.bounds)
+  {
+    if (world.sleep[place_of(other.body)].asleep && other.box.intersects(bound.box))
+    {
+      wake(world.sleep, world.islands.numbers(), other.body);
     }
   }
 }

@@ -85,7 +85,7 @@ public:
   {
     state_.scene.bodies.push_back(checked(body, bodies().size()));
     enter(body);
-    wake_touched_by(state_.bounds.back());
+    wake_touched_by(state_, state_.bounds.back());
     return bodies().size() - 1;
   }
 
@@ -117,6 +117,22 @@ public:
     {
       wake_island_of(body);
       set.motion = {set.motion.center, velocity, angular_velocity};
+    }
+  }
+
+  /// Pulls a body in the next step, beside gravity, by an acceleration [m/s²] and an angular one
+  /// [rad/s²], world, more; otherwise as set_velocity().
+  void
+  accelerate(std::size_t body, const Vector3<double>& more, const Vector3<double>& angular_more)
+  {
+    check_there(body);
+    RigidBody pulled = bodies()[body];
+    check_finite("acceleration", pulled.acceleration += more);
+    check_finite("angular_acceleration", pulled.angular_acceleration += angular_more);
+    if (!is_fixed(pulled))
+    {
+      wake_island_of(body);
+      state_.bodies[body] = pulled;
     }
   }
 
@@ -165,22 +181,6 @@ private:
     {
       state_.islands.find(state_.bodies, state_.contacts);
       wake(state_.sleep, state_.islands.numbers(), static_cast<int>(body));
-    }
-  }
-
-  /// Wakes what sleeps where a body is, with all that hangs together with it.
-  void wake_touched_by(const Bounds& bound)
-  {
-    if (state_.may_sleep)
-    {
-      state_.islands.find(state_.bodies, state_.contacts);
-      for (const Bounds& other : state_.bounds)
-      {
-        if (state_.sleep[place_of(other.body)].asleep && other.box.intersects(bound.box))
-        {
-          wake(state_.sleep, state_.islands.numbers(), other.body);
-        }
-      }
     }
   }
 

@@ -28,13 +28,15 @@ inline void apply_impulse(World& world, std::size_t body, const Vector3<double>&
   apply_impulse(world, body, impulse, world.body(body).motion.center);
 }
 
-/// Has a force [N], world, act on a body at a point [m], world, in the next step: all of its
-/// impulse at once.
+/// Has a force [N], world, act on a body at a point [m], world, all through the next step.
 inline void apply_force(
     World& world, std::size_t body, const Vector3<double>& force, const Vector3<double>& point)
 {
   check_finite("force", force);
-  apply_impulse(world, body, world.scene().step * force, point);
+  check_finite("point", point);
+  const RigidBody& pulled = world.body(body);
+  const Vector3<double> torque = (point - pulled.motion.center).cross(force);
+  world.accelerate(body, pulled.inverse_mass * force, pulled.inverse_inertia * torque);
 }
 
 /// The same at a body's centre.
@@ -43,13 +45,11 @@ inline void apply_force(World& world, std::size_t body, const Vector3<double>& f
   apply_force(world, body, force, world.body(body).motion.center);
 }
 
-/// Has a torque [N m], world, act on a body in the next step.
+/// Has a torque [N m], world, act on a body all through the next step.
 inline void apply_torque(World& world, std::size_t body, const Vector3<double>& torque)
 {
   check_finite("torque", torque);
-  const RigidBody& turned = world.body(body);
-  const Vector3<double> gained = turned.inverse_inertia * (world.scene().step * torque);
-  world.set_velocity(body, turned.motion.velocity, turned.motion.angular_velocity + gained);
+  world.accelerate(body, {0, 0, 0}, world.body(body).inverse_inertia * torque);
 }
 // [world_inputs]
 

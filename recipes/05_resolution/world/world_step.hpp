@@ -11,6 +11,7 @@
 #include "05_resolution/sweeps/step_sweeps.hpp"
 #include "05_resolution/world/world_state.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 
@@ -137,6 +138,7 @@ COOKBOOK_WORLD_INLINE void step(WorldState& world, const WorldSolver& solver)
     settle(world.sleep, world.islands.numbers(), SleepLimits<double>{});
   }
   advance(world, solver);
+  std::for_each(world.bodies.begin(), world.bodies.end(), forget_forces);
   if (world.has_balls || may_have_fast_boxes(world.scene, world.start, world.bodies))
   {
     sweep(world);
