@@ -125,23 +125,31 @@ function(cookbook_batch name)
   cookbook_install_target(${library})
 endfunction()
 
-# cookbook_helper(ROOM NAME [LIBRARY…]): ROOM/trial/NAME.cpp, compiled once for several programs and
-# tests. What is LIGHT is not timed.
+# cookbook_helper(ROOM NAME [LIGHT|BUSY] [LIBRARY…]): ROOM/trial/NAME.cpp, compiled once for several
+# programs and tests. What is LIGHT, or BUSY, is not timed.
 function(cookbook_helper room name)
-  cmake_parse_arguments(PARSE_ARGV 2 helper "LIGHT" "" "")
+  cmake_parse_arguments(PARSE_ARGV 2 helper "LIGHT;BUSY" "" "")
   add_library(${name} STATIC EXCLUDE_FROM_ALL ${room}/trial/${name}.cpp)
   target_link_libraries(${name} PUBLIC ${COOKBOOK_CHAPTER_TARGET} ${helper_UNPARSED_ARGUMENTS})
   cookbook_warnings(${name})
   if(helper_LIGHT)
     cookbook_compiled(${name} light)
+  elseif(helper_BUSY)
+    cookbook_compiled(${name} busy)
   else()
     cookbook_compiled(${name} timed)
   endif()
 endfunction()
 
-# cookbook_compiled(TARGET light|timed): optimised a little only, or in full, with the headers that are
-# precompiled for it, where there are programs.
+# cookbook_compiled(TARGET light|busy|timed): optimised a little only, or in full, with the headers that
+# are precompiled for it, where there are programs. What is busy runs for long if it is not optimised at
+# all, so that clang, which does nothing in between, optimises it in full.
 function(cookbook_compiled target kind)
+  if(kind STREQUAL "busy" AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND NOT COOKBOOK_SANITIZE)
+    set(kind timed)
+  elseif(kind STREQUAL "busy")
+    set(kind light)
+  endif()
   if(kind STREQUAL "light")
     cookbook_lightly(${target})
   endif()
@@ -165,16 +173,18 @@ if(COOKBOOK_RECIPES)
   add_custom_target(recipes)
 endif()
 
-# cookbook_recipe(NAME [LONG] [LIBRARY…]): NAME.hpp, NAME.cpp and NAME.expected in the room NAME make the
+# cookbook_recipe(NAME [LONG|BUSY] [LIBRARY…]): NAME.hpp, NAME.cpp and NAME.expected in the room NAME make the
 # program NAME, the checks of its output and its figures, and the tests in tests/CHAPTER/NAME_test.cpp.
 # What is LONG runs for longer than it compiles, and is optimised.
 function(cookbook_recipe name)
   set_property(GLOBAL APPEND PROPERTY COOKBOOK_RECIPE_NAMES ${name})
-  cmake_parse_arguments(PARSE_ARGV 1 recipe "LONG" "" "")
+  cmake_parse_arguments(PARSE_ARGV 1 recipe "LONG;BUSY" "" "")
   if(COOKBOOK_RECIPES)
     cookbook_program(${name} ${recipe_UNPARSED_ARGUMENTS})
     if(recipe_LONG)
       cookbook_compiled(${name} timed)
+    elseif(recipe_BUSY)
+      cookbook_compiled(${name} busy)
     else()
       cookbook_compiled(${name} light)
     endif()
