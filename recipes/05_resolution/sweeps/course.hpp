@@ -61,22 +61,24 @@ inline Vector3<double> spin_between(const RigidBody& from, const RigidBody& to, 
 }
 
 /// The course of a body from one pose to another in a step [s], straight.
-inline Course straight_course(RigidBody from, const RigidBody& to, double step)
+inline Course straight_course(const RigidBody& from, const RigidBody& to, double step)
 {
-  forget_forces(from);
   const Vector3<double> none = Vector3<double>::Zero();
-  return {
-      from, 0, (to.motion.center - from.motion.center) / step, none, spin_between(from, to, step)};
+  const Vector3<double> velocity = (to.motion.center - from.motion.center) / step;
+  Course course{from, 0, velocity, none, spin_between(from, to, step)};
+  forget_forces(course.start);
+  return course;
 }
 
 /// The course of a body that nothing touches in a step [s], to a pose at its end; it is the course,
 /// from then on, that knows what pulls the centre.
-inline Course
-falling_course(RigidBody from, const RigidBody& to, double step, const Vector3<double>& gravity)
+inline Course falling_course(
+    const RigidBody& from, const RigidBody& to, double step, const Vector3<double>& gravity)
 {
   const Vector3<double> pulled = gravity + from.acceleration;
-  from.acceleration.setZero();
-  return {from, 0, from.motion.velocity, pulled, spin_between(from, to, step)};
+  Course course{from, 0, from.motion.velocity, pulled, spin_between(from, to, step)};
+  course.start.acceleration.setZero();
+  return course;
 }
 
 /// Takes out of a course what leads along a normal into the body that it leans on, at a place [m].

@@ -50,33 +50,31 @@ inline double harmless_depth(double thinness)
   return thinness / 10;
 }
 
-/// How a body moves after the forces of a step, but for gravity.
-inline Motion<double> forced_on(const Scene& scene, RigidBody body)
-{
-  pull(body, Vector3<double>::Zero(), scene.step);
-  return body.motion;
-}
-
 /// How far [m] a body goes in a step if no other pushes it, but for the fall of that step.
 inline Vector3<double> way_on(const Scene& scene, const RigidBody& body)
 {
-  return is_fixed(body) ? Vector3<double>::Zero()
-                        : Vector3<double>(scene.step * forced_on(scene, body).velocity);
+  const Vector3<double> velocity = body.motion.velocity + scene.step * body.acceleration;
+  return is_fixed(body) ? Vector3<double>::Zero() : Vector3<double>(scene.step * velocity);
 }
 
-/// How far [m] it turns any of its points meanwhile: a ball's stay on its surface.
+/// The spin [rad/s] with which it turns meanwhile.
+inline Vector3<double> spin_on(const Scene& scene, const RigidBody& body)
+{
+  return body.motion.angular_velocity + scene.step * body.angular_acceleration;
+}
+
+/// How far [m] that takes any of its points: a ball's stay on its surface.
 inline double turn_on(const Scene& scene, const RigidBody& body, int i)
 {
   const bool turns = !body.round && !is_fixed(body);
-  return turns ? turning_way(scene, i, forced_on(scene, body).angular_velocity, scene.step) : 0;
+  return turns ? turning_way(scene, i, spin_on(scene, body), scene.step) : 0;
 }
 
-/// Whether a body is left to the sweep, if it goes on as it does: a box that goes by clearly more
-/// than half of its smallest size, a ball that goes farther than is harmless.
-inline bool is_for_sweep(const Scene& scene, const RigidBody& body, int i)
+/// Whether a body whose points go by up to this way [m] is left to the sweep: a box if that is
+/// clearly more than half of its smallest size, a ball if it is farther than is harmless.
+inline bool is_for_sweep(const Scene& scene, const RigidBody& body, int i, double way)
 {
   const double thin = thinness(scene, i);
-  const double way = way_on(scene, body).norm() + turn_on(scene, body, i);
   return way > (body.round ? harmless_depth(thin) : 1.25 * thin);
 }
 
@@ -87,7 +85,7 @@ inline RigidBody going_on(const Scene& scene, RigidBody body)
   body.motion.center += way_on(scene, body);
   if (!body.round && !is_fixed(body))
   {
-    body.orientation = turned_by(body, scene.step * forced_on(scene, body).angular_velocity);
+    body.orientation = turned_by(body, scene.step * spin_on(scene, body));
     body.axes = body.orientation.toRotationMatrix();
   }
   return body;
@@ -99,13 +97,14 @@ inline Eigen::AlignedBox<double, 3>
 foreseen_bounds(const Scene& scene, const RigidBody& body, int i, double margin)
 {
   const auto& shape = scene.bodies[place_of(i)].shape;
-  if (is_for_sweep(scene, body, i))
+  const Vector3<double> way = way_on(scene, body);
+  const double turning = turn_on(scene, body, i);
+  if (is_for_sweep(scene, body, i, way.norm() + turning))
   {
     return bounds_of(body, shape, margin / 2);
   }
-  const double turning = turn_on(scene, body, i);
   const Eigen::AlignedBox<double, 3> here = bounds_of(body, shape, margin / 2 + turning);
-  return here.merged(here.translated(way_on(scene, body)));
+  return here.merged(here.translated(way));
 }
 
 /// How far apart [m] two bodies may be and be in contact: the margin [m]; and as far as they may
@@ -116,9 +115,11 @@ foreseen_reach(const Scene& scene, std::span<const RigidBody> bodies, int i, int
 {
   const RigidBody &a = bodies[place_of(i)], &b = bodies[place_of(j)];
   const double harmless = harmless_depth(std::min(thinness(scene, i), thinness(scene, j)));
-  const double closing =
-      (way_on(scene, b) - way_on(scene, a)).norm() + turn_on(scene, a, i) + turn_on(scene, b, j);
-  if (!(closing > harmless) || is_for_sweep(scene, a, i) || is_for_sweep(scene, b, j))
+  const Vector3<double> way_a = way_on(scene, a), way_b = way_on(scene, b);
+  const double turn_a = turn_on(scene, a, i), turn_b = turn_on(scene, b, j);
+  const double closing = (way_b - way_a).norm() + turn_a + turn_b;
+  if (!(closing > harmless) || is_for_sweep(scene, a, i, way_a.norm() + turn_a) ||
+      is_for_sweep(scene, b, j, way_b.norm() + turn_b))
   {
     return margin;
   }
