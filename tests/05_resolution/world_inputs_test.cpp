@@ -327,6 +327,114 @@ TEST_CASE("what is thrown at a wall of 2 cm by forces of up to a million newtons
   }
 }
 
+TEST_CASE("a torque lasts for a step, also for a ball that hits a wall meanwhile")
+{
+  Scene scene{.gravity = {0, 0, 0}};
+  scene.bodies = {
+      box_body("wall", {0.1, 2, 2}, {0, 0, 0}, 0), ball_body("ball", 0.05, {-0.3, 0.1, 0})};
+  scene.bodies[0].friction = scene.bodies[1].friction = 0;
+  scene.bodies[0].restitution = scene.bodies[1].restitution = 1;
+  World world(scene, solver_named("direct"));
+  world.set_velocity(1, {30, 0, 0}, {0, 0, 0});
+  apply_torque(world, 1, {0, 0.06, 0});
+  world.step();
+  CHECK(world.body(1).motion.velocity.x() < 0);
+  CHECK((world.body(1).angular_acceleration.array() == 0).all());
+  world.step();
+  // I is 2/5 m r² = .001.
+  CHECK(world.body(1).motion.angular_velocity.y() == Catch::Approx(0.06 / 60 / 0.001));
+}
+
+TEST_CASE("a box that a force drives at a wall, or brakes before it, gets no deeper than a tenth")
+{
+  struct Drive
+  {
+    double half, from, speed, force;
+  };
+  // The second and the last would stop before the wall in a step whose force came first.
+  for (const Drive& drive :
+       {Drive{0.05, -0.11, 1, 180}, Drive{0.5, -0.8, 30, -1800}, Drive{0.05, -0.08, 0, 300},
+        Drive{0.05, -0.1, 3, -180}})
+  {
+    for (const char* const solver : {"direct", "soft_steps", "wide_steps"})
+    {
+      Scene scene{.gravity = {0, 0, 0}};
+      const Vector3<double> half(drive.half, drive.half, drive.half);
+      scene.bodies = {
+          box_body("wall", {0.05, 2, 2}, {0.05, 0, 0}, 0),
+          box_body("box", half, {drive.from, 0, 0})};
+      World world(scene, solver_named(solver));
+      world.set_velocity(1, {drive.speed, 0, 0}, {0, 0, 0});
+      apply_force(world, 1, {drive.force, 0, 0});
+      double deepest = 0;
+      for (int i = 0; i < 10; ++i)
+      {
+        world.step();
+        deepest = std::max(deepest, world.body(1).motion.center.x() + drive.half);
+      }
+      CAPTURE(solver, drive.half, drive.speed, drive.force);
+      CHECK(deepest <= 0.2 * std::min(drive.half, 0.05));
+    }
+  }
+}
+
+TEST_CASE("a ball that is pressed on a wall without gravity rests there, whatever its restitution")
+{
+  for (const char* const solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    Scene scene{.gravity = {0, 0, 0}};
+    scene.bodies = {
+        box_body("wall", {0.1, 2, 2}, {0.1, 0, 0}, 0), ball_body("ball", 0.5, {-0.5, 0, 0})};
+    scene.bodies[0].restitution = scene.bodies[1].restitution = 0.9;
+    World world(scene, solver_named(solver));
+    for (int i = 0; i < 120; ++i)
+    {
+      apply_force(world, 1, {50, 0, 0});
+      world.step();
+    }
+    CAPTURE(solver);
+    CHECK(std::abs(world.body(1).motion.center.x() + 0.5) <= 0.005);
+    CHECK(world.body(1).motion.velocity.norm() <= 1e-3);
+  }
+}
+
+TEST_CASE("a force beyond floats moves whom it pulls, and leaves the neighbour a body that moves")
+{
+  for (const double force : {1e17, 1e25, 1e300})
+  {
+    World world(named_scene("tower_2"), solver_named("wide_steps"));
+    apply_force(world, 2, {0, force, 0});
+    for (int i = 0; i < 60; ++i)
+    {
+      world.step();
+    }
+    CAPTURE(force);
+    CHECK_FALSE(is_fixed(world.body(1)));
+    CHECK((world.body(1).motion.center - Vector3<double>(0, 0.5, 0)).norm() <= 1e-3);
+  }
+}
+
+TEST_CASE("forces are those of a step, also where its solver throws")
+{
+  bool throws = true;
+  const WorldSolver direct = solver_named("direct");
+  World world(
+      named_scene("tower_1"), WorldSolver(
+                                  [&](IslandView view, std::span<const Island> islands, double step)
+                                  {
+                                    if (throws)
+                                    {
+                                      throw std::runtime_error("no");
+                                    }
+                                    direct(view, islands, step);
+                                  }));
+  apply_force(world, 1, {0, 100, 0});
+  CHECK_THROWS_AS(world.step(), std::runtime_error);
+  throws = false;
+  world.step();
+  CHECK(world.body(1).motion.velocity.norm() <= 1e-6);
+}
+
 TEST_CASE("a world that is copied between a force and a step goes on as the original")
 {
   World world(named_scene("tower_3"), solver_named("wide_steps"));

@@ -78,13 +78,11 @@ same_bits() { # same_bits WHOSE CALLS: what was taken gives the house's bits
 }
 
 taken() { # taken NAME [OPTION]: compiles alone for the web, or for this machine where it needs exceptions
-  name=$1
+  name=$1 id=$1$2
   # shellcheck disable=SC2086 # the option is a word, or nothing
   set -- $2 -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -include "$work/$name.hpp"
-  among "$name" "$needs_exceptions" || set -- "$@" -fno-exceptions -fno-rtti --target="$wasm"
-  compile "$name" "the taken header, alone," "$@" /dev/null || true
-  grep -qx "#ifdef TAKE_$name" "$root"/tests/take/calls_*.cpp || among "$name" "$only_declare" ||
-    echo "$name: tests/take calls nothing of it"
+  among "$name" "$needs_exceptions" || set -- "$@" -fno-exceptions -fno-rtti ${wasm:+"--target=$wasm"}
+  compile "$id" "the taken header, alone," "$@" /dev/null || true
 }
 
 # A compiler that knows the web compiles each header alone, for it, and all of them together for this
@@ -141,12 +139,22 @@ compared() { # compared calls|same_bits: two lines or three for each file of cal
   done
 }
 
+# Each header is called, or only declares.
+called() {
+  while read -r name _; do
+    grep -qx "#ifdef TAKE_$name" "$root"/tests/take/calls_*.cpp || among "$name" "$only_declare" ||
+      echo "$name: tests/take calls nothing of it"
+  done
+}
+
 complaints=$(
+  called <"$work/sizes"
   awk '$2 > $3 { print $1 " brings " $2 " lines, its budget is " $3 }' "$work/sizes"
   if [ -n "$wasm" ]; then
     alone | two_at_a_time
   elif first; then
-    compared calls | two_at_a_time
+    # shellcheck disable=SC2086 # the names are words
+    { compared calls; printf 'taken %s\n' $only_declare; echo compiled_once; } | two_at_a_time
     compared same_bits | one_by_one
   fi
 )

@@ -32,8 +32,8 @@ struct IslandView
 {
   std::span<RigidBody> bodies;      ///< all bodies of the world
   std::span<WorldContact> contacts; ///< all contacts of the world
-  Vector3<double> gravity;          ///< [m/s²], world
-  std::vector<IslandPoint>& room;   ///< for the points of an island; kept from step to step
+  Vector3<double> gravity;        ///< [m/s²], world; with a body's own forces, what pull() is for
+  std::vector<IslandPoint>& room; ///< for the points of an island; kept from step to step
 };
 
 /// Moves the bodies of one island on by a step [s], and sets the impulses of its contacts.

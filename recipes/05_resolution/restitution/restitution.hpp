@@ -16,7 +16,7 @@ namespace cookbook
 template <class Real>
 struct ContactStep
 {
-  Real acceleration; ///< [m/s²], of the parting speed by gravity; negative where it presses
+  Real acceleration; ///< [m/s²], of the parting speed by what pulls; negative where it presses
   Real duration;     ///< [s]
   Real depth;        ///< [m], at the start of the step; negative: a gap
 };

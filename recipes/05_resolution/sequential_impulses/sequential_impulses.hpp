@@ -94,7 +94,7 @@ inline void position_pass(std::vector<SequentialPoint>& points, const Sequential
 // [position_pass]
 
 // [sequential_impulses]
-/// The points of an island, their bodies pulled by gravity for a step [s] and pushed once more as
+/// The points of an island, their bodies pulled for a step [s] and pushed once more as
 /// in the frame before, or not.
 inline std::vector<SequentialPoint> sequential_points(
     IslandView world, const Island& island, double step, const SequentialSettings& settings)

@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief Bodies of a world that nothing touches: gravity and spin.
+/// \brief Bodies of a world that nothing touches: gravity, forces and spin.
 
 #include "05_resolution/contacts/rigid_body.hpp"
 

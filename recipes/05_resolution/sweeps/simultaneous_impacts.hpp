@@ -1,8 +1,8 @@
 #pragma once
 
 /// \file
-/// \brief Bounces of the bodies of an island, all at once, before gravity and contacts have their
-/// turn.
+/// \brief Bounces of the bodies of an island, all at once, before gravity, forces and contacts have
+/// their turn.
 
 #include "05_resolution/islands/island_points.hpp"
 #include "05_resolution/restitution/restitution.hpp"

@@ -25,7 +25,7 @@ struct StepCourses
 {
   const Scene& scene;                     ///< with the bodies' shapes
   std::span<const WorldContact> contacts; ///< of this step
-  const std::vector<bool>& falls;         ///< whether a body fell freely, pushed by nothing
+  const std::vector<bool>& falls;         ///< whether no other body pushed it
   const std::vector<bool>& gone;          ///< whether it is no more
   BoundsTree& tree;                       ///< of all bodies that are there
   std::vector<Course>& courses;           ///< of all bodies

@@ -33,7 +33,6 @@ public:
         ends_(ends),
         woken_(woken),
         duration_(step.scene.step),
-        threshold_(bounce_threshold(step.scene.gravity.norm(), duration_)),
         touched_(ends.size(), 0),
         is_held_(ends.size(), false),
         touches_(step)
@@ -60,6 +59,15 @@ private:
     return on_the_way(step_, i, time, own, ends_[place_of(i)]);
   }
 
+  /// The speed [m/s] above which two bodies bounce: gravity and forces give them less in a step.
+  double threshold_of(const CourseTouch& touch) const
+  {
+    const Course &one = step_.courses[place_of(touch.first)],
+                 &two = step_.courses[place_of(touch.other)];
+    const double pressing = (one.acceleration - two.acceleration).dot(touch.normal);
+    return bounce_threshold(std::max(step_.scene.gravity.norm(), pressing), duration_);
+  }
+
   /// A box that has touched something so often that it stays where it is.
   bool is_frozen(int i) const
   {
@@ -81,11 +89,11 @@ private:
     }
     const bool ball = is_ball(step_.scene, first), both_balls = is_ball(step_.scene, other);
     const bool tired = ++touched_[place_of(first)] > most_touches_a_step;
-    const double slow = tired
-                            ? std::numeric_limits<double>::infinity()
-                            : std::min(threshold_, thinness(step_.scene, first) / (2 * duration_));
+    const double threshold = threshold_of(touch);
+    const double slow = tired ? std::numeric_limits<double>::infinity()
+                              : std::min(threshold, thinness(step_.scene, first) / (2 * duration_));
     double approach = bounce(a, b, contact, slow);
-    if (approach > threshold_)
+    if (approach > threshold)
     {
       touches_.come_back(first);
       touches_.come_back(other);
@@ -174,6 +182,7 @@ private:
           { hold_back(course, step_.courses[place_of(touch.other)], touch.normal, place); });
       end = gone_on(course, duration_, how);
     }
+    forget_forces(end);
     note_way(step_, i, end, touch.time);
     touches_.look_around(i, touch.time, end);
   }
@@ -182,7 +191,6 @@ private:
   std::span<RigidBody> ends_;
   const std::function<void(int)>& woken_;
   double duration_;
-  double threshold_;          // [m/s], of a bounce
   std::vector<int> touched_;  // how often each body has touched something
   std::vector<bool> is_held_; // whether each body does not turn any more
   TouchQueue touches_;

@@ -21,12 +21,13 @@ inline Softness<Four> in_every_lane(const Softness<double>& spring)
 }
 
 /// Whether what an island is about to be pushed by fits into floats, and its squares, too.
-inline bool fits_floats(IslandView world, const Island& island)
+inline bool fits_floats(IslandView world, const Island& island, double step)
 {
   constexpr double most = 1e15;
   const auto fits = [&](int i)
   {
-    const RigidBody& body = world.bodies[place_of(i)];
+    RigidBody body = world.bodies[place_of(i)];
+    pull(body, world.gravity, step);
     const double turning = body.inverse_inertia.cwiseAbs().maxCoeff();
     return body.inverse_mass * most >= 1 && body.inverse_mass <= most && turning <= most * most &&
            body.motion.velocity.cwiseAbs().maxCoeff() <= most &&
@@ -48,7 +49,7 @@ inline void wide_steps(
   lanes.islands.clear();
   for (const Island& island : islands)
   {
-    if (fits_floats(world, island))
+    if (fits_floats(world, island, step))
     {
       lanes.islands.add(island, speed_of_correction(world, island, step, settings));
     }

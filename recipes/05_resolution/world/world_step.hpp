@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace cookbook
 {
@@ -127,6 +128,14 @@ inline void finish(WorldState& world, std::size_t i)
   }
 }
 
+/// Forces last as long as this, also where a solver throws.
+struct ForcesOfStep
+{
+  std::vector<RigidBody>& bodies;
+
+  ~ForcesOfStep() { std::for_each(bodies.begin(), bodies.end(), forget_forces); }
+};
+
 COOKBOOK_WORLD_INLINE void step(WorldState& world, const WorldSolver& solver)
 {
   find_contacts(world);
@@ -137,8 +146,10 @@ COOKBOOK_WORLD_INLINE void step(WorldState& world, const WorldSolver& solver)
   {
     settle(world.sleep, world.islands.numbers(), SleepLimits<double>{});
   }
-  advance(world, solver);
-  std::for_each(world.bodies.begin(), world.bodies.end(), forget_forces);
+  {
+    const ForcesOfStep forces{world.bodies};
+    advance(world, solver);
+  }
   if (world.has_balls || may_have_fast_boxes(world.scene, world.start, world.bodies))
   {
     sweep(world);
