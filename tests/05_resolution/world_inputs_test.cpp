@@ -256,7 +256,6 @@ TEST_CASE("a crate of 1 kg that is pressed by 100 N weighs 109.81 N, and does no
     }
   }
 }
-
 // [pressed]
 
 TEST_CASE("8 N pull 1 kg on a floor with μ = .5 by 3.095 m/s², 4 N do not move it")
@@ -445,6 +444,7 @@ TEST_CASE("a world that is copied between a force and a step goes on as the orig
   CHECK(world.body(3).motion.center == copy.body(3).motion.center);
   CHECK(world.body(3).motion.velocity.x() > 0);
 }
+
 // [damped_bodies]
 TEST_CASE(
     "a velocity of 8 m/s wears off at 2/s to 8/e after half a second; a spin by itself", "[R32]")

@@ -24,9 +24,8 @@ struct RigidBody : Body<double>
   Vector3<double> moments;        ///< [kg m²], along the body's axes; 0 where it is fixed
   Matrix3<double> axes;           ///< [1], the orientation as a matrix; a ball's stay the world's
   bool round;                     ///< a ball: where it touches does not turn with it
-  /// [m/s²], world, by the forces of this step; gravity is not among them.
-  Vector3<double> acceleration = Vector3<double>::Zero();
-  Vector3<double> angular_acceleration = Vector3<double>::Zero(); ///< [rad/s²], world, the same
+  Vector3<double> acceleration = Vector3<double>::Zero(); ///< [m/s²], world, by this step's forces
+  Vector3<double> angular_acceleration = Vector3<double>::Zero(); ///< [rad/s²], world, by the same
 };
 
 /// True if no push moves the body.
@@ -42,11 +41,24 @@ inline void forget_forces(RigidBody& body)
   body.angular_acceleration.setZero();
 }
 
-/// Pulls a body that is not fixed by gravity [m/s²] and by the forces of the step, for a time [s].
+/// What pulls a body that is not fixed [m/s²]: gravity and the forces of the step.
+inline Vector3<double> pull_on(const RigidBody& body, const Vector3<double>& gravity)
+{
+  return gravity + body.acceleration;
+}
+
+/// How it moves once they have pulled it for a time [s], where it is.
+inline Motion<double> after_pull(const RigidBody& body, const Vector3<double>& gravity, double time)
+{
+  const auto& [center, velocity, spin] = body.motion;
+  const Vector3<double> gained = time * pull_on(body, gravity);
+  return {center, velocity + gained, spin + time * body.angular_acceleration};
+}
+
+/// Has them pull it for a time [s].
 inline void pull(RigidBody& body, const Vector3<double>& gravity, double time)
 {
-  body.motion.velocity += time * (gravity + body.acceleration);
-  body.motion.angular_velocity += time * body.angular_acceleration;
+  body.motion = after_pull(body, gravity, time);
 }
 
 /// Takes a body's mass, so that nothing moves it any more.
@@ -94,8 +106,7 @@ inline double kinetic_energy(const RigidBody& body)
          2;
 }
 
-/// How a body is turned, once it has turned about the direction of a vector by its length [rad],
-/// world.
+/// How a body is turned once it has turned about a vector, world, by its length [rad].
 inline Quaternion<double> turned_by(const RigidBody& body, const Vector3<double>& turn)
 {
   return (rotation_by<double>(turn) * body.orientation).normalized();
@@ -108,8 +119,7 @@ inline void turn_by(RigidBody& body, const Vector3<double>& turn)
   update_axes(body);
 }
 
-/// The largest turn [rad] that is taken in one go, and into how many pieces a larger one is cut at
-/// most.
+/// The largest turn [rad] taken in one go, and into how many pieces a larger one is cut at most.
 inline constexpr double largest_piece = 0.5;
 inline constexpr double most_pieces = 100;
 

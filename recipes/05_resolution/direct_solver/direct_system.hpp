@@ -94,13 +94,13 @@ inline void gather(
   system.points.clear();
   for (const int i : island.bodies)
   {
-    RigidBody body = world.bodies[place_of(i)];
-    const auto velocity = [&]
-    { return (Vector6() << body.motion.velocity, body.motion.angular_velocity).finished(); };
-    system.velocities.push_back(velocity());
-    pull(body, world.gravity, step);
+    const RigidBody& body = world.bodies[place_of(i)];
+    const auto velocities = [](const Motion<double>& motion) -> Vector6
+    { return (Vector6() << motion.velocity, motion.angular_velocity).finished(); };
+    system.velocities.push_back(velocities(body.motion));
     system.bodies.push_back(
-        {1 / body.inverse_mass, world_inertia(body.moments, body.axes), velocity()});
+        {1 / body.inverse_mass, world_inertia(body.moments, body.axes),
+         velocities(after_pull(body, world.gravity, step))});
   }
   for (const int i : island.contacts)
   {

@@ -75,8 +75,8 @@ inline Course straight_course(const RigidBody& from, const RigidBody& to, double
 inline Course falling_course(
     const RigidBody& from, const RigidBody& to, double step, const Vector3<double>& gravity)
 {
-  const Vector3<double> pulled = gravity + from.acceleration;
-  Course course{from, 0, from.motion.velocity, pulled, spin_between(from, to, step)};
+  Course course{
+      from, 0, from.motion.velocity, pull_on(from, gravity), spin_between(from, to, step)};
   course.start.acceleration.setZero();
   return course;
 }

@@ -118,13 +118,16 @@ foreseen_reach(const Scene& scene, std::span<const RigidBody> bodies, int i, int
 {
   const RigidBody &a = bodies[place_of(i)], &b = bodies[place_of(j)];
   const double harmless = harmless_depth(std::min(thinness(scene, i), thinness(scene, j)));
-  const Vector3<double> way_a = way_on(scene, a, flying_share),
-                        way_b = way_on(scene, b, flying_share);
+  const bool forced = a.acceleration.any() || b.acceleration.any();
+  const auto larger = [forced](const auto& of)
+  { return forced ? std::max(of(flying_share), of(pushed_share)) : of(flying_share); };
   const double turn_a = turn_on(scene, a, i), turn_b = turn_on(scene, b, j);
-  const double solved = (way_on(scene, b, pushed_share) - way_on(scene, a, pushed_share)).norm();
-  const double closing = std::max((way_b - way_a).norm(), solved) + turn_a + turn_b;
-  if (!(closing > harmless) || is_for_sweep(scene, a, i, way_a.norm() + turn_a) ||
-      is_for_sweep(scene, b, j, way_b.norm() + turn_b))
+  const auto way_between = [&](double share)
+  { return (way_on(scene, b, share) - way_on(scene, a, share)).norm(); };
+  const double closing = larger(way_between) + turn_a + turn_b;
+  const auto swept = [&scene](const RigidBody& body, int number, double turn)
+  { return is_for_sweep(scene, body, number, way_on(scene, body, flying_share).norm() + turn); };
+  if (!(closing > harmless) || swept(a, i, turn_a) || swept(b, j, turn_b))
   {
     return margin;
   }
@@ -135,9 +138,7 @@ foreseen_reach(const Scene& scene, std::span<const RigidBody> bodies, int i, int
   };
   const auto end_of = [&](double share)
   { return depth(going_on(scene, a, share), going_on(scene, b, share)); };
-  const bool forced = a.acceleration.any() || b.acceleration.any();
-  const double end =
-      forced ? std::max(end_of(flying_share), end_of(pushed_share)) : end_of(pushed_share);
+  const double end = larger(end_of);
   return end > harmless && end > depth(a, b) + harmless / 10 ? margin + closing : margin;
 }
 // [foreseen]

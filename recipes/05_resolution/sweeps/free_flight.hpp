@@ -13,8 +13,7 @@ namespace cookbook
 /// its parabola.
 inline RigidBody flown(RigidBody body, const Vector3<double>& gravity, double time)
 {
-  const Vector3<double> pulled = gravity + body.acceleration;
-  body.motion.center += time * (body.motion.velocity + time / 2 * pulled);
+  body.motion.center += time * (body.motion.velocity + time / 2 * pull_on(body, gravity));
   pull(body, gravity, time);
   spin(body, time);
   return body;
@@ -23,14 +22,14 @@ inline RigidBody flown(RigidBody body, const Vector3<double>& gravity, double ti
 
 /// Whether anything but gravity and forces has changed how a body moves, since it was at the start
 /// of a step [s].
-inline bool
-was_pushed(const RigidBody& now, RigidBody start, const Vector3<double>& gravity, double step)
+inline bool was_pushed(
+    const RigidBody& now, const RigidBody& start, const Vector3<double>& gravity, double step)
 {
-  pull(start, gravity, step);
   const auto differs = [](const Vector3<double>& a, const Vector3<double>& b)
   { return (a - b).norm() > 1e-9 * b.norm(); };
-  return differs(now.motion.velocity, start.motion.velocity) ||
-         differs(now.motion.angular_velocity, start.motion.angular_velocity);
+  const Motion<double> alone = after_pull(start, gravity, step);
+  return differs(now.motion.velocity, alone.velocity) ||
+         differs(now.motion.angular_velocity, alone.angular_velocity);
 }
 
 } // namespace cookbook

@@ -26,12 +26,12 @@ inline bool fits_floats(IslandView world, const Island& island, double step)
   constexpr double most = 1e15;
   const auto fits = [&](int i)
   {
-    RigidBody body = world.bodies[place_of(i)];
-    pull(body, world.gravity, step);
+    const RigidBody& body = world.bodies[place_of(i)];
+    const Motion<double> motion = after_pull(body, world.gravity, step);
     const double turning = body.inverse_inertia.cwiseAbs().maxCoeff();
     return body.inverse_mass * most >= 1 && body.inverse_mass <= most && turning <= most * most &&
-           body.motion.velocity.cwiseAbs().maxCoeff() <= most &&
-           body.motion.angular_velocity.cwiseAbs().maxCoeff() <= most;
+           motion.velocity.cwiseAbs().maxCoeff() <= most &&
+           motion.angular_velocity.cwiseAbs().maxCoeff() <= most;
   };
   return std::all_of(island.bodies.begin(), island.bodies.end(), fits);
 }
