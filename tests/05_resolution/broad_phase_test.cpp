@@ -7,7 +7,9 @@
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <vector>
 
 using namespace cookbook;
 
@@ -108,6 +110,41 @@ TEST_CASE("a tree follows the bodies it was built of, until they have spread or 
   CHECK_FALSE(tree.follow(others));
   others.pop_back();
   CHECK_FALSE(tree.follow(others));
+}
+
+TEST_CASE("a tree whose leaves are widened is asked as a list of them is, and loses nobody")
+{
+  BoxDraw draw(13);
+  for (int i = 0; i < inputs(1'000, 100); ++i)
+  {
+    std::vector<Bounds> bounds = random_bounds(draw);
+    BoundsTree tree;
+    tree.build(bounds);
+    for (std::size_t leaf = 0; leaf < tree.leaves().size(); leaf += 2)
+    {
+      const Vector3<double> low(draw.whole(12), draw.whole(12), draw.whole(12));
+      const Eigen::AlignedBox<double, 3> more(low, low + Vector3<double>::Ones());
+      const int body = tree.leaves()[leaf].body;
+      bounds[static_cast<std::size_t>(body)].box.extend(more);
+      tree.widen(leaf, more);
+    }
+    const Vector3<double> low(draw.whole(12), draw.whole(12), draw.whole(12));
+    const Eigen::AlignedBox<double, 3> asked(low, low + Vector3<double>::Ones());
+    const auto meets = [&](const Eigen::AlignedBox<double, 3>& box)
+    { return box.intersects(asked); };
+    std::vector<int> found, wanted;
+    tree.each_that(meets, [&](int body) { found.push_back(body); });
+    for (const Bounds& one : bounds)
+    {
+      if (meets(one.box))
+      {
+        wanted.push_back(one.body);
+      }
+    }
+    std::sort(found.begin(), found.end());
+    CAPTURE(i);
+    CHECK(found == wanted);
+  }
 }
 
 TEST_CASE("a grid of boxes has its 8 neighbours, less at the sides", "[case:L6]")

@@ -163,6 +163,22 @@ TEST_CASE("soft steps: a gap of 2 cm may close within a small step of 10 ms, at 
 }
 // [open_gap]
 
+TEST_CASE("balls that come closer by no more than rounding of their speeds do not push each other")
+{
+  for (const double closing : {1e-16, 1e-15, 1e-12})
+  {
+    CAPTURE(closing);
+    RigidBody low = rigid_body(ball_body("low", 0.5, {0, 0, 0}));
+    RigidBody high = rigid_body(ball_body("high", 0.5, {0, 1, 0}));
+    low.motion.velocity = {0.3, -1, 0};
+    high.motion.velocity = {0, -1 - closing, 0};
+    WorldContact contact = contact_at(low, high, {0, 1}, {0, 0.5, 0});
+    std::vector<ImpactPoint> points{{island_point(low, high, contact, contact.points()[0]), 0}};
+    reach_targets(points, 1);
+    CHECK((points[0].point.impulse > 0) == (closing == 1e-12));
+  }
+}
+
 // [beside_a_bounce]
 TEST_CASE(
     "a ball that bounces on a cube that rests leaves the cube on its ground: 3 m/s up", "[R19]")

@@ -223,6 +223,9 @@ TEST_CASE("a body wakes its own island and no other", "[case:L2]")
   CHECK(states[1].still == 0);
   wake(states, island_of, 0);
   CHECK((states[2].asleep && states[4].asleep));
+  const std::vector<int> hit{0, 4};
+  wake<double>(states, island_of, hit);
+  CHECK((states[0].asleep && !states[2].asleep && !states[4].asleep));
 }
 
 TEST_CASE("an island sleeps when its last body may, and wakes when an awake one touches it")

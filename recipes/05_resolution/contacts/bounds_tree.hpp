@@ -3,7 +3,7 @@
 /// \file
 /// \brief A tree of bounds, built in n log n, however they lie, that follows them as they move.
 
-#include "common/math/vector.hpp"
+#include "05_resolution/contacts/bounds.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -14,16 +14,6 @@
 
 namespace cookbook
 {
-
-// [bounds]
-/// A body's bounds in the world.
-struct Bounds
-{
-  Eigen::AlignedBox<double, 3> box; ///< [m], world; infinite for a plane
-  int body;                         ///< its number
-  int place = 0;                    ///< in the list that a tree was built of
-};
-// [bounds]
 
 // [bounds_tree]
 /// Bounds in a binary tree: each node holds all below it, and has half of them on either side.
@@ -99,6 +89,18 @@ public:
     }
   }
 
+  /// Widens the bounds of a leaf by a box [m], and with them all branches above it.
+  void widen(std::size_t leaf, const Eigen::AlignedBox<double, 3>& box)
+  {
+    leaves_[leaf].box.extend(box);
+    nodes_[0].box.extend(box);
+    for (std::size_t node = 0; nodes_[node].right > 0; nodes_[node].box.extend(box))
+    {
+      const std::size_t right = nodes_[node].right;
+      node = leaf < nodes_[right].first ? node + 1 : right;
+    }
+  }
+
   /// Calls `visit(body)` for all bodies whose bounds `enters(box)` says may matter, and those of
   /// all branches above them.
   template <class Enters, class Visit>
@@ -122,7 +124,6 @@ public:
 
 private:
   static constexpr std::size_t most_leaves = 4; // side by side, that no node parts any more
-
   /// Evaluated along the axes that are asked for.
   static auto center(const Bounds& one) { return one.box.min() / 2 + one.box.max() / 2; }
 
@@ -179,8 +180,7 @@ private:
     if (here.right > 0)
     {
       each_below(node + 1, enters, visit);
-      each_below(here.right, enters, visit);
-      return;
+      return each_below(here.right, enters, visit);
     }
     for (std::size_t i = here.first; i < here.end; ++i)
     {

@@ -7,6 +7,7 @@
 #include "common/math/vector.hpp"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace cookbook
@@ -103,18 +104,36 @@ void settle(
   }
 }
 
-/// Wakes the whole island of a body: before it is removed, and when it is pushed or moved by hand.
+/// Wakes the whole islands of some bodies: before one is removed, and when one is pushed or moved
+/// by hand.
 template <class Real>
-void wake(std::vector<SleepState<Real>>& states, const std::vector<int>& island_of, int body)
+void wake(
+    std::vector<SleepState<Real>>& states, const std::vector<int>& island_of,
+    std::span<const int> bodies)
 {
-  const int woken = island_of[static_cast<std::size_t>(body)];
+  std::vector<bool> woken(states.size(), false);
+  for (const int body : bodies)
+  {
+    const int island = island_of[static_cast<std::size_t>(body)];
+    if (island >= 0)
+    {
+      woken[static_cast<std::size_t>(island)] = true;
+    }
+  }
   for (std::size_t i = 0; i < states.size(); ++i)
   {
-    if (woken >= 0 && island_of[i] == woken)
+    if (island_of[i] >= 0 && woken[static_cast<std::size_t>(island_of[i])])
     {
       states[i] = {};
     }
   }
+}
+
+/// Wakes the whole island of one body.
+template <class Real>
+void wake(std::vector<SleepState<Real>>& states, const std::vector<int>& island_of, int body)
+{
+  wake(states, island_of, std::span<const int>(&body, 1));
 }
 // [settle]
 

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -27,11 +26,11 @@ inline constexpr int most_touches_a_step = 64;
 class StepSweeps
 {
 public:
-  /// The step, and the bodies at its end; `woken(i)` is told of who is hit.
-  StepSweeps(StepCourses& step, std::span<RigidBody> ends, const std::function<void(int)>& woken)
+  /// The step, the bodies at its end, and a list that is given all that are hit.
+  StepSweeps(StepCourses& step, std::span<RigidBody> ends, std::vector<int>& hit)
       : step_(step),
         ends_(ends),
-        woken_(woken),
+        hit_(hit),
         duration_(step.scene.step),
         touched_(ends.size(), 0),
         is_held_(ends.size(), false),
@@ -131,8 +130,8 @@ private:
     }
     if (approach > 0)
     {
-      woken_(first);
-      woken_(other);
+      hit_.push_back(first);
+      hit_.push_back(other);
     }
     if (approach > 0 || frozen)
     {
@@ -189,7 +188,7 @@ private:
 
   StepCourses& step_;
   std::span<RigidBody> ends_;
-  const std::function<void(int)>& woken_;
+  std::vector<int>& hit_;
   double duration_;
   std::vector<int> touched_;  // how often each body has touched something
   std::vector<bool> is_held_; // whether each body does not turn any more

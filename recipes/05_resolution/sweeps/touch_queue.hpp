@@ -6,6 +6,7 @@
 #include "05_resolution/sweeps/next_touch.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <queue>
 #include <utility>
@@ -25,16 +26,23 @@ class TouchQueue
 public:
   /// Of these courses, which may change.
   explicit TouchQueue(const StepCourses& step)
-      : step_(step), versions_(step.courses.size(), 0), hits_(step.courses.size(), 0)
+      : step_(step),
+        versions_(step.courses.size(), 0),
+        hits_(step.courses.size(), 0),
+        leaf_(step.courses.size(), -1)
   {
+    int leaf = 0;
+    for (const Bounds& one : step.tree.leaves())
+    {
+      leaf_[place_of(one.body)] = leaf++;
+    }
   }
 
   /// Writes down when two bodies touch, if they do so after a time [s].
   void look_for(int i, int j, double time)
   {
     const std::pair<int, int> pair = std::minmax(i, j);
-    const bool left = std::find(left_.begin(), left_.end(), pair) != left_.end();
-    if (left || ignores(step_.scene, pair))
+    if (is_left(pair) || ignores(step_.scene, pair))
     {
       return;
     }
@@ -46,34 +54,26 @@ public:
     }
   }
 
-  /// Looks anew for what a body touches whose course has changed at a time [s], to another end. The
-  /// tree knows all courses but those that have changed.
+  /// Looks anew for what a body touches whose course has changed at a time [s], to another end.
   void look_around(int i, double time, const RigidBody& end)
   {
-    if (++versions_[place_of(i)] == 1)
+    ++versions_[place_of(i)];
+    const Eigen::AlignedBox<double, 3> way = bounds_on_way(step_, i, end);
+    if (leaf_[place_of(i)] >= 0)
     {
-      changed_.push_back(i);
+      step_.tree.widen(place_of(leaf_[place_of(i)]), way);
     }
     const auto watched = [&](int one)
     { return is_ball(step_.scene, one) || is_fast_box(step_, one); };
-    const auto look_at = [&](int j)
-    {
-      if (j != i && (watched(i) || watched(j)) && may_meet(step_, i, j, time))
-      {
-        look_for(i, j, time);
-      }
-    };
-    const Eigen::AlignedBox<double, 3> way = bounds_on_way(step_, i, end);
     step_.tree.each_that(
         [&](const Eigen::AlignedBox<double, 3>& box) { return box.intersects(way); },
         [&](int j)
         {
-          if (!has_changed(j))
+          if (j != i && (watched(i) || watched(j)) && may_meet(step_, i, j, time))
           {
-            look_at(j);
+            look_for(i, j, time);
           }
         });
-    std::for_each(changed_.begin(), changed_.end(), look_at);
   }
 
   /// The next touch, which is taken out; nothing if there is none.
@@ -95,30 +95,32 @@ public:
   bool has_changed(int i) const { return versions_[place_of(i)] > 0; }
 
   /// Two bodies that nobody looks at for the rest of the step, or until one of them comes back.
-  void leave(const std::pair<int, int>& pair) { left_.push_back(pair); }
+  void leave(const std::pair<int, int>& pair) { left_[pair] = hits(pair); }
 
   /// Looks at a body again with all that it had been left with: somebody has hit it.
-  void come_back(int i)
-  {
-    if (++hits_[place_of(i)] <= most_hits_a_step)
-    {
-      std::erase_if(left_, [i](const auto& pair) { return pair.first == i || pair.second == i; });
-    }
-  }
+  void come_back(int i) { hits_[place_of(i)] = std::min(hits_[place_of(i)] + 1, most_hits_a_step); }
 
   /// Lets two boxes overlap by a little [m] for the rest of the step: they pass each other, or rest
   /// on each other.
-  void allow(const std::pair<int, int>& pair, double depth) { slacks_.push_back({pair, depth}); }
+  void allow(const std::pair<int, int>& pair, double depth) { slacks_[pair] = depth; }
 
   /// By how much [m] two boxes may overlap.
   double slack_of(const std::pair<int, int>& pair) const
   {
-    const auto found = std::find_if(
-        slacks_.rbegin(), slacks_.rend(), [&](const auto& slack) { return slack.first == pair; });
-    return found == slacks_.rend() ? 0 : found->second;
+    const auto found = slacks_.find(pair);
+    return found == slacks_.end() ? 0 : found->second;
   }
 
 private:
+  bool is_left(const std::pair<int, int>& pair) const
+  {
+    const auto found = left_.find(pair);
+    return found != left_.end() && found->second == hits(pair);
+  }
+  std::pair<int, int> hits(const std::pair<int, int>& of) const
+  {
+    return {hits_[place_of(of.first)], hits_[place_of(of.second)]};
+  }
   std::pair<int, int> versions(int a, int b) const
   {
     return {versions_[place_of(a)], versions_[place_of(b)]};
@@ -126,10 +128,10 @@ private:
 
   const StepCourses& step_;
   std::vector<int> versions_; // how often each course has changed
-  std::vector<int> hits_;     // how often each body has been hit
-  std::vector<int> changed_;  // the bodies whose course has
-  std::vector<std::pair<int, int>> left_;
-  std::vector<std::pair<std::pair<int, int>, double>> slacks_;
+  std::vector<int> hits_;     // how often each body has been hit, up to the most that counts
+  std::vector<int> leaf_;     // each body's place among the leaves of the tree; -1 if it has none
+  std::map<std::pair<int, int>, std::pair<int, int>> left_; // and how often they had been hit
+  std::map<std::pair<int, int>, double> slacks_;
   std::priority_queue<CourseTouch> touches_;
 };
 // [touch_queue]

@@ -18,13 +18,15 @@ inline void wake_neighbours(
     std::vector<SleepState<double>>& states, const std::vector<int>& numbers,
     std::span<const WorldContact> contacts, int body)
 {
+  std::vector<int> touching;
   for (const WorldContact& contact : contacts)
   {
     if (contact.a == body || contact.b == body)
     {
-      wake(states, numbers, contact.a + contact.b - body);
+      touching.push_back(contact.a + contact.b - body);
     }
   }
+  wake(states, numbers, touching);
 }
 
 /// Wakes what sleeps in the bounds of a body, with all that hangs together with it.
@@ -35,13 +37,15 @@ inline void wake_touched_by(WorldState& world, const Bounds& bound)
     return;
   }
   world.islands.find(world.bodies, world.contacts);
+  std::vector<int> touched;
   for (const Bounds& other : world.bounds)
   {
     if (world.sleep[place_of(other.body)].asleep && other.box.intersects(bound.box))
     {
-      wake(world.sleep, world.islands.numbers(), other.body);
+      touched.push_back(other.body);
     }
   }
+  wake(world.sleep, world.islands.numbers(), touched);
 }
 
 } // namespace cookbook

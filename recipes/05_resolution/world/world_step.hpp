@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace cookbook
@@ -90,12 +89,15 @@ inline void advance(WorldState& world, const WorldSolver& solver)
 /// Has bodies bounce off what they would have passed through, and wakes whom they hit.
 inline void sweep(WorldState& world)
 {
-  const std::function<void(int)> wake_up = [&world](int body)
-  { wake(world.sleep, world.islands.numbers(), body); };
   StepCourses step{world.scene,       world.contacts, world.falls, world.gone,
                    world.near.tree(), world.courses,  world.ways};
   set_out(step, world.start, world.bodies);
-  StepSweeps(step, world.bodies, wake_up).run();
+  std::vector<int> hit;
+  StepSweeps(step, world.bodies, hit).run();
+  if (world.may_sleep)
+  {
+    wake(world.sleep, world.islands.numbers(), hit);
+  }
 }
 
 /// Has a body's velocity and spin wear off, R32, and watches whether it rests; one whose numbers
