@@ -4,6 +4,7 @@
 
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/sweeps/ball_on_course.hpp"
+#include "05_resolution/sweeps/step_courses.hpp"
 #include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/world_measures.hpp"
 
@@ -110,6 +111,26 @@ bool goes_through(const Shot& shot, const std::string& solver)
 }
 
 } // namespace
+
+TEST_CASE("what is held goes on along its course without turning, what is frozen stays")
+{
+  RigidBody box = rigid_body(box_body("box", {0.1, 0.2, 0.3}, {0, 5, 0}));
+  box.motion.velocity = {1, 2, 3};
+  box.motion.angular_velocity = {4, 5, 6};
+  const Vector3<double> none = Vector3<double>::Zero();
+  Course course{box, 0.25, box.motion.velocity, {0, -10, 0}, none};
+  const RigidBody end = gone_on(course, 0.75, Onward::held);
+  CHECK((end.motion.center - Vector3<double>(0.5, 5 + 1 - 1.25, 1.5)).norm() <= 1e-14);
+  CHECK((end.motion.velocity - Vector3<double>(1, 2 - 5, 3)).norm() <= 1e-14);
+  CHECK(end.motion.angular_velocity == box.motion.angular_velocity);
+  CHECK(end.orientation.coeffs() == box.orientation.coeffs());
+  CHECK(course.spin == none);
+  const RigidBody free = gone_on(course, 0.75, Onward::free);
+  CHECK((free.motion.center - end.motion.center).norm() <= 1e-14);
+  CHECK((free.motion.velocity - end.motion.velocity).norm() <= 1e-14);
+  CHECK(free.orientation.angularDistance(box.orientation) > 1);
+  CHECK((course.spin - spin_between(box, free, 0.5)).norm() <= 1e-14);
+}
 
 // [P23]
 TEST_CASE(

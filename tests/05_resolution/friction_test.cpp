@@ -189,6 +189,19 @@ TEST_CASE(
   CHECK((felt.ending * heading(135) - heading(135) / 5.5).norm() <= 4 * rounding);
 }
 
+TEST_CASE("one direction coupled with itself is K; with one across it, what turning alone couples")
+{
+  const Solid cube = box_on_floor(2, {0.5, 0.25, 1});
+  const V arm(0.3, -0.25, 0.7), along = heading(20), other = heading(65);
+  CHECK(
+      coupling_at(cube.body, along, along, arm) ==
+      Catch::Approx(inverse_mass_at(cube.body, along, arm)).epsilon(4 * rounding));
+  const V turn = cube.body.inverse_inertia * arm.cross(other);
+  CHECK(
+      coupling_at(cube.body, along, other, arm) ==
+      Catch::Approx(std::sqrt(0.5) / 2 + turn.cross(arm).dot(along)).epsilon(4 * rounding));
+}
+
 TEST_CASE("no direction of 360 along the surface has a larger K, for 100 random pairs", "[R6]")
 {
   RandomMeetings random;

@@ -180,11 +180,11 @@ TEST_CASE("balls that come closer by no more than rounding of their speeds do no
 }
 
 // [beside_a_bounce]
-TEST_CASE(
-    "a ball that bounces on a cube that rests leaves the cube on its ground: 3 m/s up", "[R19]")
+TEST_CASE("a ball that bounces on a cube that rests leaves the cube on its ground", "[R19]")
 {
+  const double speed = GENERATE(3.0, 0.5);
   SceneBody falling = ball_body("ball", 0.5, {0, 1.5, 0});
-  falling.velocity = {0, -3, 0};
+  falling.velocity = {0, -speed, 0};
   std::array<RigidBody, 3> bodies{
       rigid_body(ground()), rigid_body(cube_body("cube", {0, 0.5, 0})), rigid_body(falling)};
   std::array<WorldContact, 2> contacts{
@@ -193,8 +193,10 @@ TEST_CASE(
   contacts[1].restitution = 1;
   constexpr std::array<int, 2> movable{1, 2}, both{0, 1};
   std::vector<IslandPoint> room;
-  simultaneous_impacts({bodies, contacts, {0, -9.81, 0}, room}, {movable, both}, 1.0 / 60);
+  const IslandView view{bodies, contacts, {0, -9.81, 0}, room};
+  CHECK(simultaneous_impacts(view, {movable, both}, 1.0 / 60));
   CHECK(bodies[1].motion.velocity.norm() <= 1e-12);
-  CHECK((bodies[2].motion.velocity - V(0, 3, 0)).norm() <= 1e-12);
+  CHECK((bodies[2].motion.velocity - V(0, speed, 0)).norm() <= 1e-12);
+  CHECK(!simultaneous_impacts(view, {movable, both}, 1.0 / 60)); // they part
 }
 // [beside_a_bounce]

@@ -137,6 +137,25 @@ TEST_CASE("the gap of two boxes is 1 m face to face, √2 m edge to edge along 4
   CHECK(corner.length == Catch::Approx(2 - std::sqrt(2.0)).epsilon(rounding));
 }
 
+TEST_CASE("beside the wide face of a slab a box turned anyhow has its gap along that face's axis")
+{
+  const Matrix3<double> turned = rational_rotation<double>(4, 1, 2, 3);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Obb<double> slab{{0, 0, 0}, turned, {10, 10, 10}};
+    slab.half_extents[axis] = 1;
+    const Vector3<double> normal = turned.col(axis);
+    const Obb<double> box{5 * normal, Matrix3<double>::Identity(), {0.5, 1, 0.75}};
+    const double reach = normal.cwiseAbs().dot(box.half_extents);
+    const Direction<double> there = box_gap(slab, box), back = box_gap(box, slab);
+    CAPTURE(axis);
+    CHECK(there.length == Catch::Approx(5 - 1 - reach).epsilon(8 * rounding));
+    CHECK((there.unit - normal).norm() <= 8 * rounding);
+    CHECK(back.length == Catch::Approx(there.length).epsilon(8 * rounding));
+    CHECK((back.unit + normal).norm() <= 8 * rounding);
+  }
+}
+
 TEST_CASE("the gap of two edges that cross 1 m apart is 1 m, though their cross product is short")
 {
   // Unit cubes that stand on an edge along x, and along (24, 0, 7) / 25: the sine is 0.28.

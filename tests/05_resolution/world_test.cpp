@@ -246,8 +246,57 @@ TEST_CASE(
   crate = {"crate", BoxShape{{1, 1, 1}}, 0};
   crate.velocity.x() = 3;
   CHECK(reason(crate) == "crate: velocity must be zero, for mass 0 means fixed, got length 3");
+  crate.velocity.x() = 0;
+  crate.angular_velocity.y() = 2;
+  CHECK(
+      reason(crate) ==
+      "crate: angular_velocity must be zero, for mass 0 means fixed, got length 2");
   crate = {"", BoxShape{{1, 1, 1}}, -1};
   CHECK(reason(crate) == "body 0: mass must be zero or more, got -1");
+}
+
+TEST_CASE("what has a range is refused below it, above it, and where it is no number", "[case:L3]")
+{
+  const auto is_refused = [](const auto& change)
+  {
+    Scene scene = named_scene("tower_1");
+    change(scene, scene.bodies[1]);
+    try
+    {
+      World(scene, solver_named("direct"));
+    }
+    catch (const InvalidScene&)
+    {
+      return true;
+    }
+    return false;
+  };
+  using Member = double SceneBody::*;
+  struct Range
+  {
+    Member member;
+    double least, most;
+  };
+  for (const Range& range : std::vector<Range>{
+           {&SceneBody::friction, 0, 1e6},
+           {&SceneBody::restitution, 0, 1},
+           {&SceneBody::damping, 0, 1e6},
+           {&SceneBody::spin_damping, 0, 1e6}})
+  {
+    const auto refuses = [&](double value)
+    { return is_refused([&](Scene&, SceneBody& body) { body.*range.member = value; }); };
+    CHECK((!refuses(range.least) && !refuses(range.most)));
+    CHECK((refuses(std::nextafter(range.least, -1)) && refuses(1.001 * range.most)));
+    CHECK((refuses(not_a_number) && refuses(infinity)));
+  }
+  CHECK(is_refused([](Scene& scene, SceneBody&) { scene.step = 0; }));
+  CHECK(is_refused([](Scene& scene, SceneBody&) { scene.duration = -1; }));
+  CHECK(is_refused([](Scene& scene, SceneBody&) { scene.gravity.x() = not_a_number; }));
+  CHECK(is_refused([](Scene&, SceneBody& body) { body.velocity.x() = infinity; }));
+  CHECK(is_refused([](Scene&, SceneBody& body) { body.angular_velocity.x() = infinity; }));
+  CHECK(is_refused([](Scene&, SceneBody& body) { body.orientation.coeffs() *= 2; }));
+  CHECK(is_refused([](Scene&, SceneBody& body) { body.orientation.coeffs() /= 2; }));
+  CHECK(!is_refused([](Scene&, SceneBody& body) { body.orientation.coeffs() *= 1.9; }));
 }
 
 TEST_CASE("bodies that ignore themselves, or others that are not there, are refused", "[case:L3]")

@@ -119,13 +119,13 @@ inline void bounce(std::vector<ImpactPoint>& points, std::span<RigidBody* const>
 // [impact_points]
 
 // [impacts]
-/// Lets the bodies of an island bounce; nothing if none is about to.
-inline void simultaneous_impacts(IslandView world, const Island& island, double step)
+/// Lets the bodies of an island bounce, and says whether any was about to.
+inline bool simultaneous_impacts(IslandView world, const Island& island, double step)
 {
   const auto bouncy = [&](int i) { return world.contacts[place_of(i)].restitution > 0; };
   if (std::none_of(island.contacts.begin(), island.contacts.end(), bouncy))
   {
-    return;
+    return false;
   }
   std::vector<ImpactPoint> points;
   bool any = false;
@@ -140,7 +140,7 @@ inline void simultaneous_impacts(IslandView world, const Island& island, double 
   }
   if (!any)
   {
-    return;
+    return false;
   }
   std::vector<RigidBody*> bodies;
   for (const int i : island.bodies)
@@ -148,6 +148,7 @@ inline void simultaneous_impacts(IslandView world, const Island& island, double 
     bodies.push_back(&world.bodies[place_of(i)]);
   }
   bounce(points, bodies);
+  return true;
 }
 // [impacts]
 

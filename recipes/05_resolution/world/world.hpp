@@ -57,8 +57,8 @@ public:
   const std::vector<RigidBody>& bodies() const { return state_.bodies; } ///< in its order
   /// All contacts of the last step.
   const std::vector<WorldContact>& contacts() const { return state_.contacts; }
-  /// The bodies as the last step began.
-  const std::vector<RigidBody>& bodies_before() const { return state_.before; }
+  /// The bodies as the last step began, after its impacts.
+  const std::vector<RigidBody>& bodies_before() const { return state_.start; }
   double time() const { return double(state_.steps) * scene().step; } ///< [s], since the start
   /// A body.
   const RigidBody& body(std::size_t body) const

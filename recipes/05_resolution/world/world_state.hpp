@@ -36,8 +36,7 @@ struct WorldState
   bool has_balls = false;                ///< whether any body is a ball
   long steps = 0;                        ///< since the start
   std::vector<RigidBody> bodies;         ///< in the order of the scene
-  std::vector<RigidBody> before;         ///< as the last step began
-  std::vector<RigidBody> start;          ///< after its impacts
+  std::vector<RigidBody> start;          ///< as the last step began, after its impacts
   std::vector<bool> gone;                ///< who was taken out
   std::vector<bool> falls;               ///< who fell freely in the last step
   std::vector<SleepState<double>> sleep; ///< who rests, and for how long

@@ -67,11 +67,13 @@ inline void advance(WorldState& world, const WorldSolver& solver)
       {
         if (touches)
         {
-          simultaneous_impacts(view, island, world.scene.step);
           world.touching.push_back(island);
-          for (const int i : island.bodies)
+          if (simultaneous_impacts(view, island, world.scene.step))
           {
-            world.start[place_of(i)] = world.bodies[place_of(i)];
+            for (const int i : island.bodies)
+            {
+              world.start[place_of(i)] = world.bodies[place_of(i)];
+            }
           }
         }
       });
@@ -107,7 +109,7 @@ inline void finish(WorldState& world, std::size_t i)
   RigidBody& body = world.bodies[i];
   if (!is_finite(body))
   {
-    body = world.before[i];
+    body = world.start[i];
     fix(body);
   }
   if (is_still(world, static_cast<int>(i)))
@@ -141,7 +143,7 @@ struct ForcesOfStep
 COOKBOOK_WORLD_INLINE void step(WorldState& world, const WorldSolver& solver)
 {
   find_contacts(world);
-  world.start = world.before = world.bodies;
+  world.start = world.bodies;
   world.falls.assign(world.bodies.size(), false);
   world.islands.find(world.bodies, world.contacts);
   if (world.may_sleep)
