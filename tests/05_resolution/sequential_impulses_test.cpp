@@ -268,6 +268,25 @@ TEST_CASE("ten cubes at 8 passes a frame: cold they fall by 4 s, warm by 15 s", 
 }
 
 TEST_CASE(
+    "a pass over the positions leaves four fifths of an overlap beyond the slop, and no speed")
+{
+  for (const int passes : {1, 3, 20})
+  {
+    Scene scene{.gravity = {0, 0, 0}};
+    scene.bodies = {ground(), ball_body("ball", 0.5, {0, 0.44, 0})};
+    const SequentialSettings settings{.position_iterations = passes};
+    World world(
+        scene, one_by_one([settings](IslandView view, const Island& island, double step)
+                          { sequential_impulses(view, island, step, settings); }));
+    world.step();
+    const double left = 0.005 + (0.06 - 0.005) * std::pow(0.8, passes);
+    CAPTURE(passes);
+    CHECK(0.5 - world.bodies()[1].motion.center.y() == Catch::Approx(left).epsilon(1e-12));
+    CHECK(world.bodies()[1].motion.velocity.norm() == 0);
+  }
+}
+
+TEST_CASE(
     "100 kg on 1 kg: 64 passes and 4 over the positions stand where 20 fall", "[case:S5][long]")
 {
   const SequentialSettings many{.iterations = 64, .position_iterations = 4};

@@ -301,6 +301,39 @@ TEST_CASE("who is held up by its weight stays where it is; a steady force leads 
   }
 }
 
+TEST_CASE("balls that begin inside each other part, in space and in free fall, under every solver")
+{
+  for (const std::string& solver : solver_names())
+  {
+    for (const double gravity : {0.0, -9.81, -1e-6})
+    {
+      for (const Vector3<double>& way : {Vector3<double>(0, 1, 0), Vector3<double>(0.6, 0, 0.8)})
+      {
+        Scene scene{.gravity = {0, gravity, 0}};
+        scene.bodies = {
+            ball_body("one", 0.5, {3, 1000, 2}),
+            ball_body("other", 0.5, Vector3<double>(3, 1000, 2) + 0.94 * way)};
+        scene.bodies[0].velocity = scene.bodies[1].velocity = {1, 0, -2};
+        World world(scene, solver_named(solver));
+        for (int i = 0; i < 60; ++i)
+        {
+          world.step();
+        }
+        const Motion<double>&one = world.body(0).motion, &other = world.body(1).motion;
+        CAPTURE(solver, gravity, way);
+        CHECK((other.center - one.center).norm() >= 1 - 1e-3);
+        const double digits = solver == "wide_steps" ? 1e-6 : 1e-9; // wide steps are in float
+        const Vector3<double> both(2, 2 * gravity, -4);
+        CHECK((one.velocity + other.velocity).isApprox(both, digits));
+        if (solver == "soft_steps" || solver == "wide_steps")
+        {
+          CHECK((other.velocity - one.velocity).norm() <= 1e-5); // no speed stays
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("what is thrown at a wall of 2 cm by forces of up to a million newtons stays before it")
 {
   for (const char* const solver : {"direct", "soft_steps", "wide_steps"})

@@ -36,10 +36,15 @@ inline WorldContact new_contact(const Scene& scene, int a, int b)
   return contact;
 }
 
-/// Takes contacts in among others; both are in the order of their pairs, and so is the result.
+/// Takes contacts in among others; both are in the order of their pairs, and so is the result. Room
+/// grows by an eighth more than they need: twice as much would be most of a world's memory.
 inline void merge_in(std::vector<WorldContact>& contacts, std::span<const WorldContact> others)
 {
   std::size_t known = contacts.size(), other = others.size();
+  if (known + other > contacts.capacity())
+  {
+    contacts.reserve((known + other) * 9 / 8);
+  }
   contacts.resize(known + other);
   while (other > 0)
   {

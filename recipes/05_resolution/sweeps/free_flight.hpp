@@ -5,6 +5,8 @@
 
 #include "05_resolution/contacts/rigid_body.hpp"
 
+#include <algorithm>
+
 namespace cookbook
 {
 
@@ -30,6 +32,44 @@ inline bool was_pushed(
   const Motion<double> alone = after_pull(start, gravity, step);
   return differs(now.motion.velocity, alone.velocity) ||
          differs(now.motion.angular_velocity, alone.angular_velocity);
+}
+
+/// A step of a body that was not pushed.
+struct Unpushed
+{
+  Vector3<double> bend;  ///< [m], by how much its parabola bends
+  Vector3<double> aside; ///< [m], how far it is from the end of that
+  double rounding;       ///< [m], of both
+};
+
+/// The step [s] of a body that was not pushed.
+inline Unpushed
+unpushed(const RigidBody& now, const RigidBody& start, const Vector3<double>& gravity, double step)
+{
+  const Vector3<double> none = Vector3<double>::Zero(), way = step * start.motion.velocity;
+  if (is_fixed(start))
+  {
+    return {none, none, 0};
+  }
+  const Vector3<double> bend = step * step / 2 * pull_on(start, gravity);
+  const Vector3<double> gone = now.motion.center - start.motion.center;
+  const double rounding = 1e-9 * (way.norm() + bend.norm()) + 1e-14 * start.motion.center.norm();
+  return {bend, gone - way - bend, rounding};
+}
+
+/// Whether two bodies that were not pushed have been moved apart, as out of an overlap.
+///
+/// A solver that moves bodies by the velocity at the end of a small step leaves each ahead of its
+/// parabola, by up to what that bends: two that are pulled alike by the same.
+inline bool were_parted(const Unpushed& a, const Unpushed& b)
+{
+  const Vector3<double> bend = b.bend - a.bend;
+  Vector3<double> apart = b.aside - a.aside;
+  if (const double squared = bend.squaredNorm(); squared > 0)
+  {
+    apart -= std::clamp(apart.dot(bend) / squared, 0.0, 1.0) * bend;
+  }
+  return apart.norm() > a.rounding + b.rounding;
 }
 
 } // namespace cookbook

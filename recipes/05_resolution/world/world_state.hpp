@@ -39,6 +39,7 @@ struct WorldState
   std::vector<RigidBody> start;          ///< as the last step began, after its impacts
   std::vector<bool> gone;                ///< who was taken out
   std::vector<bool> falls;               ///< who fell freely in the last step
+  std::vector<bool> parted;              ///< who was moved out of an overlap, but not pushed
   std::vector<SleepState<double>> sleep; ///< who rests, and for how long
   std::vector<Bounds> bounds;            ///< of all that are there
   BroadPhase near;                       ///< who may touch

@@ -34,15 +34,38 @@ inline void find_contacts(WorldState& world)
       [&](int body) { return is_still(world, body); });
 }
 
-/// Has a body fall freely, if no contact has pushed it.
-inline void fall_unless_pushed(WorldState& world, std::size_t i, bool touches)
+/// Has the bodies of an island fall freely that no contact has pushed or moved out of an overlap.
+inline void fall_unless_pushed(WorldState& world, const Island& island)
 {
-  const Scene& scene = world.scene;
-  world.falls[i] =
-      !touches || !was_pushed(world.bodies[i], world.start[i], scene.gravity, scene.step);
-  if (world.falls[i])
+  const Vector3<double>& gravity = world.scene.gravity;
+  const double step = world.scene.step;
+  for (const int body : island.bodies)
   {
-    world.bodies[i] = flown(world.start[i], scene.gravity, scene.step);
+    const std::size_t i = place_of(body);
+    world.falls[i] =
+        island.contacts.empty() || !was_pushed(world.bodies[i], world.start[i], gravity, step);
+  }
+  for (const int number : island.contacts)
+  {
+    const WorldContact& contact = world.contacts[place_of(number)];
+    const std::size_t a = place_of(contact.a), b = place_of(contact.b);
+    const auto pushed = [&](std::size_t i)
+    { return !world.falls[i] && !is_fixed(world.bodies[i]); };
+    const auto step_of = [&](std::size_t i)
+    { return unpushed(world.bodies[i], world.start[i], gravity, step); };
+    if (!pushed(a) && !pushed(b) && were_parted(step_of(a), step_of(b)))
+    {
+      world.parted[a] = world.parted[b] = true;
+    }
+  }
+  for (const int body : island.bodies)
+  {
+    const std::size_t i = place_of(body);
+    world.falls[i] = world.falls[i] && !world.parted[i];
+    if (world.falls[i])
+    {
+      world.bodies[i] = flown(world.start[i], gravity, step);
+    }
   }
 }
 
@@ -58,14 +81,14 @@ inline void advance(WorldState& world, const WorldSolver& solver)
       const Island island = world.islands[i];
       if (!is_still(world, island.bodies.front()))
       {
-        call(island, !island.contacts.empty());
+        call(island);
       }
     }
   };
   for_each_awake(
-      [&](const Island& island, bool touches)
+      [&](const Island& island)
       {
-        if (touches)
+        if (!island.contacts.empty())
         {
           world.touching.push_back(island);
           if (simultaneous_impacts(view, island, world.scene.step))
@@ -78,14 +101,7 @@ inline void advance(WorldState& world, const WorldSolver& solver)
         }
       });
   solver(view, world.touching, world.scene.step);
-  for_each_awake(
-      [&](const Island& island, bool touches)
-      {
-        for (const int i : island.bodies)
-        {
-          fall_unless_pushed(world, place_of(i), touches);
-        }
-      });
+  for_each_awake([&](const Island& island) { fall_unless_pushed(world, island); });
 }
 
 /// Has bodies bounce off what they would have passed through, and wakes whom they hit.
@@ -145,6 +161,7 @@ COOKBOOK_WORLD_INLINE void step(WorldState& world, const WorldSolver& solver)
   find_contacts(world);
   world.start = world.bodies;
   world.falls.assign(world.bodies.size(), false);
+  world.parted.assign(world.bodies.size(), false);
   world.islands.find(world.bodies, world.contacts);
   if (world.may_sleep)
   {
