@@ -112,6 +112,17 @@ bool goes_through(const Shot& shot, const std::string& solver)
 
 } // namespace
 
+TEST_CASE("balls at rest that are pulled together by 10 m/s² each close 5 m in √½ s")
+{
+  const Vector3<double> none = Vector3<double>::Zero();
+  const Course left{rigid_body(ball_body("left", 0.5, {0, 0, 0})), 0, none, {10, 0, 0}, none};
+  const Course right{rigid_body(ball_body("right", 0.5, {6, 0, 0})), 0, none, {-10, 0, 0}, none};
+  const auto hit = BallOnCourse{left, right, 0, 1, 0}(SphereShape{0.5}, SphereShape{0.5});
+  REQUIRE(hit);
+  CHECK(hit->time == Catch::Approx(std::sqrt(0.5)).epsilon(1e-9));
+  CHECK(hit->normal.isApprox(Vector3<double>(1, 0, 0)));
+}
+
 TEST_CASE("what is held goes on along its course without turning, what is frozen stays")
 {
   RigidBody box = rigid_body(box_body("box", {0.1, 0.2, 0.3}, {0, 5, 0}));

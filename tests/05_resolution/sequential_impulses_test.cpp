@@ -205,6 +205,28 @@ TEST_CASE("a residual is the speed that the next correction would change, and 0 
   CHECK(residual<Rational>(parting, Fractions::Constant(1, Rational(1))) == Rational(1) / 2);
 }
 
+TEST_CASE("the solver's residual is the one of its impulse, or that of its speed, in m/s", "[R10]")
+{
+  SequentialPoint one{};
+  RigidBody low = rigid_body(ground()), high = rigid_body(ball_body("ball", 0.5, {0, 0.5, 0}, 2));
+  one.point.a = &low;
+  one.point.b = &high;
+  one.point.normal = {0, 1, 0};
+  one.point.arms = {Vector3<double>::Zero(), {0, -0.5, 0}};
+  one.point.normal_mass = 2;
+  one.target = 1;
+  const auto off = [&](double impulse, double speed)
+  {
+    one.point.impulse = impulse;
+    high.motion.velocity = {0, speed, 0};
+    return complementarity_residual({one});
+  };
+  CHECK(off(4, 6) == 2); // 4 N s could be taken back: 2 m/s
+  CHECK(off(4, 2) == 1); // and do take back the last 1 m/s
+  CHECK(off(4, 0) == 1); // too slow by 1 m/s
+  CHECK(off(0, 6) == 0); // parts, and nothing presses
+}
+
 TEST_CASE("five cubes: the residual of the solver falls below 1e-5 m/s with passes", "[R10][long]")
 {
   World world(scenes::tower(5), impulse_method(true, 100).solver());
