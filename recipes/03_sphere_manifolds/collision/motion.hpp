@@ -41,4 +41,14 @@ relative_velocity(const Motion<Real>& a, const Motion<Real>& b, const Vector3<Re
 }
 // [relative_velocity]
 
+// [fastest_point]
+/// The speed [m/s] that no point of a body exceeds; `radius` [m] is that of its farthest point.
+template <class Real>
+Real fastest_point(
+    const Vector3<Real>& velocity, const Vector3<Real>& angular_velocity, const Real& radius)
+{
+  return velocity.norm() + angular_velocity.norm() * radius;
+}
+// [fastest_point]
+
 } // namespace cookbook

@@ -3,6 +3,7 @@
 /// \file
 /// \brief Bodies that rest may sleep: when islands of them fall asleep, and what wakes them.
 
+#include "03_sphere_manifolds/collision/motion.hpp"
 #include "05_resolution/islands/find_islands.hpp"
 #include "common/math/vector.hpp"
 
@@ -35,14 +36,6 @@ struct SleepState
   bool asleep = false; ///< whether the body is left out of the simulation
   bool calm = true;    ///< at the first body of an island: whether all of it may sleep
 };
-
-/// The speed [m/s] that no point of a body exceeds; `radius` [m] is that of its farthest point.
-template <class Real>
-Real fastest_point(
-    const Vector3<Real>& velocity, const Vector3<Real>& angular_velocity, const Real& radius)
-{
-  return velocity.norm() + angular_velocity.norm() * radius;
-}
 
 /// The watch of an awake body a step [s] later; it begins anew where the body has moved too much.
 ///

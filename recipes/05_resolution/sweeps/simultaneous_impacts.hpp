@@ -50,7 +50,7 @@ struct ImpactPoint
 inline double lost_speed(const IslandPoint& point)
 {
   const auto fastest = [](const Motion<double>& motion, const Vector3<double>& arm)
-  { return motion.velocity.norm() + motion.angular_velocity.norm() * arm.norm(); };
+  { return fastest_point(motion.velocity, motion.angular_velocity, arm.norm()); };
   return 4 * std::numeric_limits<double>::epsilon() *
          (fastest(point.a->motion, point.arms.a) + fastest(point.b->motion, point.arms.b));
 }

@@ -117,13 +117,12 @@ private:
     const auto found = left_.find(pair);
     return found != left_.end() && found->second == hits(pair);
   }
-  std::pair<int, int> hits(const std::pair<int, int>& of) const
+  std::pair<int, int> hits(const std::pair<int, int>& pair) const { return of_both(hits_, pair); }
+  std::pair<int, int> versions(int a, int b) const { return of_both(versions_, {a, b}); }
+  static std::pair<int, int>
+  of_both(const std::vector<int>& counts, const std::pair<int, int>& pair)
   {
-    return {hits_[place_of(of.first)], hits_[place_of(of.second)]};
-  }
-  std::pair<int, int> versions(int a, int b) const
-  {
-    return {versions_[place_of(a)], versions_[place_of(b)]};
+    return {counts[place_of(pair.first)], counts[place_of(pair.second)]};
   }
 
   const StepCourses& step_;
