@@ -3,11 +3,14 @@
 
 #include "02_primitives/closest_point_triangle/trial/point_triangle_cases.hpp"
 #include "02_primitives/closest_segments/closest_segments.hpp"
+#include "common/exact/exact.hpp"
 
 #include "tests/02_primitives/shape_judge.hpp"
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
 #include "tests/verdicts.hpp"
+
+#include <random>
 
 using namespace cookbook;
 
@@ -53,6 +56,26 @@ TEST_CASE("no corner lies on the origin's side of the plane through the closest 
   }
 }
 // [P13]
+
+TEST_CASE("close to triangles of a ten-millionth in width, distances are right to 1e-15", "[P13]")
+{
+  std::mt19937_64 draw(20261124);
+  std::uniform_real_distribution<double> number(-1, 1);
+  const auto any = [&] { return Eigen::Vector3d(number(draw), number(draw), number(draw)); };
+  for (int i = 0; i < 2000; ++i)
+  {
+    const Eigen::Vector3d a = any(), b = any(), c = a + 1.5 * number(draw) * (b - a) + 1e-7 * any();
+    const Eigen::Vector3d origin = (a + b + c) / 3 + 1e-9 * any();
+    const Eigen::Vector3d corners[] = {a - origin, b - origin, c - origin};
+    const Vector3<Reference> exactly[] = {
+        exact<Reference>(corners[0]), exact<Reference>(corners[1]), exact<Reference>(corners[2])};
+    const Reference true_distance(
+        sqrt(Reference(nearest_on_triangle(exactly, 0, 1, 2).point.squaredNorm())));
+    const Nearest<double> nearest = nearest_on_triangle(corners, 0, 1, 2);
+    REQUIRE(std::abs(nearest.point.norm() - static_cast<double>(true_distance)) < 1e-15);
+    REQUIRE(nearest.shares.minCoeff() >= 0);
+  }
+}
 
 // [P14]
 TEST_CASE("at the closest shares, neither segment leads on towards the other", "[P14]")

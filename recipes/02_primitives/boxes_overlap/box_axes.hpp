@@ -79,25 +79,43 @@ AxisOverlap<Real> face_axis_of_b(const RelativeBoxes<Real>& boxes, int j)
 // [face_axes]
 
 // [edge_axis]
-/// Along L = a_i × b_j, square to an edge of each box; O3, O4.
+/// a_i · (b_j × b_k) [1] for every two of B's axes, at the index of the third: how far those two
+/// reach along a_i × b_j and a_i × b_k. Of exact axes it is row i of C once more.
+template <class Real>
+Vector3<Real> triple_products(const RelativeBoxes<Real>& boxes, int i)
+{
+  const Vector3<Real> one = boxes.rotation.row((i + 1) % 3),
+                      other = boxes.rotation.row((i + 2) % 3);
+  return one.cross(other);
+}
+
+/// Along L = a_i × b_j, square to an edge of each box; O3, O4. `triple` is triple_products(boxes,
+/// i).
 ///
 /// B's reach is measured along L itself, not read off as |C|: near-parallel edges make L as short
 /// as rounding is large, and only an L that is the same in all three terms is then still an axis.
 template <class Real>
-AxisOverlap<Real> edge_axis(const RelativeBoxes<Real>& boxes, int i, int j)
+inline AxisOverlap<Real>
+edge_axis(const RelativeBoxes<Real>& boxes, int i, int j, const Vector3<Real>& triple)
 {
   using std::abs;
-  const Matrix3<Real>& c = boxes.rotation;
   const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-  const Real l1 = -c(i2, j), l2 = c(i1, j);
+  const Real l1 = -boxes.rotation(i2, j), l2 = boxes.rotation(i1, j);
   Vector3<Real> axis = Vector3<Real>::Zero();
   axis[i1] = l1;
   axis[i2] = l2;
-  const Real reach_a = boxes.half_a[i1] * abs(l1) + boxes.half_a[i2] * abs(l2);
-  const Real reach_b = boxes.half_b[j1] * abs(c(i1, j1) * l1 + c(i2, j1) * l2) +
-                       boxes.half_b[j2] * abs(c(i1, j2) * l1 + c(i2, j2) * l2);
+  const Real reach_a =
+      boxes.half_a[i1] * boxes.absolute(i2, j) + boxes.half_a[i2] * boxes.absolute(i1, j);
+  const Real reach_b = boxes.half_b[j1] * abs(triple[j2]) + boxes.half_b[j2] * abs(triple[j1]);
   const Real offset = boxes.offset[i1] * l1 + boxes.offset[i2] * l2;
   return axis_overlap<Real>(axis, offset, reach_a + reach_b, l1 * l1 + l2 * l2);
+}
+
+/// The same for one axis alone.
+template <class Real>
+AxisOverlap<Real> edge_axis(const RelativeBoxes<Real>& boxes, int i, int j)
+{
+  return edge_axis(boxes, i, j, triple_products(boxes, i));
 }
 
 /// Whether the axis is the cross product of edges so nearly parallel that it can be left out.

@@ -49,6 +49,16 @@ bool faces_overlap(const Obb<Real>& a, const Obb<Real>& b)
   return faces_overlap(boxes, shadow_rounding(boxes));
 }
 
+/// Whether the three axes that are square to an edge of B and to A's edge i let them overlap.
+template <class Real>
+inline bool edges_overlap(const RelativeBoxes<Real>& boxes, int i, const Real& rounding)
+{
+  const Vector3<Real> triple = triple_products(boxes, i);
+  return shadows_overlap(edge_axis(boxes, i, 0, triple), rounding) &&
+         shadows_overlap(edge_axis(boxes, i, 1, triple), rounding) &&
+         shadows_overlap(edge_axis(boxes, i, 2, triple), rounding);
+}
+
 /// Whether two boxes overlap: by their faces, and by nine axes that are square to an edge of each.
 /// Touching to rounding counts.
 template <class Real>
@@ -56,21 +66,8 @@ bool boxes_overlap(const Obb<Real>& a, const Obb<Real>& b)
 {
   const RelativeBoxes<Real> boxes = relative_boxes(a, b);
   const Real rounding = shadow_rounding(boxes);
-  if (!faces_overlap(boxes, rounding))
-  {
-    return false;
-  }
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 3; ++j)
-    {
-      if (!shadows_overlap(edge_axis(boxes, i, j), rounding))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
+  return faces_overlap(boxes, rounding) && edges_overlap(boxes, 0, rounding) &&
+         edges_overlap(boxes, 1, rounding) && edges_overlap(boxes, 2, rounding);
 }
 // [boxes_overlap]
 

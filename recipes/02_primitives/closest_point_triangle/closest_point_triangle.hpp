@@ -25,6 +25,46 @@ Nearest<Real> closer_of(const Nearest<Real>& one, const Nearest<Real>& other)
   return other.point.squaredNorm() < one.point.squaredNorm() ? other : one;
 }
 
+/// Corner i alone.
+template <class Real>
+Nearest<Real> nearest_on_corner(const Vector3<Real>* corners, int i)
+{
+  Nearest<Real> nearest{Vector<Real, 4>::Zero(), corners[i]};
+  nearest.shares[i] = Real(1);
+  return nearest;
+}
+
+/// The point of the plane through corners i, j and k with shares in these proportions.
+template <class Real>
+Nearest<Real>
+nearest_on_face(const Vector3<Real>* corners, int i, int j, int k, const Vector3<Real>& proportions)
+{
+  const Vector3<Real> shares = proportions / proportions.sum();
+  Nearest<Real> nearest{
+      Vector<Real, 4>::Zero(),
+      shares.x() * corners[i] + shares.y() * corners[j] + shares.z() * corners[k]};
+  nearest.shares[i] = shares.x();
+  nearest.shares[j] = shares.y();
+  nearest.shares[k] = shares.z();
+  return nearest;
+}
+
+/// A point of the triangle, moved along the edge from corner i to corner j to where it is closest,
+/// but not out of the triangle.
+template <class Real>
+Nearest<Real> moved_along(Nearest<Real> nearest, const Vector3<Real>* corners, int i, int j)
+{
+  const Vector3<Real> along = corners[j] - corners[i];
+  const Real share = nearest.point.dot(along) / along.squaredNorm();
+  const Real back = share > nearest.shares[j]    ? nearest.shares[j]
+                    : share < -nearest.shares[i] ? Real(-nearest.shares[i])
+                                                 : share;
+  nearest.shares[i] += back;
+  nearest.shares[j] -= back;
+  nearest.point -= back * along;
+  return nearest;
+}
+
 /// The squared sine of the angle below which a triangle counts as thin: rounding may then tell the
 /// wrong side of an edge, so that the edges are asked too.
 template <class Real>
@@ -32,85 +72,97 @@ inline const Real thin_squared_sine = Real(1) / Real(1'000'000'000'000);
 // [nearest_part]
 
 // [nearest_on_segment]
+/// The point of the line through corners i and j that is closest to the origin.
+template <class Real>
+Nearest<Real> nearest_on_line(const Vector3<Real>* corners, int i, int j)
+{
+  const Vector3<Real> along = corners[j] - corners[i];
+  const Real whole = along.squaredNorm(), share = -corners[i].dot(along) / whole;
+  Nearest<Real> nearest{Vector<Real, 4>::Zero(), corners[i] + share * along};
+  nearest.shares[i] = Real(1) - share;
+  nearest.shares[j] = share;
+  // Once more, for a short way: rounding has left some of it along the line.
+  nearest.point -= nearest.point.dot(along) / whole * along;
+  return nearest;
+}
+
 /// The point of the segment from corner i to corner j that is closest to the origin; P2.
 ///
 /// Corner i where both corners are the same.
 template <class Real>
 Nearest<Real> nearest_on_segment(const Vector3<Real>* corners, int i, int j)
 {
-  const Vector3<Real>&a = corners[i], &b = corners[j];
-  const Vector3<Real> along = b - a;
-  const Real share = -a.dot(along), whole = along.squaredNorm();
-  Nearest<Real> nearest{Vector<Real, 4>::Zero(), a};
+  const Vector3<Real> along = corners[j] - corners[i];
+  const Real share = -corners[i].dot(along), whole = along.squaredNorm();
   if (!(share > Real(0)) || !(whole > Real(0)))
   {
-    nearest.shares[i] = Real(1);
+    return nearest_on_corner(corners, i);
   }
-  else if (!(share < whole))
-  {
-    nearest.shares[j] = Real(1);
-    nearest.point = b;
-  }
-  else
-  {
-    nearest.shares[j] = share / whole;
-    nearest.shares[i] = Real(1) - nearest.shares[j];
-    nearest.point = a + nearest.shares[j] * along;
-    // Once more, for a short way: rounding has left some of it along the segment.
-    nearest.point -= nearest.point.dot(along) / whole * along;
-  }
-  return nearest;
+  return share < whole ? nearest_on_line(corners, i, j) : nearest_on_corner(corners, j);
 }
 // [nearest_on_segment]
+
+// [nearest_on_thin_triangle]
+/// Where rounding may tell the wrong side of an edge, the edges are asked, too.
+template <class Real>
+[[gnu::noinline, gnu::cold]] Nearest<Real> nearest_on_thin_triangle(
+    const Vector3<Real>* corners, int i, int j, int k, const Vector3<Real>& inside)
+{
+  const Nearest<Real> edge = closer_of(
+      closer_of(nearest_on_segment(corners, i, j), nearest_on_segment(corners, j, k)),
+      nearest_on_segment(corners, k, i));
+  if (!(inside.x() > Real(0)) || !(inside.y() > Real(0)) || !(inside.z() > Real(0)))
+  {
+    return edge;
+  }
+  Nearest<Real> face = nearest_on_face(corners, i, j, k, inside);
+  face = moved_along(face, corners, i, j);
+  face = moved_along(face, corners, j, k);
+  return closer_of(moved_along(face, corners, k, i), edge);
+}
+// [nearest_on_thin_triangle]
 
 // [nearest_on_triangle]
 /// The point of the triangle of corners i, j and k that is closest to the origin; P11, P13.
 ///
-/// A flat triangle is its three edges.
+/// Over the face, or beside an edge and not inside of it, or at a corner. A flat triangle is its
+/// three edges.
 template <class Real>
 Nearest<Real> nearest_on_triangle(const Vector3<Real>* corners, int i, int j, int k)
 {
   const Vector3<Real>&a = corners[i], &b = corners[j], &c = corners[k];
   const Vector3<Real> ab = b - a, bc = c - b, ca = a - c;
   const Vector3<Real> normal = ca.cross(ab);
-  const Real squared = normal.squaredNorm();
+  const Real zero(0), squared = normal.squaredNorm();
   // How far the origin lies inside each edge, as a share of the corner across.
   const Vector3<Real> inside(
       normal.dot(b.cross(bc)), normal.dot(c.cross(ca)), normal.dot(a.cross(ab)));
-  const bool over_face =
-      squared > Real(0) && inside.x() > Real(0) && inside.y() > Real(0) && inside.z() > Real(0);
-  const bool is_thin = !(squared > thin_squared_sine<Real> * ab.squaredNorm() * ca.squaredNorm());
-  Nearest<Real> nearest{Vector<Real, 4>::Zero(), a};
-  if (over_face)
+  if (!(squared > thin_squared_sine<Real> * ab.squaredNorm() * ca.squaredNorm()))
   {
-    const Vector3<Real> shares = inside / inside.sum();
-    nearest.shares[i] = shares.x();
-    nearest.shares[j] = shares.y();
-    nearest.shares[k] = shares.z();
-    nearest.point = shares.x() * a + shares.y() * b + shares.z() * c;
-    if (!is_thin)
-    {
-      // Once more, for a short way: rounding has left some of it along the face.
-      nearest.point = normal.dot(nearest.point) / squared * normal;
-      return nearest;
-    }
+    return nearest_on_thin_triangle(corners, i, j, k, inside);
   }
-  else
+  if (inside.x() > zero && inside.y() > zero && inside.z() > zero)
   {
-    nearest.shares[i] = Real(1);
+    Nearest<Real> nearest = nearest_on_face(corners, i, j, k, inside);
+    // Once more, for a short way: rounding has left some of it along the face.
+    nearest.point = normal.dot(nearest.point) / squared * normal;
+    return nearest;
   }
-  // The closest point lies on an edge that the origin is beyond; of a thin triangle on any.
-  const auto ask = [&](const Real& how_far_inside, int from, int to)
+  if (!(inside.z() > zero) && a.dot(ab) < zero && b.dot(ab) > zero)
   {
-    if (is_thin || !(how_far_inside > Real(0)))
-    {
-      nearest = closer_of(nearest, nearest_on_segment(corners, from, to));
-    }
-  };
-  ask(inside.z(), i, j);
-  ask(inside.x(), j, k);
-  ask(inside.y(), k, i);
-  return nearest;
+    return nearest_on_line(corners, i, j);
+  }
+  if (!(inside.x() > zero) && b.dot(bc) < zero && c.dot(bc) > zero)
+  {
+    return nearest_on_line(corners, j, k);
+  }
+  if (!(inside.y() > zero) && c.dot(ca) < zero && a.dot(ca) > zero)
+  {
+    return nearest_on_line(corners, k, i);
+  }
+  return closer_of(
+      closer_of(nearest_on_corner(corners, i), nearest_on_corner(corners, j)),
+      nearest_on_corner(corners, k));
 }
 // [nearest_on_triangle]
 

@@ -65,7 +65,7 @@ from_line_of_a(const Real& share, const Segment<Real>& a, const Segment<Real>& b
 /// so, all four ends are asked. Parallel ones have many closest points: the answer is the first of
 /// A's start, A's end, B's start and B's end.
 template <class Real>
-ClosestShares<Real> closest_shares(const Segment<Real>& a, const Segment<Real>& b)
+[[gnu::flatten]] ClosestShares<Real> closest_shares(const Segment<Real>& a, const Segment<Real>& b)
 {
   const Vector3<Real> along_a = a.end - a.start, along_b = b.end - b.start;
   const Vector3<Real> between = b.start - a.start;

@@ -13,7 +13,8 @@ namespace cookbook
 /// The point of a triangle closest to another point, seen from there. Sizes from 1e-70 to 1e70 in
 /// double.
 template <class Real>
-Nearest<Wide<Real>> nearest_from(const Vector3<Wide<Real>>& point, const Triangle<Real>& triangle)
+[[gnu::flatten]] Nearest<Wide<Real>>
+nearest_from(const Vector3<Wide<Real>>& point, const Triangle<Real>& triangle)
 {
   const Vector3<Wide<Real>> corners[] = {
       widen(triangle.a) - point, widen(triangle.b) - point, widen(triangle.c) - point};
