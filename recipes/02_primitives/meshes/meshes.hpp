@@ -32,7 +32,7 @@ struct MeshHit
 /// The nearest hit of a ray; nothing if it has no direction, or passes by. The tree must be that of
 /// the mesh. A closed mesh has no gaps.
 template <class Real>
-std::optional<MeshHit<Real>>
+[[gnu::flatten]] std::optional<MeshHit<Real>>
 cast(const Ray<Real>& ray, const TriangleMesh<Real>& mesh, const BoundingVolumes<Real>& tree)
 {
   using W = Wide<Real>;
@@ -89,7 +89,7 @@ struct MeshPoint
 
 /// The closest point of a mesh; nothing if it has no triangles. The tree must be that of the mesh.
 template <class Real>
-std::optional<MeshPoint<Real>> closest_point_of_mesh(
+[[gnu::flatten]] std::optional<MeshPoint<Real>> closest_point_of_mesh(
     const TriangleMesh<Real>& mesh, const BoundingVolumes<Real>& tree, const Vector3<Real>& point)
 {
   const Vector3<Wide<Real>> p = widen(point);

@@ -40,13 +40,14 @@ ray_triangle_watertight(const ShearedView<Wide<Real>>& view, const Triangle<Real
 /// The unit normal of a triangle on the side that a direction comes from; of a flat one, against
 /// the direction.
 template <class Real>
-Vector3<Real> normal_towards(const Triangle<Real>& triangle, const Vector3<Real>& direction)
+[[gnu::flatten]] Vector3<Real>
+normal_towards(const Triangle<Real>& triangle, const Vector3<Real>& direction)
 {
   using V = Vector3<Wide<Real>>;
   const V a = widen(triangle.a), ab = widen(triangle.b) - a, ac = widen(triangle.c) - a;
   const V along = widen(direction);
-  const V against = normalize<Wide<Real>>(V(-along)).unit;
-  const V normal = normalize<Wide<Real>>(accurate_cross<Wide<Real>>(ab, ac), against).unit;
+  const V across = accurate_cross<Wide<Real>>(ab, ac);
+  const V normal = normalize<Wide<Real>>(across.isZero(0) ? V(-along) : across).unit;
   const V towards = normal.dot(along) > 0 ? V(-normal) : normal;
   return towards.template cast<Real>();
 }
