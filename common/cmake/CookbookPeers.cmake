@@ -1,7 +1,7 @@
 # Other libraries to time beside the recipes; charts leave out what is not installed.
 #
 # cookbook_peers links to whatever was found and defines COOKBOOK_HAS_ODE, COOKBOOK_HAS_BULLET,
-# COOKBOOK_HAS_FCL, COOKBOOK_HAS_EMBREE.
+# COOKBOOK_HAS_FCL, COOKBOOK_HAS_EMBREE, COOKBOOK_HAS_CGAL.
 
 add_library(cookbook_peers INTERFACE)
 if(COOKBOOK_PEERS)
@@ -29,6 +29,13 @@ if(COOKBOOK_PEERS)
   if(TARGET embree)
     target_link_libraries(cookbook_peers INTERFACE embree)
     target_compile_definitions(cookbook_peers INTERFACE COOKBOOK_HAS_EMBREE)
+  endif()
+  # Of its headers only; its own set-up would choose compilers' flags.
+  find_path(CGAL_INCLUDE_DIR CGAL/AABB_tree.h)
+  if(CGAL_INCLUDE_DIR)
+    target_include_directories(cookbook_peers SYSTEM INTERFACE ${CGAL_INCLUDE_DIR})
+    target_link_libraries(cookbook_peers INTERFACE mpfr gmp)
+    target_compile_definitions(cookbook_peers INTERFACE COOKBOOK_HAS_CGAL)
   endif()
 endif()
 

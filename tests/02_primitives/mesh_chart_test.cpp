@@ -22,6 +22,9 @@ TEST_CASE("rays and closest points are those of other libraries, to a float's ro
 #ifdef COOKBOOK_HAS_FCL
   const FclMesh fcl(work.mesh);
 #endif
+#ifdef COOKBOOK_HAS_CGAL
+  const CgalMesh cgal(work.mesh);
+#endif
   for (const Ray<float>& ray : work.rays)
   {
     const auto ours = cast(ray, work.mesh, work.tree);
@@ -36,14 +39,21 @@ TEST_CASE("rays and closest points are those of other libraries, to a float's ro
 #ifdef COOKBOOK_HAS_FCL
     CHECK(fcl.is_met(ray));
 #endif
+#ifdef COOKBOOK_HAS_CGAL
+    CHECK(cgal.cast(ray) == ours->triangle);
+#endif
   }
-#ifdef COOKBOOK_HAS_FCL
   for (const Vector3<float>& point : work.points)
   {
-    const float ours = closest_point_of_mesh(work.mesh, work.tree, point)->distance;
-    CHECK(std::abs(fcl.distance(point) - static_cast<double>(ours)) < 1e-5);
-  }
+    const double ours{closest_point_of_mesh(work.mesh, work.tree, point)->distance};
+    CHECK(std::abs(closest_without_tree(work.mesh, point).first - ours) < 1e-5);
+#ifdef COOKBOOK_HAS_FCL
+    CHECK(std::abs(fcl.distance(point) - ours) < 1e-5);
 #endif
+#ifdef COOKBOOK_HAS_CGAL
+    CHECK(std::abs(cgal.distance(point) - ours) < 1e-5);
+#endif
+  }
 }
 // [mesh_chart_agree]
 

@@ -96,6 +96,13 @@ void measure_asking(
   of_points.push_back(
       measure::timed_over("FCL", work.points, [&](const V& p) { return fcl.distance(p); }));
 #endif
+#ifdef COOKBOOK_HAS_CGAL
+  const CgalMesh cgal(mesh);
+  of_rays.push_back(
+      measure::timed_over("CGAL", work.rays, [&](const R& r) { return cgal.cast(r); }));
+  of_points.push_back(
+      measure::timed_over("CGAL", work.points, [&](const V& p) { return cgal.distance(p); }));
+#endif
   rays.measure(work, of_rays, effort);
   points.measure(work, of_points, effort);
 }
@@ -117,6 +124,9 @@ void measure_building(Curves& curves, const MeshWorkload& work, const measure::E
 #endif
 #ifdef COOKBOOK_HAS_FCL
   add("FCL", [&work] { measure::keep(FclMesh(work.mesh)); });
+#endif
+#ifdef COOKBOOK_HAS_CGAL
+  add("CGAL", [&work] { measure::keep(CgalMesh(work.mesh)); });
 #endif
   curves.measure(work, methods, effort);
 }

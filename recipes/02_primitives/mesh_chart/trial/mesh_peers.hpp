@@ -3,6 +3,7 @@
 /// \file
 /// \brief Other libraries' meshes, asked for rays and closest points, to be timed beside ours.
 
+#include "02_primitives/mesh_chart/trial/cgal_mesh.hpp"
 #include "02_primitives/meshes/triangle_mesh.hpp"
 #include "02_primitives/shapes/shapes.hpp"
 #include "02_primitives/shapes/trial/bullet_shapes.hpp"
