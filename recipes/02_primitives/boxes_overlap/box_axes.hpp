@@ -95,7 +95,7 @@ Vector3<Real> triple_products(const RelativeBoxes<Real>& boxes, int i)
 /// B's reach is measured along L itself, not read off as |C|: near-parallel edges make L as short
 /// as rounding is large, and only an L that is the same in all three terms is then still an axis.
 template <class Real>
-inline AxisOverlap<Real>
+AxisOverlap<Real>
 edge_axis(const RelativeBoxes<Real>& boxes, int i, int j, const Vector3<Real>& triple)
 {
   using std::abs;

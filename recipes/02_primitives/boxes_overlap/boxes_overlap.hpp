@@ -43,7 +43,7 @@ bool faces_overlap(const RelativeBoxes<Real>& boxes, const Real& rounding)
 
 /// The same for two boxes in the world.
 template <class Real>
-bool faces_overlap(const Obb<Real>& a, const Obb<Real>& b)
+[[gnu::flatten]] bool faces_overlap(const Obb<Real>& a, const Obb<Real>& b)
 {
   const RelativeBoxes<Real> boxes = relative_boxes(a, b);
   return faces_overlap(boxes, shadow_rounding(boxes));
@@ -51,7 +51,7 @@ bool faces_overlap(const Obb<Real>& a, const Obb<Real>& b)
 
 /// Whether the three axes that are square to an edge of B and to A's edge i let them overlap.
 template <class Real>
-inline bool edges_overlap(const RelativeBoxes<Real>& boxes, int i, const Real& rounding)
+bool edges_overlap(const RelativeBoxes<Real>& boxes, int i, const Real& rounding)
 {
   const Vector3<Real> triple = triple_products(boxes, i);
   return shadows_overlap(edge_axis(boxes, i, 0, triple), rounding) &&
@@ -62,7 +62,7 @@ inline bool edges_overlap(const RelativeBoxes<Real>& boxes, int i, const Real& r
 /// Whether two boxes overlap: by their faces, and by nine axes that are square to an edge of each.
 /// Touching to rounding counts.
 template <class Real>
-bool boxes_overlap(const Obb<Real>& a, const Obb<Real>& b)
+[[gnu::flatten]] bool boxes_overlap(const Obb<Real>& a, const Obb<Real>& b)
 {
   const RelativeBoxes<Real> boxes = relative_boxes(a, b);
   const Real rounding = shadow_rounding(boxes);

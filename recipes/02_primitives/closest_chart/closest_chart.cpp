@@ -40,13 +40,7 @@ plot::Chart triangle_chart(const measure::Effort& effort)
       timed_way(
           "seven regions", all,
           [](const P& p, const T& t) { return (closest_by_regions(p, t) - p).norm(); }),
-      timed_way(
-          "shares, float", all,
-          [](const P& p, const T& t)
-          {
-            const P corners[] = {t.a - p, t.b - p, t.c - p};
-            return nearest_on_triangle(corners, 0, 1, 2).point.norm();
-          }),
+      timed_way("shares, float", all, float_shares),
       timed_way(
           "shares", all,
           [](const P& p, const T& t)
@@ -62,24 +56,21 @@ plot::Chart triangle_chart(const measure::Effort& effort)
 plot::Chart segment_chart(const measure::Effort& effort)
 {
   using S = Segment<float>;
+  using W = Segment<double>;
   const auto all = known_segments(1000);
+  const auto wide = in_double(all);
   std::vector<measure::ChartedMethod> ways{
       timed_way("five dot products", all, distance_by_dot_products),
       timed_way(
           "cross product, float", all,
           [](const S& a, const S& b) { return closest_shares(a, b).way.norm(); }),
       timed_way(
-          "cross product", all,
-          [](const S& a, const S& b)
-          {
-            const Segment<double> one{widen(a.start), widen(a.end)};
-            const Segment<double> other{widen(b.start), widen(b.end)};
-            return static_cast<float>(closest_shares(one, other).way.norm());
-          }),
+          "cross product", wide,
+          [](const W& a, const W& b) { return closest_shares(a, b).way.norm(); }),
       timed_way(
           "any shapes", all, [](const S& a, const S& b) { return closest_points(a, b).distance; })};
 #ifdef COOKBOOK_HAS_ODE
-  ways.push_back(timed_way("ODE", all, ode_distance));
+  ways.push_back(timed_way("ODE", wide, ode_distance));
 #endif
   return chart_of("segments", "Two segments", ways, effort);
 }

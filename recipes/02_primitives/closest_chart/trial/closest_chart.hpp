@@ -28,7 +28,8 @@ struct KnownDistance
 };
 
 using PointTriangle = KnownDistance<Vector3<float>, Triangle<float>>;
-using TwoSegments = KnownDistance<Segment<float>, Segment<float>>;
+template <class Real>
+using TwoSegments = KnownDistance<Segment<Real>, Segment<Real>>;
 
 /// Points and triangles; every eighth triangle is thinner than a ten-thousandth of its length.
 inline std::vector<PointTriangle> known_triangles_and_points(int count)
@@ -49,10 +50,10 @@ inline std::vector<PointTriangle> known_triangles_and_points(int count)
 }
 
 /// Pairs of segments; every eighth are parallel but for a ten-thousandth.
-inline std::vector<TwoSegments> known_segments(int count)
+inline std::vector<TwoSegments<float>> known_segments(int count)
 {
   FloatDraw draw(20261122);
-  std::vector<TwoSegments> all;
+  std::vector<TwoSegments<float>> all;
   for (int i = 0; i < count; ++i)
   {
     const Segment<float> a{draw.in_cube(1), draw.in_cube(1)};
@@ -66,6 +67,20 @@ inline std::vector<TwoSegments> known_segments(int count)
     all.push_back({a, b, static_cast<double>(Reference(sqrt(squared)))});
   }
   return all;
+}
+
+/// The same pairs of segments in double.
+inline std::vector<TwoSegments<double>> in_double(const std::vector<TwoSegments<float>>& all)
+{
+  const auto wide = [](const Segment<float>& s) {
+    return Segment<double>{widen(s.start), widen(s.end)};
+  };
+  std::vector<TwoSegments<double>> same;
+  for (const TwoSegments<float>& pair : all)
+  {
+    same.push_back({wide(pair.a), wide(pair.b), pair.distance});
+  }
+  return same;
 }
 // [known_distances]
 
@@ -124,6 +139,13 @@ inline float distance_by_dot_products(const Segment<float>& one, const Segment<f
   return (r + s * along - t * across).norm();
 }
 // [taught_ways]
+
+/// How far a point is from a triangle by P13, in float alone.
+[[gnu::flatten]] inline float float_shares(const Vector3<float>& p, const Triangle<float>& t)
+{
+  const Vector3<float> corners[] = {t.a - p, t.b - p, t.c - p};
+  return nearest_on_triangle(corners, 0, 1, 2).point.norm();
+}
 
 /// How wrong a way's distances are [m].
 template <class Known, class Way>

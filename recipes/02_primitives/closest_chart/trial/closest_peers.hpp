@@ -32,18 +32,18 @@ inline float bullet_distance(const Vector3<float>& point, const Triangle<float>&
 
 #ifdef COOKBOOK_HAS_ODE
 /// How far two segments are apart by ODE, which computes in double.
-inline float ode_distance(const Segment<float>& a, const Segment<float>& b)
+inline double ode_distance(const Segment<double>& a, const Segment<double>& b)
 {
   struct OdeVector
   {
-    explicit OdeVector(const Vector3<float>& v) : numbers{v.x(), v.y(), v.z(), 0} {}
+    explicit OdeVector(const Vector3<double>& v) : numbers{v.x(), v.y(), v.z(), 0} {}
     dVector3 numbers;
   };
   const OdeVector a1(a.start), a2(a.end), b1(b.start), b2(b.end);
   dVector3 on_a, on_b;
   dClosestLineSegmentPoints(a1.numbers, a2.numbers, b1.numbers, b2.numbers, on_a, on_b);
   const double x = on_a[0] - on_b[0], y = on_a[1] - on_b[1], z = on_a[2] - on_b[2];
-  return static_cast<float>(std::sqrt(x * x + y * y + z * z));
+  return std::sqrt(x * x + y * y + z * z);
 }
 #endif
 
