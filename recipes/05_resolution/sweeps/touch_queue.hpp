@@ -81,7 +81,7 @@ public:
   {
     while (!touches_.empty())
     {
-      const CourseTouch touch = touches_.top();
+      CourseTouch touch = touches_.top();
       touches_.pop();
       if (touch.versions == versions(touch.first, touch.other))
       {
