@@ -3,14 +3,13 @@
 
 #include "02_primitives/closest_point_triangle/trial/point_triangle_cases.hpp"
 #include "02_primitives/closest_segments/closest_segments.hpp"
+#include "02_primitives/shapes/trial/number_draw.hpp"
 #include "common/exact/exact.hpp"
 
 #include "tests/02_primitives/shape_judge.hpp"
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
 #include "tests/verdicts.hpp"
-
-#include <random>
 
 using namespace cookbook;
 
@@ -59,13 +58,12 @@ TEST_CASE("no corner lies on the origin's side of the plane through the closest 
 
 TEST_CASE("close to triangles of a ten-millionth in width, distances are right to 1e-15", "[P13]")
 {
-  std::mt19937_64 draw(20261124);
-  std::uniform_real_distribution<double> number(-1, 1);
-  const auto any = [&] { return Eigen::Vector3d(number(draw), number(draw), number(draw)); };
+  NumberDraw<double> draw(20261124);
   for (int i = 0; i < 2000; ++i)
   {
-    const Eigen::Vector3d a = any(), b = any(), c = a + 1.5 * number(draw) * (b - a) + 1e-7 * any();
-    const Eigen::Vector3d origin = (a + b + c) / 3 + 1e-9 * any();
+    const Eigen::Vector3d a = draw.in_cube(1), b = draw.in_cube(1), width = draw.in_cube(1e-7);
+    const Eigen::Vector3d c = a + draw.between(-1.5, 1.5) * (b - a) + width;
+    const Eigen::Vector3d origin = (a + b + c) / 3 + draw.in_cube(1e-9);
     const Eigen::Vector3d corners[] = {a - origin, b - origin, c - origin};
     const Vector3<Reference> exactly[] = {
         exact<Reference>(corners[0]), exact<Reference>(corners[1]), exact<Reference>(corners[2])};

@@ -40,8 +40,7 @@ ray_triangle_watertight(const ShearedView<Wide<Real>>& view, const Triangle<Real
 /// The unit normal of a triangle on the side that a direction comes from; of a flat one, against
 /// the direction.
 template <class Real>
-[[gnu::flatten]] Vector3<Real>
-normal_towards(const Triangle<Real>& triangle, const Vector3<Real>& direction)
+Vector3<Real> normal_towards(const Triangle<Real>& triangle, const Vector3<Real>& direction)
 {
   using V = Vector3<Wide<Real>>;
   const V a = widen(triangle.a), ab = widen(triangle.b) - a, ac = widen(triangle.c) - a;
