@@ -110,6 +110,35 @@ TEST_CASE(
   CHECK(closest_shares<double>({{2, 2, 2}, {2, 2, 2}}, {{2, 2, 5}, {2, 2, 5}}).way.norm() == 3);
 }
 
+TEST_CASE("at any angle, the distance of two segments is right to 2e-15", "[P14]")
+{
+  NumberDraw<double> draw(20261125);
+  const auto exactly = [](const Segment<double>& segment) {
+    return Segment<Reference>{exact<Reference>(segment.start), exact<Reference>(segment.end)};
+  };
+  const auto end_or_inside = [&draw]
+  {
+    const double kind = draw.between(0, 4), inside = draw.between(0, 1);
+    return kind < 1 ? 0.0 : kind < 2 ? 1.0 : kind < 3 ? inside : 3 * inside - 1;
+  };
+  for (int i = 0; i < 20'000; ++i)
+  {
+    const Eigen::Vector3d start = draw.in_cube(1), along = draw.in_cube(1);
+    const Eigen::Vector3d across = along.cross(draw.in_cube(1)), aside = along.cross(across);
+    const double sine = std::pow(10, draw.between(-16, 0)), s = end_or_inside();
+    const double apart = std::pow(10, draw.between(-16, 0)), t = end_or_inside();
+    const Eigen::Vector3d other = (i % 2 == 0 ? 1 : -1) * along + sine * across;
+    const Eigen::Vector3d from = start + s * along - t * other + apart * aside;
+    const Segment<double> a{start, start + along}, b{from, from + other};
+    const ClosestShares<double> at = closest_shares(a, b);
+    const Reference truth(
+        sqrt(Reference(closest_shares(exactly(a), exactly(b)).way.squaredNorm())));
+    REQUIRE(std::abs(at.way.norm() - static_cast<double>(truth)) < 2e-15);
+    REQUIRE(std::min(at.on_a, at.on_b) >= 0);
+    REQUIRE(std::max(at.on_a, at.on_b) <= 1);
+  }
+}
+
 // [point_triangle_verdicts]
 TEST_CASE("which way to find the closest point of a triangle holds in which case", "[case:D10]")
 {

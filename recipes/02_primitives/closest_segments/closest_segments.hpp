@@ -43,61 +43,87 @@ ClosestShares<Real> from_end_of_b(Real on_b, const Vector3<Real>& b, const Segme
   return {nearest.shares[1], on_b, nearest.point};
 }
 
-/// From where the lines of two segments are closest, beyond an end of A or B: the closest point of
-/// B to that of A, and where it is an end, the closest of A to it.
+/// The square of the share of its segments' length below which a way counts as short.
 template <class Real>
-ClosestShares<Real>
-from_line_of_a(const Real& share, const Segment<Real>& a, const Segment<Real>& b)
+inline const Real short_squared_share = Real(1) / Real(10'000);
+
+/// A way much shorter than its segments is a small difference of large numbers: once more, from
+/// the end that it leads to, or along the normal of both.
+template <class Real>
+[[gnu::noinline, gnu::cold]] ClosestShares<Real> shortly_apart(
+    ClosestShares<Real> at, const Segment<Real>& a, const Segment<Real>& b,
+    const Vector3<Real>& normal)
 {
-  const Real zero(0), one(1), on_a = share > zero ? (share < one ? share : one) : zero;
-  const Vector3<Real> there = on_a < one ? a.start + on_a * (a.end - a.start) : a.end;
-  const ClosestShares<Real> nearest = from_end_of_a<Real>(on_a, there, b);
-  const bool is_end = nearest.on_b == zero || nearest.on_b == one;
-  return is_end ? from_end_of_b<Real>(nearest.on_b, nearest.on_b == zero ? b.start : b.end, a)
-                : nearest;
+  const Real zero(0), one(1);
+  if (at.on_a == zero || at.on_a == one)
+  {
+    return from_end_of_a<Real>(at.on_a, at.on_a == zero ? a.start : a.end, b);
+  }
+  if (at.on_b == zero || at.on_b == one)
+  {
+    return from_end_of_b<Real>(at.on_b, at.on_b == zero ? b.start : b.end, a);
+  }
+  at.way = at.way.dot(normal) / normal.squaredNorm() * normal;
+  return at;
+}
+
+/// A share, but not beyond 0 and 1.
+template <class Real>
+Real clamped_share(const Real& share)
+{
+  const Real from_zero = share > Real(0) ? share : Real(0);
+  return from_zero < Real(1) ? from_zero : Real(1);
 }
 // [closest_shares]
 
-// [closest_segments]
-/// Where two segments are closest, of any length and direction; P14.
-///
-/// Inside both where the lines cross there, or at an end. Of segments that are parallel, or nearly
-/// so, all four ends are asked. Parallel ones have many closest points: the answer is the first of
-/// A's start, A's end, B's start and B's end.
+// [closest_in_turn]
+/// From where the lines are closest on A to the closest point of B, and where this is an end, back
+/// to A; P14. For segments that are not parallel.
 template <class Real>
-[[gnu::flatten]] ClosestShares<Real> closest_shares(const Segment<Real>& a, const Segment<Real>& b)
+ClosestShares<Real> closest_in_turn(const Segment<Real>& a, const Segment<Real>& b)
 {
   const Vector3<Real> along_a = a.end - a.start, along_b = b.end - b.start;
-  const Vector3<Real> between = b.start - a.start;
-  const Vector3<Real> normal = along_a.cross(along_b);
-  const Real squared = normal.squaredNorm();
-  const Real on_a = between.cross(along_b).dot(normal), on_b = between.cross(along_a).dot(normal);
-  const bool is_thin =
-      !(squared > thin_squared_sine<Real> * along_a.squaredNorm() * along_b.squaredNorm());
-  const bool cross =
-      squared > Real(0) && on_a > Real(0) && on_a < squared && on_b > Real(0) && on_b < squared;
-  if (!is_thin && !cross)
-  {
-    return from_line_of_a(on_a / squared, a, b);
-  }
-  ClosestShares<Real> inside{Real(0), Real(0), -between};
-  if (cross)
-  {
-    inside.on_a = on_a / squared;
-    inside.on_b = on_b / squared;
-    inside.way = inside.on_a * along_a - between - inside.on_b * along_b;
-    if (!is_thin)
-    {
-      // Once more, for a short way: rounding has left some of it along the segments.
-      inside.way = inside.way.dot(normal) / squared * normal;
-      return inside;
-    }
-  }
+  const Vector3<Real> between = b.start - a.start, normal = along_a.cross(along_b);
+  const Real whole_a = along_a.squaredNorm(), whole_b = along_b.squaredNorm();
+  // Reciprocals need not wait for each other, as divisions below would.
+  const Real per_a = Real(1) / whole_a, per_b = Real(1) / whole_b, both = along_a.dot(along_b);
+  const Real on_line =
+      clamped_share<Real>(between.cross(along_b).dot(normal) / normal.squaredNorm());
+  const Real on_b = clamped_share<Real>((on_line * both - between.dot(along_b)) * per_b);
+  const Real back = clamped_share<Real>((on_b * both + between.dot(along_a)) * per_a);
+  const Real on_a = on_b > Real(0) && on_b < Real(1) ? on_line : back;
+  const ClosestShares<Real> at{on_a, on_b, on_a * along_a - between - on_b * along_b};
+  const bool is_short = at.way.squaredNorm() < short_squared_share<Real> * (whole_a + whole_b);
+  return is_short ? shortly_apart(at, a, b, normal) : at;
+}
+// [closest_in_turn]
+
+// [closest_segments]
+/// Of segments that are parallel, or nearly so, the closest of all four ends, unless shares are
+/// closer still.
+template <class Real>
+[[gnu::noinline, gnu::cold]] ClosestShares<Real>
+closest_of_parallel(const Segment<Real>& a, const Segment<Real>& b)
+{
   ClosestShares<Real> nearest = from_end_of_a<Real>(Real(0), a.start, b);
   nearest = shorter_of(nearest, from_end_of_a<Real>(Real(1), a.end, b));
   nearest = shorter_of(nearest, from_end_of_b<Real>(Real(0), b.start, a));
   nearest = shorter_of(nearest, from_end_of_b<Real>(Real(1), b.end, a));
-  return cross ? shorter_of(nearest, inside) : nearest;
+  const bool can_cross = (a.end - a.start).cross(b.end - b.start).squaredNorm() > Real(0);
+  return can_cross ? shorter_of(nearest, closest_in_turn(a, b)) : nearest;
+}
+
+/// Where two segments are closest, of any length and direction.
+///
+/// Parallel ones have many closest points: the answer is the first of A's start, A's end, B's start
+/// and B's end.
+template <class Real>
+[[gnu::flatten]] ClosestShares<Real> closest_shares(const Segment<Real>& a, const Segment<Real>& b)
+{
+  const Vector3<Real> along_a = a.end - a.start, along_b = b.end - b.start;
+  const Real whole = along_a.squaredNorm() * along_b.squaredNorm();
+  const bool is_thin = !(along_a.cross(along_b).squaredNorm() > thin_squared_sine<Real> * whole);
+  return is_thin ? closest_of_parallel(a, b) : closest_in_turn(a, b);
 }
 // [closest_segments]
 
