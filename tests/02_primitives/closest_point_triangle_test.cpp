@@ -1,6 +1,7 @@
 /// \file
 /// What holds for the closest point of a triangle and of two segments: formulas P11, P13 and P14.
 
+#include "02_primitives/closest_point_triangle/nearest_by_region.hpp"
 #include "02_primitives/closest_point_triangle/trial/point_triangle_cases.hpp"
 #include "02_primitives/closest_segments/closest_segments.hpp"
 #include "02_primitives/shapes/trial/number_draw.hpp"
@@ -24,12 +25,15 @@ TEST_CASE("shares are 0 or more, their sum is 1, and they make the closest point
     {
       const Triangle<double> t = drawn<Triangle<double>>(from);
       const Eigen::Vector3d corners[] = {t.a, t.b, t.c};
-      const Nearest<double> nearest = nearest_on_triangle(corners, 0, 1, 2);
-      const Eigen::Vector3d mixed =
-          nearest.shares[0] * t.a + nearest.shares[1] * t.b + nearest.shares[2] * t.c;
-      REQUIRE(nearest.shares.minCoeff() >= 0);
-      REQUIRE(std::abs(nearest.shares.sum() - 1) < 1e-15);
-      REQUIRE((mixed - nearest.point).norm() < 1e-14);
+      for (const Nearest<double>& nearest :
+           {nearest_on_triangle(corners, 0, 1, 2), nearest_by_region(t.a, t.b, t.c)})
+      {
+        const Eigen::Vector3d mixed =
+            nearest.shares[0] * t.a + nearest.shares[1] * t.b + nearest.shares[2] * t.c;
+        REQUIRE(nearest.shares.minCoeff() >= 0);
+        REQUIRE(std::abs(nearest.shares.sum() - 1) < 1e-15);
+        REQUIRE((mixed - nearest.point).norm() < 1e-14);
+      }
     }
   }
 }
@@ -46,10 +50,13 @@ TEST_CASE("no corner lies on the origin's side of the plane through the closest 
     {
       const Triangle<double> t = drawn<Triangle<double>>(from);
       const Eigen::Vector3d corners[] = {t.a, t.b, t.c};
-      const Eigen::Vector3d c = nearest_on_triangle(corners, 0, 1, 2).point;
-      for (const Eigen::Vector3d& x : corners)
+      for (const Nearest<double>& nearest :
+           {nearest_on_triangle(corners, 0, 1, 2), nearest_by_region(t.a, t.b, t.c)})
       {
-        REQUIRE(-c.dot(x - c) <= 2e-14);
+        for (const Eigen::Vector3d& x : corners)
+        {
+          REQUIRE(-nearest.point.dot(x - nearest.point) <= 2e-14);
+        }
       }
     }
   }
@@ -72,6 +79,38 @@ TEST_CASE("close to triangles of a ten-millionth in width, distances are right t
     const Nearest<double> nearest = nearest_on_triangle(corners, 0, 1, 2);
     REQUIRE(std::abs(nearest.point.norm() - static_cast<double>(true_distance)) < 1e-15);
     REQUIRE(nearest.shares.minCoeff() >= 0);
+  }
+}
+
+TEST_CASE(
+    "of any triangle at any distance, the distance is right to 3e-15 of what is asked", "[P13]")
+{
+  NumberDraw<double> draw(20261125);
+  for (int i = 0; i < 20'000; ++i)
+  {
+    const Eigen::Vector3d ab = draw.in_cube(1), aside = ab.cross(draw.in_cube(1));
+    const double along = i % 5 == 0 ? std::pow(10, draw.between(-6, 3)) : draw.between(-1, 2);
+    const Eigen::Vector3d ac = along * ab + std::pow(10, draw.between(-17, 0)) * aside;
+    const double for_b = draw.between(-1, 2), for_c = i % 4 == 0 ? 0 : draw.between(-1, 2);
+    const Eigen::Vector3d a = std::pow(10, draw.between(-9, 6)) *
+                              (i % 3 == 0 ? draw.in_cube(1) : Eigen::Vector3d(ab.cross(aside)));
+    const Eigen::Vector3d first = a - for_b * ab - for_c * ac;
+    const Eigen::Vector3d corners[] = {first, first + ab, first + ac};
+    const Vector3<Reference> exactly[] = {
+        exact<Reference>(corners[0]), exact<Reference>(corners[1]), exact<Reference>(corners[2])};
+    const Reference squared = nearest_on_triangle(exactly, 0, 1, 2).point.squaredNorm();
+    const auto true_distance = static_cast<double>(Reference(sqrt(squared)));
+    const double size = std::max({corners[0].norm(), corners[1].norm(), corners[2].norm()});
+    for (const Nearest<double>& nearest :
+         {nearest_on_triangle(corners, 0, 1, 2),
+          nearest_by_region(corners[0], corners[1], corners[2])})
+    {
+      const Eigen::Vector3d mixed = nearest.shares[0] * corners[0] +
+                                    nearest.shares[1] * corners[1] + nearest.shares[2] * corners[2];
+      REQUIRE(std::abs(nearest.point.norm() - true_distance) < 3e-15 * size);
+      REQUIRE((mixed - nearest.point).norm() < 1e-10 * size);
+      REQUIRE(nearest.shares.minCoeff() >= 0);
+    }
   }
 }
 

@@ -37,12 +37,9 @@ plot::Chart triangle_chart(const measure::Effort& effort)
   using T = Triangle<float>;
   const auto all = known_triangles_and_points(1000);
   std::vector<measure::ChartedMethod> ways{
+      timed_way("regions, float", all, distance_in_float),
       timed_way(
-          "seven regions", all,
-          [](const P& p, const T& t) { return (closest_by_regions(p, t) - p).norm(); }),
-      timed_way("shares, float", all, float_shares),
-      timed_way(
-          "shares", all,
+          "regions", all,
           [](const P& p, const T& t)
           { return static_cast<float>(way_to_triangle<float>(t, widen(p)).norm()); }),
       timed_way(
@@ -62,10 +59,10 @@ plot::Chart segment_chart(const measure::Effort& effort)
   std::vector<measure::ChartedMethod> ways{
       timed_way("five dot products", all, distance_by_dot_products),
       timed_way(
-          "cross product, float", all,
+          "share by share, float", all,
           [](const S& a, const S& b) { return closest_shares(a, b).way.norm(); }),
       timed_way(
-          "cross product", wide,
+          "share by share", wide,
           [](const W& a, const W& b) { return closest_shares(a, b).way.norm(); }),
       timed_way(
           "any shapes", all, [](const S& a, const S& b) { return closest_points(a, b).distance; })};

@@ -25,6 +25,13 @@ Nearest<Real> closer_of(const Nearest<Real>& one, const Nearest<Real>& other)
   return other.point.squaredNorm() < one.point.squaredNorm() ? other : one;
 }
 
+/// A share, but not beyond 0 and 1.
+template <class Real>
+Real clamped_share(const Real& share)
+{
+  const Real from_zero = share > Real(0) ? share : Real(0);
+  return from_zero < Real(1) ? from_zero : Real(1);
+}
 /// Corner i alone.
 template <class Real>
 Nearest<Real> nearest_on_corner(const Vector3<Real>* corners, int i)
@@ -69,6 +76,10 @@ Nearest<Real> moved_along(Nearest<Real> nearest, const Vector3<Real>* corners, i
 /// wrong side of an edge, so that the edges are asked too.
 template <class Real>
 inline const Real thin_squared_sine = Real(1) / Real(1'000'000'000'000);
+
+/// The same below which a triangle counts as narrow: rounding may move a point along its face.
+template <class Real>
+inline const Real narrow_squared_sine = Real(1) / Real(100);
 // [nearest_part]
 
 // [nearest_on_segment]
@@ -77,7 +88,8 @@ template <class Real>
 Nearest<Real> nearest_on_line(const Vector3<Real>* corners, int i, int j)
 {
   const Vector3<Real> along = corners[j] - corners[i];
-  const Real whole = along.squaredNorm(), share = -corners[i].dot(along) / whole;
+  const Real whole = along.squaredNorm();
+  const Real share = clamped_share<Real>(-corners[i].dot(along) / whole);
   Nearest<Real> nearest{Vector<Real, 4>::Zero(), corners[i] + share * along};
   nearest.shares[i] = Real(1) - share;
   nearest.shares[j] = share;
@@ -103,6 +115,17 @@ Nearest<Real> nearest_on_segment(const Vector3<Real>* corners, int i, int j)
 // [nearest_on_segment]
 
 // [nearest_on_thin_triangle]
+/// The same of a face whose shares rounding has moved along the edges: moved back along each.
+template <class Real>
+Nearest<Real>
+nearest_on_thin_face(const Vector3<Real>* corners, int i, int j, int k, const Vector3<Real>& inside)
+{
+  Nearest<Real> nearest = nearest_on_face(corners, i, j, k, inside);
+  nearest = moved_along(nearest, corners, i, j);
+  nearest = moved_along(nearest, corners, j, k);
+  return moved_along(nearest, corners, k, i);
+}
+
 /// Where rounding may tell the wrong side of an edge, the edges are asked, too.
 template <class Real>
 [[gnu::noinline, gnu::cold]] Nearest<Real> nearest_on_thin_triangle(
@@ -111,14 +134,8 @@ template <class Real>
   const Nearest<Real> edge = closer_of(
       closer_of(nearest_on_segment(corners, i, j), nearest_on_segment(corners, j, k)),
       nearest_on_segment(corners, k, i));
-  if (!(inside.x() > Real(0)) || !(inside.y() > Real(0)) || !(inside.z() > Real(0)))
-  {
-    return edge;
-  }
-  Nearest<Real> face = nearest_on_face(corners, i, j, k, inside);
-  face = moved_along(face, corners, i, j);
-  face = moved_along(face, corners, j, k);
-  return closer_of(moved_along(face, corners, k, i), edge);
+  const bool is_over_face = inside.x() > Real(0) && inside.y() > Real(0) && inside.z() > Real(0);
+  return is_over_face ? closer_of(nearest_on_thin_face(corners, i, j, k, inside), edge) : edge;
 }
 // [nearest_on_thin_triangle]
 
@@ -134,16 +151,20 @@ Nearest<Real> nearest_on_triangle(const Vector3<Real>* corners, int i, int j, in
   const Vector3<Real> ab = b - a, bc = c - b, ca = a - c;
   const Vector3<Real> normal = ca.cross(ab);
   const Real zero(0), squared = normal.squaredNorm();
+  const Real ab_squared = ab.squaredNorm(), ca_squared = ca.squaredNorm();
   // How far the origin lies inside each edge, as a share of the corner across.
   const Vector3<Real> inside(
       normal.dot(b.cross(bc)), normal.dot(c.cross(ca)), normal.dot(a.cross(ab)));
-  if (!(squared > thin_squared_sine<Real> * ab.squaredNorm() * ca.squaredNorm()))
+  if (!(squared > thin_squared_sine<Real> * ab_squared * ca_squared))
   {
     return nearest_on_thin_triangle(corners, i, j, k, inside);
   }
   if (inside.x() > zero && inside.y() > zero && inside.z() > zero)
   {
-    Nearest<Real> nearest = nearest_on_face(corners, i, j, k, inside);
+    const Real size = ab_squared + ca_squared;
+    const bool is_narrow = !(squared > narrow_squared_sine<Real> * size * size);
+    Nearest<Real> nearest = is_narrow ? nearest_on_thin_face(corners, i, j, k, inside)
+                                      : nearest_on_face(corners, i, j, k, inside);
     // Once more, for a short way: rounding has left some of it along the face.
     nearest.point = normal.dot(nearest.point) / squared * normal;
     return nearest;

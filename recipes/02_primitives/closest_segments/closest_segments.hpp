@@ -66,14 +66,6 @@ template <class Real>
   at.way = at.way.dot(normal) / normal.squaredNorm() * normal;
   return at;
 }
-
-/// A share, but not beyond 0 and 1.
-template <class Real>
-Real clamped_share(const Real& share)
-{
-  const Real from_zero = share > Real(0) ? share : Real(0);
-  return from_zero < Real(1) ? from_zero : Real(1);
-}
 // [closest_shares]
 
 // [closest_in_turn]

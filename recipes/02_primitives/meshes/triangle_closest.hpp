@@ -3,7 +3,7 @@
 /// \file
 /// \brief The point of a triangle that is closest to a point, for triangles of every form.
 
-#include "02_primitives/closest_point_triangle/closest_point_triangle.hpp"
+#include "02_primitives/closest_point_triangle/nearest_by_region.hpp"
 #include "common/math/wide.hpp"
 
 namespace cookbook
@@ -16,9 +16,8 @@ template <class Real>
 [[gnu::flatten]] Nearest<Wide<Real>>
 nearest_from(const Vector3<Wide<Real>>& point, const Triangle<Real>& triangle)
 {
-  const Vector3<Wide<Real>> corners[] = {
-      widen(triangle.a) - point, widen(triangle.b) - point, widen(triangle.c) - point};
-  return nearest_on_triangle(corners, 0, 1, 2);
+  return nearest_by_region<Wide<Real>>(
+      widen(triangle.a) - point, widen(triangle.b) - point, widen(triangle.c) - point);
 }
 
 /// The way from a point to the closest point of a triangle: right also where it is short.

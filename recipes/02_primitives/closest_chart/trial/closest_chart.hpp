@@ -85,47 +85,6 @@ inline std::vector<TwoSegments<double>> in_double(const std::vector<TwoSegments<
 // [known_distances]
 
 // [taught_ways]
-/// The point of a triangle closest to p, as textbooks have it: the region of a corner, of an edge,
-/// or of the face in which p lies, told by six dot products.
-inline Vector3<float> closest_by_regions(const Vector3<float>& p, const Triangle<float>& t)
-{
-  const Vector3<float> ab = t.b - t.a, ac = t.c - t.a;
-  const Vector3<float> from_a = p - t.a, from_b = p - t.b, from_c = p - t.c;
-  const float ab_a = ab.dot(from_a), ac_a = ac.dot(from_a);
-  const float ab_b = ab.dot(from_b), ac_b = ac.dot(from_b);
-  const float ab_c = ab.dot(from_c), ac_c = ac.dot(from_c);
-  const float of_a = ab_b * ac_c - ab_c * ac_b;
-  const float of_b = ab_c * ac_a - ab_a * ac_c;
-  const float of_c = ab_a * ac_b - ab_b * ac_a;
-  if (ab_a <= 0 && ac_a <= 0)
-  {
-    return t.a;
-  }
-  if (ab_b >= 0 && ac_b <= ab_b)
-  {
-    return t.b;
-  }
-  if (ac_c >= 0 && ab_c <= ac_c)
-  {
-    return t.c;
-  }
-  if (of_c <= 0 && ab_a >= 0 && ab_b <= 0)
-  {
-    return t.a + ab_a / (ab_a - ab_b) * ab;
-  }
-  if (of_b <= 0 && ac_a >= 0 && ac_c <= 0)
-  {
-    return t.a + ac_a / (ac_a - ac_c) * ac;
-  }
-  const float up = ac_b - ab_b, down = ab_c - ac_c;
-  if (of_a <= 0 && up >= 0 && down >= 0)
-  {
-    return t.b + up / (up + down) * (t.c - t.b);
-  }
-  const float whole = of_a + of_b + of_c;
-  return t.a + of_b / whole * ab + of_c / whole * ac;
-}
-
 /// How far two segments are apart, as textbooks have it: five dot products, then the clamps.
 inline float distance_by_dot_products(const Segment<float>& one, const Segment<float>& other)
 {
@@ -141,10 +100,9 @@ inline float distance_by_dot_products(const Segment<float>& one, const Segment<f
 // [taught_ways]
 
 /// How far a point is from a triangle by P13, in float alone.
-[[gnu::flatten]] inline float float_shares(const Vector3<float>& p, const Triangle<float>& t)
+[[gnu::flatten]] inline float distance_in_float(const Vector3<float>& p, const Triangle<float>& t)
 {
-  const Vector3<float> corners[] = {t.a - p, t.b - p, t.c - p};
-  return nearest_on_triangle(corners, 0, 1, 2).point.norm();
+  return nearest_by_region<float>(t.a - p, t.b - p, t.c - p).point.norm();
 }
 
 /// How wrong a way's distances are [m].

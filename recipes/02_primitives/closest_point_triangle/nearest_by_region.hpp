@@ -1,0 +1,93 @@
+#pragma once
+
+/// \file
+/// \brief The point of a triangle that is closest to the origin, by the region the origin lies in.
+
+#include "02_primitives/closest_point_triangle/closest_point_triangle.hpp"
+
+namespace cookbook
+{
+
+// [nearest_by_region]
+/// The square of the share of a triangle's size below which a point counts as near.
+template <class Real>
+inline const Real near_squared_share = Real(1) / Real(1000);
+
+/// The point of a triangle that is closest to the origin, also where that is near.
+template <class Real>
+[[gnu::noinline, gnu::cold]] Nearest<Real>
+nearest_with_care(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& c)
+{
+  const Vector3<Real> corners[] = {a, b, c};
+  return nearest_on_triangle(corners, 0, 1, 2);
+}
+
+/// The shares of the corners at the point of a triangle that is closest to the origin; P11, P13.
+///
+/// By the region in which the origin lies, told by dot products. All are 0 over the face of a
+/// triangle with a small angle, where this way loses too many digits.
+template <class Real>
+Vector3<Real>
+shares_by_region(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& c)
+{
+  const Real zero(0), one(1);
+  const Vector3<Real> ab = b - a, ac = c - a;
+  const Real ab_ab = ab.squaredNorm(), ac_ac = ac.squaredNorm(), ab_ac = ab.dot(ac);
+  // How far the origin lies along the edges: from a to b, from a to c, from b to c, from c to b.
+  const Real on_ab = -a.dot(ab), on_ac = -a.dot(ac);
+  const Real on_bc = on_ac - ab_ac - (on_ab - ab_ab), on_cb = on_ab - ab_ac - (on_ac - ac_ac);
+  // Each share at the foot, times the squared length of the normal.
+  const Real squared = ab_ab * ac_ac - ab_ac * ab_ac;
+  const Real for_b = ac_ac * on_ab - ab_ac * on_ac, for_c = ab_ab * on_ac - ab_ac * on_ab;
+  const Real for_a = squared - for_b - for_c;
+  if (on_ab <= zero && on_ac <= zero)
+  {
+    return {one, zero, zero};
+  }
+  if (on_ab >= ab_ab && on_bc <= zero)
+  {
+    return {zero, one, zero};
+  }
+  if (on_ac >= ac_ac && on_cb <= zero)
+  {
+    return {zero, zero, one};
+  }
+  if (for_c <= zero && on_ab >= zero && on_ab < ab_ab)
+  {
+    const Real share = on_ab / ab_ab;
+    return {one - share, share, zero};
+  }
+  if (for_b <= zero && on_ac >= zero && on_ac < ac_ac)
+  {
+    const Real share = on_ac / ac_ac;
+    return {one - share, zero, share};
+  }
+  if (for_a <= zero && on_bc > zero && on_cb > zero)
+  {
+    const Real share = on_bc / (on_bc + on_cb);
+    return {zero, one - share, share};
+  }
+  const Real size = ab_ab + ac_ac;
+  const bool is_narrow = !(squared > narrow_squared_sine<Real> * size * size);
+  const Real per_whole = is_narrow ? zero : Real(one / squared);
+  return {for_a * per_whole, for_b * per_whole, for_c * per_whole};
+}
+
+/// The point of a triangle that is closest to the origin; P13.
+///
+/// By its region, unless it is near: there the way is a small difference of large numbers.
+template <class Real>
+Nearest<Real>
+nearest_by_region(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& c)
+{
+  const Vector3<Real> shares = shares_by_region(a, b, c);
+  const Nearest<Real> nearest{
+      {shares.x(), shares.y(), shares.z(), Real(0)},
+      shares.x() * a + shares.y() * b + shares.z() * c};
+  const Real size = (b - a).squaredNorm() + (c - a).squaredNorm();
+  const bool is_far = nearest.point.squaredNorm() > near_squared_share<Real> * size;
+  return is_far ? nearest : nearest_with_care(a, b, c);
+}
+// [nearest_by_region]
+
+} // namespace cookbook
