@@ -14,29 +14,43 @@ namespace cookbook
 {
 
 // [cast_box]
+/// The part of a path, from t to t, that lies between two planes square to an axis.
+template <class Real>
+struct SlabSpan
+{
+  Real in;  ///< [1], where it enters
+  Real out; ///< [1], where it leaves
+};
+
+/// The part between `least` and `most`, for a path from `origin` that goes `way` along the axis.
+template <class Real>
+SlabSpan<Real> slab_span(const Real& least, const Real& most, const Real& origin, const Real& way)
+{
+  const Real infinite = std::numeric_limits<Real>::infinity();
+  const Real to_least = least - origin, to_most = most - origin;
+  if (way == Real(0)) // along the slab: always in it, or never
+  {
+    return {to_least <= Real(0) && to_most >= Real(0) ? -infinite : infinite, infinite};
+  }
+  const Real one = to_least / way, other = to_most / way;
+  return {std::min(one, other), std::max(one, other)};
+}
+
 /// Where a path first meets a box along the axes: the part of it that lies in all three slabs; P10.
 ///
 /// An empty box, whose least corner is beyond its greatest, meets nothing.
 template <class Real>
 std::optional<Hit<Real, 3>> first_hit_on(const CastPath<Real>& path, const Aabb<Real>& box)
 {
-  const Real infinite = std::numeric_limits<Real>::infinity();
-  Vector3<Real> in, out;
-  for (int i = 0; i < 3; ++i)
-  {
-    const Real to_min = box.min()[i] - path.origin[i], to_max = box.max()[i] - path.origin[i];
-    const Real way = path.direction[i];
-    in[i] = (way > Real(0) ? to_min : to_max) / way;
-    out[i] = (way > Real(0) ? to_max : to_min) / way;
-    if (way == Real(0)) // along the slab: always in it, or never
-    {
-      in[i] = to_min <= Real(0) && to_max >= Real(0) ? -infinite : infinite;
-      out[i] = infinite;
-    }
-  }
-  const Real enter = std::max({in.x(), in.y(), in.z()}),
-             leave = std::min({out.x(), out.y(), out.z()});
-  if (!(enter <= leave) || !(leave >= Real(0)) || enter == infinite)
+  const Vector3<Real>&least = box.min(), &most = box.max(), &o = path.origin, &d = path.direction;
+  const SlabSpan<Real> x = slab_span<Real>(least.x(), most.x(), o.x(), d.x());
+  const SlabSpan<Real> y = slab_span<Real>(least.y(), most.y(), o.y(), d.y());
+  const SlabSpan<Real> z = slab_span<Real>(least.z(), most.z(), o.z(), d.z());
+  const Real enter = std::max(std::max(x.in, y.in), z.in);
+  const Real leave = std::min(std::min(x.out, y.out), z.out);
+  const bool meets =
+      enter <= leave && leave >= Real(0) && enter < std::numeric_limits<Real>::infinity();
+  if (!meets || box.isEmpty())
   {
     return std::nullopt;
   }
@@ -44,10 +58,11 @@ std::optional<Hit<Real, 3>> first_hit_on(const CastPath<Real>& path, const Aabb<
   {
     return hit_from_inside(path);
   }
-  const int face = in.x() == enter ? 0 : in.y() == enter ? 1 : 2;
-  Vector3<Real> normal = Vector3<Real>::Zero();
-  normal[face] = path.direction[face] > Real(0) ? Real(-1) : Real(1);
-  const Vector3<Real> point = point_at<Real>(path, enter).cwiseMax(box.min()).cwiseMin(box.max());
+  const bool on_x = x.in == enter, on_y = !on_x && y.in == enter, on_z = !on_x && !on_y;
+  const auto against = [](bool on, const Real& way)
+  { return Real(on ? (way > Real(0) ? -1 : 1) : 0); };
+  const Vector3<Real> normal(against(on_x, d.x()), against(on_y, d.y()), against(on_z, d.z()));
+  const Vector3<Real> point = point_at<Real>(path, enter).cwiseMax(least).cwiseMin(most);
   return hit_at<Real>(path, enter, normal, point);
 }
 // [cast_box]
@@ -57,15 +72,19 @@ std::optional<Hit<Real, 3>> first_hit_on(const CastPath<Real>& path, const Aabb<
 template <class Real>
 std::optional<Hit<Real, 3>> first_hit_on(const CastPath<Real>& path, const Obb<Real>& box)
 {
+  const Vector3<Real> x = box.axes.col(0), y = box.axes.col(1), z = box.axes.col(2);
+  const Vector3<Real> origin = path.origin - box.center, &direction = path.direction;
   CastPath<Real> seen = path;
-  seen.origin = box.axes.transpose() * (path.origin - box.center);
-  seen.direction = box.axes.transpose() * path.direction;
+  seen.origin = {x.dot(origin), y.dot(origin), z.dot(origin)};
+  seen.direction = {x.dot(direction), y.dot(direction), z.dot(direction)};
   const auto hit = first_hit_on(seen, Aabb<Real>(-box.half_extents, box.half_extents));
   if (!hit || hit->t == Real(0))
   {
     return hit ? std::optional(hit_from_inside(path)) : std::nullopt;
   }
-  return hit_at<Real>(path, hit->t, box.axes * hit->normal, box.center + box.axes * hit->point);
+  const auto turned = [&](const Vector3<Real>& v) -> Vector3<Real>
+  { return v.x() * x + v.y() * y + v.z() * z; };
+  return hit_at<Real>(path, hit->t, turned(hit->normal), box.center + turned(hit->point));
 }
 // [cast_obb]
 

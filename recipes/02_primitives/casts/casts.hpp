@@ -129,7 +129,8 @@ concept CastTarget = requires(const Shape& shape)
 template <class Real, class Shape>
 std::optional<Hit<Real, 3>> cast_along(CastPath<Wide<Real>> path, const Shape& shape)
 {
-  const int speed = far_exponent<Wide<Real>>(path.direction.cwiseAbs().maxCoeff());
+  const bool may_be_far = std::is_same_v<Real, Wide<Real>>;
+  const int speed = may_be_far ? far_exponent<Wide<Real>>(path.direction.cwiseAbs().maxCoeff()) : 0;
   if (speed != 0)
   {
     path.direction = Shrink<Wide<Real>>{speed}(path.direction);
@@ -151,8 +152,8 @@ std::optional<Hit<Real, 3>> cast_along(CastPath<Wide<Real>> path, const Shape& s
 /// Shapes are solid: from inside t is 0, and the normal is against the direction. A triangle is met
 /// from both sides. A zero direction meets only what holds the origin, with the normal +y.
 template <class Real, class Shape>
-requires CastTarget<Real, Shape> std::optional<Hit<Real, 3>>
-cast(const Ray<Real>& ray, const Shape& shape)
+requires CastTarget<Real, Shape>
+[[gnu::flatten]] std::optional<Hit<Real, 3>> cast(const Ray<Real>& ray, const Shape& shape)
 {
   const int size = exponent_of_all<Real>(shape, ray.origin, ray.origin);
   const Shrink<Real> shrink{size};
@@ -162,8 +163,8 @@ cast(const Ray<Real>& ray, const Shape& shape)
 
 /// Where a segment first meets a shape, on its way from start to end; t is from 0 to 1.
 template <class Real, class Shape>
-requires CastTarget<Real, Shape> std::optional<Hit<Real, 3>>
-cast(const Segment<Real>& segment, const Shape& shape)
+requires CastTarget<Real, Shape>
+[[gnu::flatten]] std::optional<Hit<Real, 3>> cast(const Segment<Real>& segment, const Shape& shape)
 {
   const int size = exponent_of_all<Real>(shape, segment.start, segment.end);
   const Shrink<Real> shrink{size};
