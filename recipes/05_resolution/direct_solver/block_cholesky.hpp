@@ -52,8 +52,10 @@ public:
   /// Sets all blocks to zero.
   void clear()
   {
-    std::fill(diagonal_.begin(), diagonal_.end(), Matrix6::Zero());
-    std::fill(below_.begin(), below_.end(), Matrix6::Zero());
+    for (std::vector<Matrix6>* blocks : {&diagonal_, &below_})
+    {
+      std::fill_n(blocks->data()->data(), 36 * blocks->size(), 0.0);
+    }
   }
 
   /// The diagonal block of a body; only its lower half is read.

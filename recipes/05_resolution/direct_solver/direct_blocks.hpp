@@ -63,9 +63,15 @@ struct EvenPoints
     count += 1;
     a += arms.a;
     b += arms.b;
-    aa += arms.a * arms.a.transpose();
-    ab += arms.b * arms.a.transpose();
-    bb += arms.b * arms.b.transpose();
+    for (int column = 0; column < 3; ++column)
+    {
+      for (int row = 0; row < 3; ++row)
+      {
+        aa(row, column) += arms.a[row] * arms.a[column];
+        ab(row, column) += arms.b[row] * arms.a[column];
+        bb(row, column) += arms.b[row] * arms.b[column];
+      }
+    }
   }
 
   /// The same as add_point() for each of them, with a stiffness w [kg] times the identity, since
