@@ -14,6 +14,49 @@
 
 using namespace cookbook;
 
+namespace
+{
+
+/// How far a triangle of these corners is from the origin, by a hundred digits; that no other point
+/// is closer is asked of them.
+double true_distance(const Eigen::Vector3d* corners)
+{
+  const Vector3<Reference> exactly[] = {
+      exact<Reference>(corners[0]), exact<Reference>(corners[1]), exact<Reference>(corners[2])};
+  const Vector<Reference, 4> shares = nearest_on_triangle(exactly, 0, 1, 2).shares;
+  const Vector3<Reference> point =
+      shares[0] * exactly[0] + shares[1] * exactly[1] + shares[2] * exactly[2];
+  REQUIRE(shares.minCoeff() >= 0);
+  REQUIRE(abs(Reference(shares.sum() - 1)) < 1e-90);
+  for (const Vector3<Reference>& corner : exactly)
+  {
+    const Vector3<Reference> way = corner - point;
+    REQUIRE(point.dot(way) >= -1e-60 * Reference(1 + corner.squaredNorm()));
+  }
+  return static_cast<double>(Reference(sqrt(Reference(point.squaredNorm()))));
+}
+
+/// How far two segments are apart, in the same way.
+double true_distance(const Segment<double>& a, const Segment<double>& b)
+{
+  const auto exactly = [](const Segment<double>& segment) {
+    return Segment<Reference>{exact<Reference>(segment.start), exact<Reference>(segment.end)};
+  };
+  const Segment<Reference> one = exactly(a), other = exactly(b);
+  const ClosestShares<Reference> at = closest_shares(one, other);
+  const Vector3<Reference> on_a = one.start + at.on_a * (one.end - one.start);
+  const Vector3<Reference> on_b = other.start + at.on_b * (other.end - other.start);
+  const Vector3<Reference> way = on_a - on_b;
+  const auto leads_on = [&](const Vector3<Reference>& towards)
+  { return way.dot(towards) < -1e-60; };
+  REQUIRE((at.on_a >= 0 && at.on_a <= 1 && at.on_b >= 0 && at.on_b <= 1));
+  REQUIRE_FALSE((leads_on(one.start - on_a) || leads_on(one.end - on_a)));
+  REQUIRE_FALSE((leads_on(on_b - other.start) || leads_on(on_b - other.end)));
+  return static_cast<double>(Reference(sqrt(Reference(way.squaredNorm()))));
+}
+
+} // namespace
+
 // [P11]
 TEST_CASE("shares are 0 or more, their sum is 1, and they make the closest point", "[P11]")
 {
@@ -72,12 +115,8 @@ TEST_CASE("close to triangles of a ten-millionth in width, distances are right t
     const Eigen::Vector3d c = a + draw.between(-1.5, 1.5) * (b - a) + width;
     const Eigen::Vector3d origin = (a + b + c) / 3 + draw.in_cube(1e-9);
     const Eigen::Vector3d corners[] = {a - origin, b - origin, c - origin};
-    const Vector3<Reference> exactly[] = {
-        exact<Reference>(corners[0]), exact<Reference>(corners[1]), exact<Reference>(corners[2])};
-    const Reference true_distance(
-        sqrt(Reference(nearest_on_triangle(exactly, 0, 1, 2).point.squaredNorm())));
     const Nearest<double> nearest = nearest_on_triangle(corners, 0, 1, 2);
-    REQUIRE(std::abs(nearest.point.norm() - static_cast<double>(true_distance)) < 1e-15);
+    REQUIRE(std::abs(nearest.point.norm() - true_distance(corners)) < 1e-15);
     REQUIRE(nearest.shares.minCoeff() >= 0);
   }
 }
@@ -96,10 +135,7 @@ TEST_CASE(
                               (i % 3 == 0 ? draw.in_cube(1) : Eigen::Vector3d(ab.cross(aside)));
     const Eigen::Vector3d first = a - for_b * ab - for_c * ac;
     const Eigen::Vector3d corners[] = {first, first + ab, first + ac};
-    const Vector3<Reference> exactly[] = {
-        exact<Reference>(corners[0]), exact<Reference>(corners[1]), exact<Reference>(corners[2])};
-    const Reference squared = nearest_on_triangle(exactly, 0, 1, 2).point.squaredNorm();
-    const auto true_distance = static_cast<double>(Reference(sqrt(squared)));
+    const double truth = true_distance(corners);
     const double size = std::max({corners[0].norm(), corners[1].norm(), corners[2].norm()});
     for (const Nearest<double>& nearest :
          {nearest_on_triangle(corners, 0, 1, 2),
@@ -107,7 +143,7 @@ TEST_CASE(
     {
       const Eigen::Vector3d mixed = nearest.shares[0] * corners[0] +
                                     nearest.shares[1] * corners[1] + nearest.shares[2] * corners[2];
-      REQUIRE(std::abs(nearest.point.norm() - true_distance) < 3e-15 * size);
+      REQUIRE(std::abs(nearest.point.norm() - truth) < 3e-15 * size);
       REQUIRE((mixed - nearest.point).norm() < 1e-10 * size);
       REQUIRE(nearest.shares.minCoeff() >= 0);
     }
@@ -127,6 +163,8 @@ TEST_CASE("at the closest shares, neither segment leads on towards the other", "
       const ClosestShares<double> at = closest_shares(a, b);
       const Eigen::Vector3d on_a = a.start + at.on_a * (a.end - a.start);
       const Eigen::Vector3d on_b = b.start + at.on_b * (b.end - b.start);
+      REQUIRE(std::min(at.on_a, at.on_b) >= 0);
+      REQUIRE(std::max(at.on_a, at.on_b) <= 1);
       REQUIRE((on_a - on_b - at.way).norm() < 1e-14);
       REQUIRE(at.way.dot(a.start - on_a) >= -2e-14);
       REQUIRE(at.way.dot(a.end - on_a) >= -2e-14);
@@ -152,9 +190,6 @@ TEST_CASE(
 TEST_CASE("at any angle, the distance of two segments is right to 2e-15", "[P14]")
 {
   NumberDraw<double> draw(20261125);
-  const auto exactly = [](const Segment<double>& segment) {
-    return Segment<Reference>{exact<Reference>(segment.start), exact<Reference>(segment.end)};
-  };
   const auto end_or_inside = [&draw]
   {
     const double kind = draw.between(0, 4), inside = draw.between(0, 1);
@@ -170,12 +205,26 @@ TEST_CASE("at any angle, the distance of two segments is right to 2e-15", "[P14]
     const Eigen::Vector3d from = start + s * along - t * other + apart * aside;
     const Segment<double> a{start, start + along}, b{from, from + other};
     const ClosestShares<double> at = closest_shares(a, b);
-    const Reference truth(
-        sqrt(Reference(closest_shares(exactly(a), exactly(b)).way.squaredNorm())));
-    REQUIRE(std::abs(at.way.norm() - static_cast<double>(truth)) < 2e-15);
+    REQUIRE(std::abs(at.way.norm() - true_distance(a, b)) < 2e-15);
     REQUIRE(std::min(at.on_a, at.on_b) >= 0);
     REQUIRE(std::max(at.on_a, at.on_b) <= 1);
   }
+}
+
+TEST_CASE(
+    "where products of ways leave the range of double, two segments keep their distance", "[P14]")
+{
+  const Segment<double> a{{0, 0, 0}, {1, 0, 0}}, b{{0, -1.4e-162, 0.01}, {1, 1.4e-162, 0.01}};
+  CHECK(closest_shares(a, b).way.norm() == 0.01);
+}
+
+TEST_CASE("above an obtuse corner, rounding leaves no region: no share is below zero", "[P13]")
+{
+  const double e = 0x1p-52;
+  const Nearest<double> nearest =
+      nearest_by_region<double>({-1, 1, 1}, {5 * e, -4 * e, 1}, {1, 0, 1});
+  CHECK(nearest.shares.minCoeff() >= 0);
+  CHECK(std::abs(nearest.point.norm() - 1) <= e);
 }
 
 // [point_triangle_verdicts]

@@ -14,7 +14,7 @@ namespace cookbook
 {
 
 // [cast_box]
-/// The part of a path, from t to t, that lies between two planes square to an axis.
+/// The part of a path that lies between two planes square to an axis: from `in` to `out`.
 template <class Real>
 struct SlabSpan
 {

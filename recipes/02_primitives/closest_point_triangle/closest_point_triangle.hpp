@@ -15,7 +15,7 @@ template <class Real>
 struct Nearest
 {
   Vector<Real, 4> shares; ///< [1], of each corner, 0 or more, with the sum 1
-  Vector3<Real> point;    ///< [m], the sum of share times corner
+  Vector3<Real> point;    ///< [m], the sum of share times corner, but less rounded
 };
 
 /// The one whose point is closer; the first where they are equally close.
@@ -77,9 +77,10 @@ Nearest<Real> moved_along(Nearest<Real> nearest, const Vector3<Real>* corners, i
 template <class Real>
 inline const Real thin_squared_sine = Real(1) / Real(1'000'000'000'000);
 
-/// The same below which a triangle counts as narrow: rounding may move a point along its face.
+/// A triangle counts as narrow if the squared length of its normal is below this share of the
+/// square of ab² + ca²: rounding may then move a point along its face.
 template <class Real>
-inline const Real narrow_squared_sine = Real(1) / Real(100);
+inline const Real narrow_squared_share = Real(1) / Real(100);
 // [nearest_part]
 
 // [nearest_on_segment]
@@ -140,7 +141,7 @@ template <class Real>
 // [nearest_on_thin_triangle]
 
 // [nearest_on_triangle]
-/// The point of the triangle of corners i, j and k that is closest to the origin; P11, P13.
+/// The point of the triangle of corners i, j and k [m] that is closest to the origin; P11, P13.
 ///
 /// Over the face, or beside an edge and not inside of it, or at a corner. A flat triangle is its
 /// three edges.
@@ -162,7 +163,7 @@ Nearest<Real> nearest_on_triangle(const Vector3<Real>* corners, int i, int j, in
   if (inside.x() > zero && inside.y() > zero && inside.z() > zero)
   {
     const Real size = ab_squared + ca_squared;
-    const bool is_narrow = !(squared > narrow_squared_sine<Real> * size * size);
+    const bool is_narrow = !(squared > narrow_squared_share<Real> * size * size);
     Nearest<Real> nearest = is_narrow ? nearest_on_thin_face(corners, i, j, k, inside)
                                       : nearest_on_face(corners, i, j, k, inside);
     // Once more, for a short way: rounding has left some of it along the face.

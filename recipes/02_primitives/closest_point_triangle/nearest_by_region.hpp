@@ -9,7 +9,7 @@ namespace cookbook
 {
 
 // [nearest_by_region]
-/// The square of the share of a triangle's size below which a point counts as near.
+/// A point counts as near if its squared way is below this share of ab² + ac².
 template <class Real>
 inline const Real near_squared_share = Real(1) / Real(1000);
 
@@ -24,8 +24,8 @@ nearest_with_care(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<
 
 /// The shares of the corners at the point of a triangle that is closest to the origin; P11, P13.
 ///
-/// By the region in which the origin lies, told by dot products. All are 0 over the face of a
-/// triangle with a small angle, where this way loses too many digits.
+/// By the region in which the origin lies, told by dot products. All are 0 over a narrow face, and
+/// where rounding leaves no region: there this way has too few digits.
 template <class Real>
 Vector3<Real>
 shares_by_region(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& c)
@@ -68,12 +68,14 @@ shares_by_region(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<R
     return {zero, one - share, share};
   }
   const Real size = ab_ab + ac_ac;
-  const bool is_narrow = !(squared > narrow_squared_sine<Real> * size * size);
-  const Real per_whole = is_narrow ? zero : Real(one / squared);
+  const bool is_wide = squared > narrow_squared_share<Real> * size * size;
+  const bool is_inside = for_a > zero && for_b > zero && for_c > zero;
+  const Real per_whole = is_wide && is_inside ? Real(one / squared) : zero;
   return {for_a * per_whole, for_b * per_whole, for_c * per_whole};
 }
 
-/// The point of a triangle that is closest to the origin; P13.
+/// The point of a triangle of corners [m] that is closest to the origin; P13. Sizes from 1e-70 to
+/// 1e70 in double.
 ///
 /// By its region, unless it is near: there the way is a small difference of large numbers.
 template <class Real>

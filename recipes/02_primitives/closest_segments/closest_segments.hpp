@@ -4,6 +4,7 @@
 /// \brief Where two segments are closest.
 
 #include "02_primitives/closest_point_triangle/closest_point_triangle.hpp"
+#include "common/math/norm.hpp"
 
 namespace cookbook
 {
@@ -43,7 +44,7 @@ ClosestShares<Real> from_end_of_b(Real on_b, const Vector3<Real>& b, const Segme
   return {nearest.shares[1], on_b, nearest.point};
 }
 
-/// The square of the share of its segments' length below which a way counts as short.
+/// A way counts as short if its square is below this share of the squares of both segments.
 template <class Real>
 inline const Real short_squared_share = Real(1) / Real(10'000);
 
@@ -63,7 +64,8 @@ template <class Real>
   {
     return from_end_of_b<Real>(at.on_b, at.on_b == zero ? b.start : b.end, a);
   }
-  at.way = at.way.dot(normal) / normal.squaredNorm() * normal;
+  const Vector3<Real> unit = normalize<Real>(normal).unit;
+  at.way = at.way.dot(unit) * unit;
   return at;
 }
 // [closest_shares]
@@ -105,7 +107,7 @@ closest_of_parallel(const Segment<Real>& a, const Segment<Real>& b)
   return can_cross ? shorter_of(nearest, closest_in_turn(a, b)) : nearest;
 }
 
-/// Where two segments are closest, of any length and direction.
+/// Where two segments are closest, of any length and direction; sizes from 1e-70 to 1e70 in double.
 ///
 /// Parallel ones have many closest points: the answer is the first of A's start, A's end, B's start
 /// and B's end.
