@@ -189,6 +189,16 @@ TEMPLATE_TEST_CASE("from inside: t = 0, the origin, and straight back", "[case:E
 // [from_inside]
 
 // [zero_direction]
+TEMPLATE_TEST_CASE("a ray that starts on a box starts inside", "[P10]", float, double)
+{
+  using V = Vector3<TestType>;
+  const Aabb<TestType> box(V(-1, -1, -1), V(1, 1, 1));
+  const auto hit = cast(Ray<TestType>{{-1, 0, 0}, {3, 4, 0}}, box);
+  REQUIRE(hit);
+  CHECK(hit->t == 0);
+  CHECK((hit->normal - V(TestType(-0.6), TestType(-0.8), 0)).norm() < TestType(1e-6));
+}
+
 TEMPLATE_TEST_CASE("a zero direction meets what holds the origin, with +y", "[P8]", float, double)
 {
   using V = Vector3<TestType>;

@@ -218,6 +218,13 @@ TEST_CASE(
   CHECK(closest_shares(a, b).way.norm() == 0.01);
 }
 
+TEST_CASE("of two points as close, the first is taken", "[P13]")
+{
+  const Nearest<double> one{{1, 0, 0, 0}, {1, 0, 0}}, other{{0, 1, 0, 0}, {0, 1, 0}};
+  CHECK(closer_of(one, other).point == one.point);
+  CHECK(closer_of(other, one).point == other.point);
+}
+
 TEST_CASE("above an obtuse corner, rounding leaves no region: no share is below zero", "[P13]")
 {
   const double e = 0x1p-52;
