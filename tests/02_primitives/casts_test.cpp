@@ -188,7 +188,6 @@ TEMPLATE_TEST_CASE("from inside: t = 0, the origin, and straight back", "[case:E
 }
 // [from_inside]
 
-// [zero_direction]
 TEMPLATE_TEST_CASE("a ray that starts on a box starts inside", "[P10]", float, double)
 {
   using V = Vector3<TestType>;
@@ -199,6 +198,7 @@ TEMPLATE_TEST_CASE("a ray that starts on a box starts inside", "[P10]", float, d
   CHECK((hit->normal - V(TestType(-0.6), TestType(-0.8), 0)).norm() < TestType(1e-6));
 }
 
+// [zero_direction]
 TEMPLATE_TEST_CASE("a zero direction meets what holds the origin, with +y", "[P8]", float, double)
 {
   using V = Vector3<TestType>;

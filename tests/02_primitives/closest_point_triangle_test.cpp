@@ -131,8 +131,9 @@ TEST_CASE(
     const double along = i % 5 == 0 ? std::pow(10, draw.between(-6, 3)) : draw.between(-1, 2);
     const Eigen::Vector3d ac = along * ab + std::pow(10, draw.between(-17, 0)) * aside;
     const double for_b = draw.between(-1, 2), for_c = i % 4 == 0 ? 0 : draw.between(-1, 2);
-    const Eigen::Vector3d a = std::pow(10, draw.between(-9, 6)) *
-                              (i % 3 == 0 ? draw.in_cube(1) : Eigen::Vector3d(ab.cross(aside)));
+    const double apart = std::pow(10, draw.between(-9, 6));
+    const Eigen::Vector3d away = i % 3 == 0 ? draw.in_cube(1) : Eigen::Vector3d(ab.cross(aside));
+    const Eigen::Vector3d a = apart * away;
     const Eigen::Vector3d first = a - for_b * ab - for_c * ac;
     const Eigen::Vector3d corners[] = {first, first + ab, first + ac};
     const double truth = true_distance(corners);

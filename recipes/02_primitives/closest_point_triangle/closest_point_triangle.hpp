@@ -32,6 +32,7 @@ Real clamped_share(const Real& share)
   const Real from_zero = share > Real(0) ? share : Real(0);
   return from_zero < Real(1) ? from_zero : Real(1);
 }
+
 /// Corner i alone.
 template <class Real>
 Nearest<Real> nearest_on_corner(const Vector3<Real>* corners, int i)
@@ -39,6 +40,13 @@ Nearest<Real> nearest_on_corner(const Vector3<Real>* corners, int i)
   Nearest<Real> nearest{Vector<Real, 4>::Zero(), corners[i]};
   nearest.shares[i] = Real(1);
   return nearest;
+}
+
+/// Whether the origin is over the face: all shares of its foot, in any proportion, are above zero.
+template <class Real>
+bool is_over_face(const Vector3<Real>& shares)
+{
+  return shares.x() > Real(0) && shares.y() > Real(0) && shares.z() > Real(0);
 }
 
 /// The point of the plane through corners i, j and k with shares in these proportions.
@@ -135,8 +143,8 @@ template <class Real>
   const Nearest<Real> edge = closer_of(
       closer_of(nearest_on_segment(corners, i, j), nearest_on_segment(corners, j, k)),
       nearest_on_segment(corners, k, i));
-  const bool is_over_face = inside.x() > Real(0) && inside.y() > Real(0) && inside.z() > Real(0);
-  return is_over_face ? closer_of(nearest_on_thin_face(corners, i, j, k, inside), edge) : edge;
+  return is_over_face(inside) ? closer_of(nearest_on_thin_face(corners, i, j, k, inside), edge)
+                              : edge;
 }
 // [nearest_on_thin_triangle]
 
@@ -160,7 +168,7 @@ Nearest<Real> nearest_on_triangle(const Vector3<Real>* corners, int i, int j, in
   {
     return nearest_on_thin_triangle(corners, i, j, k, inside);
   }
-  if (inside.x() > zero && inside.y() > zero && inside.z() > zero)
+  if (is_over_face(inside))
   {
     const Real size = ab_squared + ca_squared;
     const bool is_narrow = !(squared > narrow_squared_share<Real> * size * size);

@@ -69,9 +69,9 @@ shares_by_region(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<R
   }
   const Real size = ab_ab + ac_ac;
   const bool is_wide = squared > narrow_squared_share<Real> * size * size;
-  const bool is_inside = for_a > zero && for_b > zero && for_c > zero;
-  const Real per_whole = is_wide && is_inside ? Real(one / squared) : zero;
-  return {for_a * per_whole, for_b * per_whole, for_c * per_whole};
+  const Vector3<Real> at_foot(for_a, for_b, for_c);
+  const Real per_whole = is_wide && is_over_face(at_foot) ? Real(one / squared) : zero;
+  return at_foot * per_whole;
 }
 
 /// The point of a triangle of corners [m] that is closest to the origin; P13. Sizes from 1e-70 to

@@ -54,7 +54,10 @@ public:
   {
     for (std::vector<Matrix6>* blocks : {&diagonal_, &below_})
     {
-      std::fill_n(blocks->data()->data(), 36 * blocks->size(), 0.0);
+      for (Matrix6& block : *blocks)
+      {
+        block.setZero();
+      }
     }
   }
 
