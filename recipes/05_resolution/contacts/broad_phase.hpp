@@ -180,6 +180,7 @@ public:
     return pairs_;
   }
 
+  const std::vector<std::pair<int, int>>& last() const { return pairs_; } ///< the pairs last found
   BoundsTree& tree() { return tree_; } ///< of the bounds last given
 
 private:

@@ -72,12 +72,17 @@ inline double turn_on(const Scene& scene, const RigidBody& body, int i)
   return turns ? turning_way(scene, i, spin_on(scene, body), scene.step) : 0;
 }
 
-/// Whether a body whose points go by up to this way [m] is left to the sweep: a box if that is
-/// clearly more than half of its smallest size, a ball if it is farther than is harmless.
+/// Whether a way [m] is clearly more than half of a body's smallest size.
+inline bool is_far(const Scene& scene, int i, double way)
+{
+  return way > 1.25 * thinness(scene, i);
+}
+
+/// Whether a body whose points go by up to this way [m] is left to the sweep: a box if it is far, a
+/// ball if it is farther than is harmless.
 inline bool is_for_sweep(const Scene& scene, const RigidBody& body, int i, double way)
 {
-  const double thin = thinness(scene, i);
-  return way > (body.round ? harmless_depth(thin) : 1.25 * thin);
+  return body.round ? way > harmless_depth(thinness(scene, i)) : is_far(scene, i, way);
 }
 
 /// A body where it would be after a step in which it goes and turns on as it does; its inertia is
@@ -94,18 +99,19 @@ inline RigidBody going_on(const Scene& scene, RigidBody body, double share)
 }
 
 /// The bounds of a body where it is, wider by half the margin [m] of contacts; and where it will be
-/// if nothing pushes it, unless that is left to the sweep.
+/// if nothing pushes it, unless that is far: only the sweep asks what lies so far ahead.
 inline Eigen::AlignedBox<double, 3>
 foreseen_bounds(const Scene& scene, const RigidBody& body, int i, double margin)
 {
   const auto& shape = scene.bodies[place_of(i)].shape;
   const Vector3<double> way = way_on(scene, body, flying_share);
-  const double turning = turn_on(scene, body, i);
-  if (is_for_sweep(scene, body, i, way.norm() + turning))
+  const double turning = turn_on(scene, body, i), farthest = way.norm() + turning;
+  if (is_far(scene, i, farthest))
   {
     return bounds_of(body, shape, margin / 2);
   }
-  const Eigen::AlignedBox<double, 3> here = bounds_of(body, shape, margin / 2 + turning);
+  const double rounding = 1e-9 * farthest;
+  const Eigen::AlignedBox<double, 3> here = bounds_of(body, shape, margin / 2 + turning + rounding);
   return here.merged(here.translated(way))
       .merged(here.translated(way_on(scene, body, pushed_share)));
 }

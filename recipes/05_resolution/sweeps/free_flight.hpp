@@ -11,14 +11,13 @@ namespace cookbook
 {
 
 // [fly]
-/// A body after gravity and the forces of a step alone have moved it for a time [s]: exactly along
-/// its parabola.
-inline RigidBody flown(RigidBody body, const Vector3<double>& gravity, double time)
+/// Has gravity and the forces of a step alone move a body for a time [s]: exactly along its
+/// parabola.
+inline void fly(RigidBody& body, const Vector3<double>& gravity, double time)
 {
   body.motion.center += time * (body.motion.velocity + time / 2 * pull_on(body, gravity));
   pull(body, gravity, time);
   spin(body, time);
-  return body;
 }
 // [fly]
 

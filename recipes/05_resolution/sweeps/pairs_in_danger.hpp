@@ -7,6 +7,7 @@
 #include "05_resolution/sweeps/step_courses.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <span>
 #include <utility>
@@ -51,6 +52,80 @@ bounds_on_way(const StepCourses& step, int i, const RigidBody& end)
   return bounds_of(course.start, shape, wider).merged(bounds_of(end, shape, wider));
 }
 
+/// Whether two bodies may be close enough to touch from a time [s] to the end of the step.
+inline bool may_meet(const StepCourses& step, int i, int j, double time)
+{
+  const double left = step.scene.step - time;
+  const auto way = [&](const Course& of)
+  { return left * (of.velocity_at(time).norm() + left * of.acceleration.norm()); };
+  const Course &a = step.courses[place_of(i)], &b = step.courses[place_of(j)];
+  const double near = reach(step.scene, i) + reach(step.scene, j) + way(a) + way(b);
+  return std::holds_alternative<PlaneShape>(step.scene.bodies[place_of(i)].shape) ||
+         std::holds_alternative<PlaneShape>(step.scene.bodies[place_of(j)].shape) ||
+         (a.place_at(time) - b.place_at(time)).norm() <= near;
+}
+/// The leaves of bodies that may have touched something outside of the bounds that pairs were found
+/// by: a solver has pushed them there, or they were too fast.
+[[gnu::flatten]] inline std::vector<std::size_t>
+strays(const StepCourses& step, std::span<const RigidBody> ends)
+{
+  std::vector<std::size_t> found;
+  const std::vector<Bounds>& leaves = step.tree.leaves();
+  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+  {
+    const int i = leaves[leaf].body;
+    if (!leaves[leaf].box.contains(bounds_on_way(step, i, ends[place_of(i)])))
+    {
+      found.push_back(leaf);
+    }
+  }
+  return found;
+}
+
+/// Calls `ask(i, j)` for all pairs of bodies that may have met, the smaller number first; then the
+/// tree holds all that each may have touched.
+template <class Ask>
+void each_that_may_have_met(StepCourses& step, std::span<const RigidBody> ends, const Ask& ask)
+{
+  const auto way_of = [&](const Bounds& leaf)
+  { return bounds_on_way(step, leaf.body, ends[place_of(leaf.body)]); };
+  const std::vector<std::size_t> astray = strays(step, ends);
+  if (8 * astray.size() > ends.size())
+  {
+    step.tree.refit(way_of);
+    return each_overlap(step.tree, ask);
+  }
+  std::vector<std::pair<int, int>> pairs(step.near.begin(), step.near.end());
+  for (const std::size_t leaf : astray)
+  {
+    step.tree.widen(leaf, way_of(step.tree.leaves()[leaf]));
+  }
+  for (const std::size_t leaf : astray)
+  {
+    const Bounds& one = step.tree.leaves()[leaf];
+    const auto meet = [&](int other)
+    {
+      if (other != one.body)
+      {
+        pairs.emplace_back(std::minmax(one.body, other));
+      }
+    };
+    step.tree.each_that([&](const auto& box) { return boxes_intersect(box, one.box); }, meet);
+  }
+  if (!astray.empty())
+  {
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  }
+  for (const auto& [i, j] : pairs)
+  {
+    if (may_meet(step, i, j, 0))
+    {
+      ask(i, j);
+    }
+  }
+}
+
 /// The pairs of bodies of which one may have passed through the other; then the tree holds all
 /// that each may have touched.
 inline std::vector<std::pair<int, int>>
@@ -78,24 +153,9 @@ pairs_in_danger(StepCourses& step, std::span<const RigidBody> ends)
   };
   if (any)
   {
-    step.tree.refit([&](const Bounds& leaf)
-                    { return bounds_on_way(step, leaf.body, ends[place_of(leaf.body)]); });
-    each_overlap(step.tree, ask);
+    each_that_may_have_met(step, ends, ask);
   }
   return pairs;
-}
-
-/// Whether two bodies may be close enough to touch from a time [s] to the end of the step.
-inline bool may_meet(const StepCourses& step, int i, int j, double time)
-{
-  const double left = step.scene.step - time;
-  const auto way = [&](const Course& of)
-  { return left * (of.velocity_at(time).norm() + left * of.acceleration.norm()); };
-  const Course &a = step.courses[place_of(i)], &b = step.courses[place_of(j)];
-  const double near = reach(step.scene, i) + reach(step.scene, j) + way(a) + way(b);
-  return std::holds_alternative<PlaneShape>(step.scene.bodies[place_of(i)].shape) ||
-         std::holds_alternative<PlaneShape>(step.scene.bodies[place_of(j)].shape) ||
-         (a.place_at(time) - b.place_at(time)).norm() <= near;
 }
 // [in_danger]
 

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -23,13 +24,14 @@ namespace cookbook
 /// A step of a world as solvers and free fall had it.
 struct StepCourses
 {
-  const Scene& scene;                     ///< with the bodies' shapes
-  std::span<const WorldContact> contacts; ///< of this step
-  const std::vector<bool>& falls;         ///< whether no other body pushed it
-  const std::vector<bool>& gone;          ///< whether it is no more
-  BoundsTree& tree;                       ///< of all bodies that are there
-  std::vector<Course>& courses;           ///< of all bodies
-  std::vector<double>& ways;              ///< [m], how far any point of a body went
+  const Scene& scene;                        ///< with the bodies' shapes
+  std::span<const WorldContact> contacts;    ///< of this step
+  const std::vector<bool>& falls;            ///< whether no other body pushed it
+  const std::vector<bool>& gone;             ///< whether it is no more
+  std::span<const std::pair<int, int>> near; ///< whose bounds met as it began
+  BoundsTree& tree;                          ///< of all bodies that are there
+  std::vector<Course>& courses;              ///< of all bodies
+  std::vector<double>& ways;                 ///< [m], how far any point of a body went
 };
 
 /// True if a body is a ball.
@@ -136,7 +138,8 @@ on_the_way(const StepCourses& step, int i, double time, bool own, const RigidBod
   const bool fast = is_fast_box(step, i);
   if (own)
   {
-    RigidBody body = flown(course.start, course.acceleration, time - course.since);
+    RigidBody body = course.start;
+    fly(body, course.acceleration, time - course.since);
     body.motion.center = pose.motion.center;
     return fast ? turned_like(body, pose) : body;
   }
@@ -168,7 +171,7 @@ inline RigidBody gone_on(Course& course, double step, Onward how)
   RigidBody end = course.start;
   if (turns)
   {
-    end = flown(course.start, course.acceleration, time);
+    fly(end, course.acceleration, time);
   }
   else
   {

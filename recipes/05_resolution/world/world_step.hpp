@@ -39,11 +39,16 @@ inline void fall_unless_pushed(WorldState& world, const Island& island)
 {
   const Vector3<double>& gravity = world.scene.gravity;
   const double step = world.scene.step;
+  if (island.contacts.empty())
+  {
+    const std::size_t i = place_of(island.bodies.front());
+    world.falls[i] = true;
+    return fly(world.bodies[i], gravity, step);
+  }
   for (const int body : island.bodies)
   {
     const std::size_t i = place_of(body);
-    world.falls[i] =
-        island.contacts.empty() || !was_pushed(world.bodies[i], world.start[i], gravity, step);
+    world.falls[i] = !was_pushed(world.bodies[i], world.start[i], gravity, step);
   }
   for (const int number : island.contacts)
   {
@@ -64,7 +69,8 @@ inline void fall_unless_pushed(WorldState& world, const Island& island)
     world.falls[i] = world.falls[i] && !world.parted[i];
     if (world.falls[i])
     {
-      world.bodies[i] = flown(world.start[i], gravity, step);
+      world.bodies[i] = world.start[i];
+      fly(world.bodies[i], gravity, step);
     }
   }
 }
@@ -107,8 +113,8 @@ inline void advance(WorldState& world, const WorldSolver& solver)
 /// Has bodies bounce off what they would have passed through, and wakes whom they hit.
 inline void sweep(WorldState& world)
 {
-  StepCourses step{world.scene,       world.contacts, world.falls, world.gone,
-                   world.near.tree(), world.courses,  world.ways};
+  StepCourses step{world.scene,       world.contacts,    world.falls,   world.gone,
+                   world.near.last(), world.near.tree(), world.courses, world.ways};
   set_out(step, world.start, world.bodies);
   std::vector<int> hit;
   StepSweeps(step, world.bodies, hit).run();
