@@ -64,6 +64,7 @@ inline bool may_meet(const StepCourses& step, int i, int j, double time)
          std::holds_alternative<PlaneShape>(step.scene.bodies[place_of(j)].shape) ||
          (a.place_at(time) - b.place_at(time)).norm() <= near;
 }
+
 /// The leaves of bodies that may have touched something outside of the bounds that pairs were found
 /// by: a solver has pushed them there, or they were too fast.
 [[gnu::flatten]] inline std::vector<std::size_t>
