@@ -3,6 +3,7 @@
 /// \file
 /// \brief Rows in registers: the numbers of one pair side by side, added and multiplied at once.
 
+#include "common/simd/fours.hpp"
 #include "common/simd/halves.hpp"
 #include "common/simd/row.hpp"
 
@@ -35,21 +36,6 @@ template <class Real>
 Pack<Real, 4> turned_twice(const Pack<Real, 4>& v)
 {
   return Pack<Real, 4>::of(shuffled<2, 0, 1, 1>(v.lanes, v.lanes));
-}
-
-/// Four rows of four made columns.
-template <class Real>
-void transpose(Pack<Real, 4> (&rows)[4])
-{
-  Pack<Real, 4>&a = rows[0], &b = rows[1], &c = rows[2], &d = rows[3];
-  const auto low_ab = shuffled<0, 4, 1, 5>(a.lanes, b.lanes);
-  const auto low_cd = shuffled<0, 4, 1, 5>(c.lanes, d.lanes);
-  const auto high_ab = shuffled<2, 6, 3, 7>(a.lanes, b.lanes);
-  const auto high_cd = shuffled<2, 6, 3, 7>(c.lanes, d.lanes);
-  a.lanes = shuffled<0, 1, 4, 5>(low_ab, low_cd);
-  b.lanes = shuffled<2, 3, 6, 7>(low_ab, low_cd);
-  c.lanes = shuffled<0, 1, 4, 5>(high_ab, high_cd);
-  d.lanes = shuffled<2, 3, 6, 7>(high_ab, high_cd);
 }
 
 /// Three rows of three made columns; Row is of registers.

@@ -41,9 +41,9 @@ Vector picked(const Bits& mask, const Vector& yes, const Vector& no)
   return result;
 }
 
-/// Numbers by their places in a, followed by those of b.
+/// Numbers by their places in a, followed by those of b; as many as there are places.
 template <std::size_t... Places, class Number, std::size_t Width>
-PlainVector<Number, Width>
+PlainVector<Number, sizeof...(Places)>
 shuffled(const PlainVector<Number, Width>& a, const PlainVector<Number, Width>& b)
 {
   return {(Places < Width ? a.at[Places % Width] : b.at[Places % Width])...};
@@ -89,9 +89,9 @@ Vector picked(const Bits& mask, const Vector& yes, const Vector& no)
   return mask ? yes : no;
 }
 
-/// Numbers by their places in a, followed by those of b.
+/// Numbers by their places in a, followed by those of b; as many as there are places.
 template <int... Places, class Vector>
-Vector shuffled(const Vector& a, const Vector& b)
+auto shuffled(const Vector& a, const Vector& b)
 {
   return __builtin_shufflevector(a, b, Places...);
 }

@@ -1,10 +1,11 @@
 /// \file
-/// Four contacts at a time: each lane does to the bit what one contact alone would, and scenes come
-/// out as one by one.
+/// Many contacts at a time: each lane does to the bit what one contact alone would, whatever the
+/// processor's registers hold, and scenes come out as one by one.
 
 #include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "05_resolution/contact_graph/trial/contact_graph_scenes.hpp"
 #include "05_resolution/direct_solver/trial/direct_solver_scenes.hpp"
+#include "05_resolution/wide_passes/wide_passes.hpp"
 #include "05_resolution/wide_solver/trial/wide_solver_runs.hpp"
 #include "05_resolution/wide_solver/wide_solver.hpp"
 #include "05_resolution/world/solvers.hpp"
@@ -34,10 +35,32 @@ World wide_world(const Scene& scene, int substeps = 4)
   return World(scene, solver_named("wide_steps", substeps));
 }
 
+World wide_world_in(const Scene& scene, const WidePasses& passes)
+{
+  return World(
+      scene, [lanes = WideContacts(passes)](
+                 IslandView view, std::span<const Island> islands, double step) mutable
+      { wide_steps(view, islands, step, SoftSettings{}, lanes); });
+}
+
+using Four = Pack<float, 4>;
+
 /// One lane of a vector.
 Vector3<float> lane_of(const Vector3<Four>& v, std::size_t lane)
 {
   return {v.x()[lane], v.y()[lane], v.z()[lane]};
+}
+
+/// Sets one lane of a vector or matrix.
+template <int Rows, int Columns>
+void set_lane(
+    Eigen::Matrix<Four, Rows, Columns>& to, std::size_t lane,
+    const Eigen::Matrix<float, Rows, Columns>& from)
+{
+  for (int i = 0; i < Rows * Columns; ++i)
+  {
+    to(i).lanes[lane] = from(i);
+  }
 }
 
 /// Two bodies and a contact point between them.
@@ -51,9 +74,8 @@ struct OneContact
 /// Four of them, one in each lane.
 struct FourContacts
 {
-  Body<Four> a, b;
-  ContactConstraint<Four> at = no_point();
-  Vector3<Four> across;
+  WideContact<Four> of;
+  ContactConstraint<Four> at;
 };
 
 /// A body with a mass of about 1 kg; one in eight cannot move.
@@ -90,10 +112,21 @@ void set_lane(Body<Four>& to, std::size_t lane, const Body<float>& from)
   set_lane(to.motion.velocity, lane, from.motion.velocity);
   set_lane(to.motion.angular_velocity, lane, from.motion.angular_velocity);
   to.inverse_mass.lanes[lane] = from.inverse_mass;
-  for (int i = 0; i < 9; ++i)
-  {
-    to.inverse_inertia(i).lanes[lane] = from.inverse_inertia(i);
-  }
+  set_lane(to.inverse_inertia, lane, from.inverse_inertia);
+}
+
+void set_lane(FourContacts& to, std::size_t lane, const OneContact& from)
+{
+  set_lane(to.of.a, lane, from.a);
+  set_lane(to.of.b, lane, from.b);
+  set_lane(to.of.across, lane, from.across);
+  set_lane(to.at.normal, lane, from.at.normal);
+  set_lane(to.at.arms.a, lane, from.at.arms.a);
+  set_lane(to.at.arms.b, lane, from.at.arms.b);
+  set_lane(to.at.friction, lane, from.at.friction);
+  to.at.coefficient.lanes[lane] = from.at.coefficient;
+  to.at.apart.lanes[lane] = from.at.apart;
+  to.at.impulse.lanes[lane] = from.at.impulse;
 }
 
 /// True if two numbers have the same bits.
@@ -106,50 +139,76 @@ bool same(const Vector3<float>& a, const Vector3<float>& b)
 } // namespace
 
 // [lanes]
-TEST_CASE(
-    "each of four lanes does to the bit what one contact alone does: masses, pushes, friction")
+TEST_CASE("each lane does to the bit what one contact alone does: masses, pushes, friction")
 {
   BoxDraw draw(1);
-  const Softness<double> spring = softness(30.0, 5.0, 1.0 / 240);
-  const Softness<float> one_spring{
-      static_cast<float>(spring.bias_rate), static_cast<float>(spring.mass_scale),
-      static_cast<float>(spring.impulse_scale)};
+  const Softness<float> spring = softness(30.0f, 5.0f, 1.0f / 240);
+  const Softness<Four> wide_spring{spring.bias_rate, spring.mass_scale, spring.impulse_scale};
   const float small = 1.0f / 240;
   for (int i = 0; i < inputs(20'000, 500); ++i)
   {
-    std::array<OneContact, 4> ones{
-        drawn_contact(draw), drawn_contact(draw), drawn_contact(draw), drawn_contact(draw)};
-    FourContacts four;
+    std::vector<OneContact> ones;
+    FourContacts wide;
     for (std::size_t lane = 0; lane < 4; ++lane)
     {
-      OneContact& one = ones[lane];
-      set_lane(four.a, lane, one.a);
-      set_lane(four.b, lane, one.b);
-      set_lane(four.across, lane, one.across);
-      set_lane(four.at, lane, one.at);
+      OneContact& one = ones.emplace_back(drawn_contact(draw));
+      set_lane(wide, lane, one);
       find_masses<float>(one.at, one.a, one.b, one.across);
       warm_start<float>(one.a, one.b, one.at);
-      correct<float>(one.a, one.b, one.at, one_spring, small, 1.0f);
+      correct<float>(one.a, one.b, one.at, spring, small, 1.0f);
       correct<float>(one.a, one.b, one.at, rigid<float>(), small, 1.0f);
     }
-    find_masses<Four>(four.at, four.a, four.b, four.across);
-    warm_start<Four>(four.a, four.b, four.at);
-    correct<Four>(four.a, four.b, four.at, in_every_lane(spring), Four(small), Four(1.0f));
-    correct<Four>(four.a, four.b, four.at, rigid<Four>(), Four(small), Four(1.0f));
+    auto& [of, at] = wide;
+    find_masses<Four>(at, of.a, of.b, of.across);
+    warm_start<Four>(of.a, of.b, at);
+    correct<Four>(of.a, of.b, at, wide_spring, small, 1.0f);
+    correct<Four>(of.a, of.b, at, rigid<Four>(), small, 1.0f);
     for (std::size_t lane = 0; lane < 4; ++lane)
     {
       CAPTURE(i, lane);
       const OneContact& one = ones[lane];
-      REQUIRE(same(lane_of(four.a.motion.velocity, lane), one.a.motion.velocity));
-      REQUIRE(same(lane_of(four.a.motion.angular_velocity, lane), one.a.motion.angular_velocity));
-      REQUIRE(same(lane_of(four.b.motion.velocity, lane), one.b.motion.velocity));
-      REQUIRE(same(lane_of(four.b.motion.angular_velocity, lane), one.b.motion.angular_velocity));
-      REQUIRE(same(lane_of(four.at.friction, lane), one.at.friction));
-      REQUIRE(four.at.impulse[lane] == one.at.impulse);
+      REQUIRE(same(lane_of(of.a.motion.velocity, lane), one.a.motion.velocity));
+      REQUIRE(same(lane_of(of.a.motion.angular_velocity, lane), one.a.motion.angular_velocity));
+      REQUIRE(same(lane_of(of.b.motion.velocity, lane), one.b.motion.velocity));
+      REQUIRE(same(lane_of(of.b.motion.angular_velocity, lane), one.b.motion.angular_velocity));
+      REQUIRE(same(lane_of(at.friction, lane), one.at.friction));
+      REQUIRE(at.impulse[lane] == one.at.impulse);
     }
   }
 }
 // [lanes]
+
+// [instruction_sets]
+TEST_CASE("whatever the width of the registers, a scene comes out to the bit", "[long]")
+{
+  REQUIRE(wide_passes(InstructionSet::portable).lanes == 4);
+  for (const char* const name : {"tower_5", "pile_60", "wall_hit_5", "pit_60"})
+  {
+    std::vector<World> worlds;
+    for (const InstructionSet set : instruction_sets())
+    {
+      worlds.push_back(wide_world_in(named_scene(name), wide_passes(set)));
+    }
+    for (int step = 0; step < 180; ++step)
+    {
+      for (World& world : worlds)
+      {
+        world.step();
+        for (std::size_t i = 0; i < world.bodies().size(); ++i)
+        {
+          CAPTURE(name, step, i);
+          const RigidBody& here = world.bodies()[i];
+          const RigidBody& there = worlds[0].bodies()[i];
+          REQUIRE(here.motion.center == there.motion.center);
+          REQUIRE(here.axes == there.axes);
+          REQUIRE(here.motion.velocity == there.motion.velocity);
+          REQUIRE(here.motion.angular_velocity == there.motion.angular_velocity);
+        }
+      }
+    }
+  }
+}
+// [instruction_sets]
 
 // [scenes_wide]
 TEST_CASE("a cube on wide soft contacts sinks by g / ω², to float's digits", "[R14]")
@@ -162,7 +221,7 @@ TEST_CASE("a cube on wide soft contacts sinks by g / ω², to float's digits", "
   }
 }
 
-TEST_CASE("a tower of five carries what statics says, four contacts at a time", "[R9][long]")
+TEST_CASE("a tower of five carries what statics says, many contacts at a time", "[R9][long]")
 {
   const std::vector<double> carries = carried(named_scene("tower_5"), "wide_steps", 600);
   for (std::size_t cube = 1; cube <= 5; ++cube)
@@ -172,7 +231,7 @@ TEST_CASE("a tower of five carries what statics says, four contacts at a time", 
 }
 
 TEST_CASE(
-    "one after the other and four at once: a cube to 10 µm, a slide of 8 m to .5 mm, stacks "
+    "one after the other and many at once: a cube to 10 µm, a slide of 8 m to .5 mm, stacks "
     "to 2 mm",
     "[long]")
 {
@@ -210,7 +269,7 @@ void colored_soft_steps(IslandView world, const Island& island, double step)
 }
 
 TEST_CASE(
-    "one after the other in the order of the colours gives stacks as four at once, to a micrometre",
+    "one after the other in the order of the colours gives stacks as many at once, to a micrometre",
     "[long]")
 {
   for (const char* const name : {"pyramid", "tower_5"})
@@ -345,22 +404,23 @@ TEST_CASE("two contacts with a ball in common, solved at once, lose a push")
   {
     balls[i].inverse_mass() = 1;
   }
-  const std::array<int, 4> a{0, 1, 3, 3}, b{1, 2, 3, 3};
-  const Vector3<float> along(1, 0, 0);
-  FourContacts four;
+  const int a[]{0, 1, 3, 3}, b[]{1, 2, 3, 3};
+  const Four zero(0);
+  const Vector3<Four> none(zero, zero, zero);
+  Body<Four> bodies_a, bodies_b;
+  ContactConstraint<Four> at{none, {none, none}, zero, zero, Four(1), none, zero, {}};
   for (const std::size_t lane : {0u, 1u})
   {
-    set_lane(four.at.normal, lane, along);
+    at.normal.x().lanes[lane] = 1;
   }
-  four.at.impulse = Four(1);
-  for (auto [numbers, body] : {std::pair(&a, &four.a), std::pair(&b, &four.b)})
+  for (auto [numbers, body] : {std::pair(a, &bodies_a), std::pair(b, &bodies_b)})
   {
-    gather_motion(balls, *numbers, *body);
-    gather_inverse_masses(balls, *numbers, *body);
+    gather_motion(balls.data(), numbers, *body);
+    gather_inverse_masses(balls.data(), numbers, *body);
   }
-  warm_start<Four>(four.a, four.b, four.at);
-  scatter_motion(four.a, balls, a);
-  scatter_motion(four.b, balls, b);
+  warm_start<Four>(bodies_a, bodies_b, at);
+  scatter_motion(bodies_a, balls.data(), a);
+  scatter_motion(bodies_b, balls.data(), b);
   CHECK(balls[0].velocity[0] == -1);
   CHECK(balls[1].velocity[0] != 0); // one of its two pushes is gone
   CHECK(balls[2].velocity[0] == 1);

@@ -1,6 +1,7 @@
 /// \file
 /// \brief sphere_pairs: chooses the instruction set, and hands out the pairs in blocks.
 
+#include "03_sphere_manifolds/sphere_pairs/one_of_kernels.hpp"
 #include "03_sphere_manifolds/sphere_pairs/sphere_pairs.hpp"
 #include "03_sphere_manifolds/sphere_pairs/sphere_pairs_kernel.hpp"
 #include "common/simd/stream.hpp"
@@ -23,18 +24,11 @@ constexpr std::size_t large = 1 << 16;  // pairs: their answers would drive all 
 SpherePairsKernel* kernel_of(InstructionSet set)
 {
 #if defined(COOKBOOK_KERNELS_X86)
-  switch (set)
-  {
-  case InstructionSet::avx2:
-    return sphere_pairs_avx2;
-  case InstructionSet::avx512:
-    return sphere_pairs_avx512;
-  case InstructionSet::portable:
-    return sphere_pairs_portable;
-  }
-#endif
+  return one_of(set, sphere_pairs_portable, sphere_pairs_avx2, sphere_pairs_avx512);
+#else
   static_cast<void>(set);
   return sphere_pairs_portable;
+#endif
 }
 
 PairsBegin begin_at(const SpherePairs& p, std::size_t i)

@@ -1,6 +1,7 @@
 /// \file
 /// \brief box_pairs: chooses the instruction set, and answers what its kernel leaves out.
 
+#include "03_sphere_manifolds/sphere_pairs/one_of_kernels.hpp"
 #include "04_obb_manifolds/box_box/box_box.hpp"
 #include "04_obb_manifolds/box_pairs/box_pairs.hpp"
 #include "04_obb_manifolds/box_pairs/box_pairs_kernel.hpp"
@@ -18,22 +19,6 @@ namespace cookbook
 {
 namespace
 {
-
-/// The kernel for an instruction set.
-template <class Kernel>
-Kernel* one_of(InstructionSet set, Kernel* portable, Kernel* avx2, Kernel* avx512)
-{
-  switch (set)
-  {
-  case InstructionSet::avx2:
-    return avx2;
-  case InstructionSet::avx512:
-    return avx512;
-  case InstructionSet::portable:
-    return portable;
-  }
-  return portable;
-}
 
 #if defined(COOKBOOK_KERNELS_X86)
 BoxPairsKernel* manifolds_kernel(InstructionSet set)

@@ -13,8 +13,8 @@ namespace cookbook
 {
 
 /// Room for so many, and for a quarter more where there has to be more than there was.
-template <class Type>
-void make_room(std::vector<Type>& all, std::size_t count)
+template <class List>
+void make_room(List& all, std::size_t count)
 {
   if (all.capacity() < count)
   {

@@ -1,136 +1,238 @@
 #pragma once
 
 /// \file
-/// \brief Up to four contacts side by side, and their points.
+/// \brief Contacts and their points, one in every lane of a pack, read from memory and written to
+/// it.
 
-#include "05_resolution/islands/island_points.hpp"
-#include "05_resolution/wide_solver/four_lanes.hpp"
+#include "05_resolution/islands/contact_constraint.hpp"
+#include "05_resolution/wide_solver/lane_body.hpp"
+#include "common/simd/fours.hpp"
 
 #include <array>
 #include <cstddef>
-#include <span>
 
 namespace cookbook
 {
 
+// [either]
+/// In every lane the number of the first, if a test says so there; otherwise that of the second.
+template <class Real, std::size_t Width, class Second>
+Pack<Real, Width> either(
+    const typename Pack<Real, Width>::Mask& first, const Pack<Real, Width>& yes,
+    const Second& second)
+{
+  return all(first) ? yes : select(first, yes, Pack<Real, Width>(second()));
+}
+
+/// The same for each number of a vector or matrix.
+template <class Real, std::size_t Width, int Rows, int Columns, class Second>
+Eigen::Matrix<Pack<Real, Width>, Rows, Columns> either(
+    const typename Pack<Real, Width>::Mask& first,
+    const Eigen::Matrix<Pack<Real, Width>, Rows, Columns>& yes, const Second& second)
+{
+  Eigen::Matrix<Pack<Real, Width>, Rows, Columns> chosen = yes;
+  if (!all(first))
+  {
+    const Eigen::Matrix<Pack<Real, Width>, Rows, Columns> no = second();
+    for (int i = 0; i < yes.size(); ++i)
+    {
+      chosen(i) = select(first, yes(i), no(i));
+    }
+  }
+  return chosen;
+}
+// [either]
+
 // [wide_contact]
-/// Up to four contacts of a colour, each in a lane of its own.
+/// What the points of contacts have in common, one contact in every lane.
+template <class Real>
 struct WideContact
 {
-  std::array<WorldContact*, 4> contacts; ///< none: a lane without one
-  std::array<int, 4> a;                  ///< the numbers of bodies A; none: that of nobody
-  std::array<int, 4> b;                  ///< the numbers of bodies B
-  Body<Four> body_a;                     ///< the four bodies A, as far as a push changes them
-  Body<Four> body_b;                     ///< the four bodies B
-  Vector3<Four> across;                  ///< [1], world, a direction of each surface
-  Four correction_speed;                 ///< [m/s], no overlap is taken away faster
-  std::size_t first;                     ///< the place of its first point
-  std::size_t points;                    ///< how many there are: the most of any lane
+  Body<Real> a;          ///< the bodies A, as far as a push changes them
+  Body<Real> b;          ///< the bodies B
+  Vector3<Real> across;  ///< [1], world, a direction of each surface
+  Real correction_speed; ///< [m/s], no overlap is taken away faster
 };
 
-/// The points of the contact in a lane; none if there is no contact.
-inline std::span<WorldPoint> points_in(const WideContact& four, std::size_t lane)
+/// Calls `call(number)` for each number of a vector or matrix.
+template <class Real, int Rows, int Columns, class Call>
+void each_number(Eigen::Matrix<Real, Rows, Columns>& of, Call& call)
 {
-  WorldContact* const contact = four.contacts[lane];
-  return contact != nullptr ? contact->points() : std::span<WorldPoint>();
-}
-
-/// A point that pushes nothing: it has no normal, no impulse, and no friction.
-inline ContactConstraint<Four> no_point()
-{
-  const Four none(0);
-  const Vector3<Four> zero(none, none, none);
-  const Matrix3<Four> zeros = Matrix3<Four>::Constant(none);
-  return {zero, {zero, zero}, none, none, none, zero, none, {zeros, none}};
-}
-
-/// Four lanes without a contact, between nobody and nobody.
-inline WideContact no_contact(std::size_t nobody)
-{
-  WideContact four = {};
-  four.a.fill(static_cast<int>(nobody));
-  four.b = four.a;
-  four.across = no_point().normal;
-  return four;
-}
-
-/// Sets one lane of a vector.
-template <class Real>
-void set_lane(Vector3<Four>& to, std::size_t lane, const Vector3<Real>& from)
-{
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < Rows * Columns; ++i)
   {
-    to[i].lanes[lane] = static_cast<float>(from[i]);
+    call(of(i));
   }
 }
 
-/// Sets one lane of a point, but for its masses.
-template <class Real>
-void set_lane(ContactConstraint<Four>& to, std::size_t lane, const ContactConstraint<Real>& from)
+/// The numbers of a contact, in the order in which they lie in memory: first what a turn changes.
+template <class Real, class Call>
+void each_mass(WideContact<Real>& of, Call& call)
 {
-  set_lane(to.normal, lane, from.normal);
-  set_lane(to.arms.a, lane, from.arms.a);
-  set_lane(to.arms.b, lane, from.arms.b);
-  set_lane(to.friction, lane, from.friction);
-  to.coefficient.lanes[lane] = static_cast<float>(from.coefficient);
-  to.apart.lanes[lane] = static_cast<float>(from.apart);
-  to.impulse.lanes[lane] = static_cast<float>(from.impulse);
-}
-
-/// Puts a contact into a lane, but for its points, and how fast [m/s] its overlap is taken away.
-inline void
-put_contact(WideContact& four, std::size_t lane, WorldContact& contact, float correction_speed)
-{
-  four.contacts[lane] = &contact;
-  four.a[lane] = contact.a;
-  four.b[lane] = contact.b;
-  four.correction_speed.lanes[lane] = correction_speed;
-  set_lane(four.across, lane, contact.normal().unitOrthogonal());
-}
-
-/// Puts the points of four contacts into their lanes, their impulses as so large a share of a
-/// frame's.
-inline void put_points(
-    const WideContact& four, IslandView world, std::span<ContactConstraint<Four>> points,
-    double share)
-{
-  for (std::size_t lane = 0; lane < 4; ++lane)
+  for (Body<Real>* const body : {&of.a, &of.b})
   {
-    std::size_t place = 0;
-    for (const WorldPoint& point : points_in(four, lane))
+    call(body->inverse_mass);
+    each_number(body->inverse_inertia, call);
+  }
+}
+
+/// Then what stays for the whole frame.
+template <class Real, class Call>
+void each_given(WideContact<Real>& of, Call& call)
+{
+  each_number(of.across, call);
+  call(of.correction_speed);
+}
+
+/// The numbers of a point, in the order in which they lie in memory: first what a push changes.
+template <class Real, class Call>
+void each_pushed(ContactConstraint<Real>& at, Call& call)
+{
+  call(at.apart);
+  call(at.impulse);
+  each_number(at.friction, call);
+}
+
+/// Then what a turn changes.
+template <class Real, class Call>
+void each_mass(ContactConstraint<Real>& at, Call& call)
+{
+  call(at.normal_mass);
+  each_number(at.sliding.ending, call);
+  call(at.sliding.least);
+}
+
+/// Then what stays for the whole frame.
+template <class Real, class Call>
+void each_given(ContactConstraint<Real>& at, Call& call)
+{
+  each_number(at.normal, call);
+  each_number(at.arms.a, call);
+  each_number(at.arms.b, call);
+  call(at.coefficient);
+}
+
+inline constexpr std::size_t contact_masses = 20;                  ///< numbers of each_mass()
+inline constexpr std::size_t contact_numbers = contact_masses + 4; ///< all of a contact
+inline constexpr std::size_t pushed_numbers = 5;                   ///< numbers of each_pushed()
+inline constexpr std::size_t point_masses = 11;                    ///< numbers of each_mass()
+inline constexpr std::size_t point_numbers = pushed_numbers + point_masses + 10; ///< all of a point
+
+/// Reads number after number from memory, in all lanes.
+template <class Lanes>
+struct ReadLanes
+{
+  const float* from; ///< where the next lies
+
+  void operator()(Lanes& number)
+  {
+    number = load_pack<Lanes>(from);
+    from += sizeof(Lanes) / sizeof(float);
+  }
+};
+
+/// Writes number after number to memory, in all lanes.
+template <class Lanes>
+struct WriteLanes
+{
+  float* to; ///< where the next lies
+
+  void operator()(const Lanes& number)
+  {
+    store_pack(number, to);
+    to += sizeof(Lanes) / sizeof(float);
+  }
+};
+
+/// Reads number after number from memory, in one lane of so many.
+struct ReadLane
+{
+  const float* from; ///< where the next lies
+  std::size_t lanes; ///< how far it is from there to the one after it
+
+  void operator()(float& number)
+  {
+    number = *from;
+    from += lanes;
+  }
+};
+
+/// Writes number after number to memory, in one lane of so many.
+struct WriteLane
+{
+  float* to;         ///< where the next lies
+  std::size_t lanes; ///< how far it is from there to the one after it
+
+  void operator()(double number)
+  {
+    *to = static_cast<float>(number);
+    to += lanes;
+  }
+};
+// [wide_contact]
+
+// [gather]
+/// The same row of four numbers of a body for each lane, as columns: the first of each, the second,
+/// …
+template <class Lanes, class Row>
+std::array<Lanes, 4> gathered(LaneBody* bodies, const int* of, const Row& row)
+{
+  Lanes rows[4];
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    rows[i] = load_fours<Lanes>(
+        [&](std::size_t four) -> const float* { return row(bodies[of[4 * four + i]]); });
+  }
+  transpose(rows);
+  return {rows[0], rows[1], rows[2], rows[3]};
+}
+
+/// How the bodies of all lanes move now.
+template <class Lanes>
+void gather_motion(LaneBody* bodies, const int* of, Body<Lanes>& to)
+{
+  const auto v = gathered<Lanes>(bodies, of, [](LaneBody& body) { return body.velocity; });
+  const auto w = gathered<Lanes>(bodies, of, [](LaneBody& body) { return body.angular_velocity; });
+  to.motion.velocity = {v[0], v[1], v[2]};
+  to.motion.angular_velocity = {w[0], w[1], w[2]};
+}
+
+/// How much a push changes each of them.
+template <class Lanes>
+void gather_inverse_masses(LaneBody* bodies, const int* of, Body<Lanes>& to)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    const auto column =
+        gathered<Lanes>(bodies, of, [i](LaneBody& body) { return body.inertia[i]; });
+    to.inverse_inertia.col(i) = Vector3<Lanes>(column[0], column[1], column[2]);
+    if (i == 0)
     {
-      const WorldContact& contact = *four.contacts[lane];
-      const RigidBody& a = world.bodies[place_of(contact.a)];
-      const RigidBody& b = world.bodies[place_of(contact.b)];
-      ContactConstraint<double> at = constraint_of(a, b, contact, point);
-      at.impulse *= share;
-      at.friction *= share;
-      set_lane(points[place++], lane, at);
+      to.inverse_mass = column[3];
     }
   }
 }
 
-/// Takes the masses of four contacts' bodies, and finds what impulses at their points feel.
-inline void take_masses(
-    WideContact& four, std::span<LaneBody> bodies, std::span<ContactConstraint<Four>> points)
+/// Puts three numbers of the bodies of all lanes back.
+template <class Lanes, class Row>
+void scatter(const Vector3<Lanes>& from, LaneBody* bodies, const int* of, const Row& row)
 {
-  gather_inverse_masses(bodies, four.a, four.body_a);
-  gather_inverse_masses(bodies, four.b, four.body_b);
-  for (ContactConstraint<Four>& at : points)
+  Lanes rows[] = {from.x(), from.y(), from.z(), Lanes(0)};
+  transpose(rows);
+  for (std::size_t i = 0; i < 4; ++i)
   {
-    find_masses<Four>(at, four.body_a, four.body_b, four.across);
+    store_fours(rows[i], [&](std::size_t four) { return row(bodies[of[4 * four + i]]); });
   }
 }
 
-/// Takes what a point in one lane has been given, so many times.
-inline void
-take_lane(const ContactConstraint<Four>& from, std::size_t lane, float scale, WorldPoint& to)
+/// Puts back how they move.
+template <class Lanes>
+void scatter_motion(const Body<Lanes>& from, LaneBody* bodies, const int* of)
 {
-  const Vector3<Four>& friction = from.friction;
-  to.impulse = scale * from.impulse[lane];
-  to.friction = {
-      scale * friction.x()[lane], scale * friction.y()[lane], scale * friction.z()[lane]};
+  scatter(from.motion.velocity, bodies, of, [](LaneBody& body) { return body.velocity; });
+  scatter(
+      from.motion.angular_velocity, bodies, of,
+      [](LaneBody& body) { return body.angular_velocity; });
 }
-// [wide_contact]
+// [gather]
 
 } // namespace cookbook

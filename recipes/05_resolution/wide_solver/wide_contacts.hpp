@@ -1,11 +1,13 @@
 #pragma once
 
 /// \file
-/// \brief The contacts of islands, four side by side, colour by colour.
+/// \brief The contacts of islands side by side, colour by colour.
 
 #include "05_resolution/contact_graph/contact_graph.hpp"
 #include "05_resolution/wide_solver/islands_together.hpp"
-#include "05_resolution/wide_solver/wide_contact.hpp"
+#include "05_resolution/wide_solver/passes_in_lanes.hpp"
+#include "common/simd/lanes.hpp"
+#include "common/simd/line_allocator.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -16,11 +18,27 @@
 namespace cookbook
 {
 
+// [widest_passes]
+/// The passes in the widest registers of this processor, where cookbook::wide_passes is linked;
+/// otherwise in those of the processors that this file is compiled for. All give the same bits.
+#if defined(COOKBOOK_WIDE_PASSES)
+WidePasses widest_passes();
+#else
+inline WidePasses widest_passes()
+{
+  return passes_in_lanes<Lanes>();
+}
+#endif
+// [widest_passes]
+
 // [wide_contacts]
 /// The contacts of islands, and their bodies, as lanes.
 class WideContacts
 {
 public:
+  /// Lanes for these passes.
+  explicit WideContacts(const WidePasses& passes = widest_passes()) : passes_(passes) {}
+
   /// The islands whose contacts are taken.
   IslandsTogether islands;
 
@@ -29,18 +47,10 @@ public:
   {
     color(world);
     take_bodies(world);
-    fours_.clear();
-    make_room(fours_, islands.contacts().size() / 4 + std::size_t(graph_.colors()));
-    std::size_t points = 0;
-    for (int color = 0; color < graph_.colors(); ++color)
+    take_groups(world);
+    for (std::size_t lane = 0; lane < taken_.size(); ++lane)
     {
-      points = take_color(world, graph_[color], points);
-    }
-    make_room(points_, points);
-    points_.assign(points, no_point());
-    for (const WideContact& four : fours_)
-    {
-      put_points(four, world, points_of(four), 1.0 / substeps);
+      put_contact(world, lane, 1.0 / substeps);
     }
     find_masses(world, [](const Island&) { return true; });
   }
@@ -63,48 +73,40 @@ public:
     }
     if (any)
     {
-      for (WideContact& four : fours_)
-      {
-        take_masses(four, bodies_, points_of(four));
-      }
+      passes_.find_masses(view());
     }
   }
 
-  /// Lets `look(four, at)` change every point, four at a time; their bodies stay as they are.
-  template <class Look>
-  void look_at_each(const Look& look)
+  /// Pushes as the step before has ended.
+  void warm_start() { passes_.warm_start(view()); }
+
+  /// Corrects every point once, with a spring, in a small step [s].
+  void correct(const Softness<double>& spring, double small)
   {
-    for (WideContact& four : fours_)
-    {
-      look_at(four, look);
-    }
+    const auto rounded = [](double number) { return static_cast<float>(number); };
+    passes_.correct(
+        view(),
+        {rounded(spring.bias_rate), rounded(spring.mass_scale), rounded(spring.impulse_scale)},
+        rounded(small));
   }
 
-  /// Lets `change(four, at)` change every point and its bodies, four at a time.
-  template <class Change>
-  void change_each(const Change& change)
-  {
-    for (WideContact& four : fours_)
-    {
-      look_at(four, change);
-      scatter_motion(four.body_a, bodies_, four.a);
-      scatter_motion(four.body_b, bodies_, four.b);
-    }
-  }
+  /// Carries all gaps on for a small step [s].
+  void part(double small) { passes_.part(view(), static_cast<float>(small)); }
 
   /// Writes down what the points have been given in so many small steps.
-  void store(int substeps)
+  void store(IslandView world, int substeps)
   {
     const float scale = static_cast<float>(substeps);
-    for (const WideContact& four : fours_)
+    for (std::size_t lane = 0; lane < taken_.size(); ++lane)
     {
-      for (std::size_t lane = 0; lane < 4; ++lane)
+      std::size_t place = groups_[lane / lanes()].first;
+      for (WorldPoint& known : points_of(world, taken_[lane]))
       {
-        std::size_t place = four.first;
-        for (WorldPoint& known : points_in(four, lane))
-        {
-          take_lane(points_[place++], lane, scale, known);
-        }
+        ContactConstraint<float> at;
+        ReadLane read{numbers_of(place++, lane), lanes()};
+        each_pushed(at, read);
+        known.impulse = scale * at.impulse;
+        known.friction = (scale * at.friction).cast<double>();
       }
     }
   }
@@ -113,20 +115,32 @@ public:
   LaneBody& body(int number) { return bodies_[place_of(number)]; }
 
 private:
-  std::span<ContactConstraint<Four>> points_of(const WideContact& four)
+  static constexpr int none = -1; // the contact of a lane that is left over
+
+  template <class Number>
+  using Numbers = std::vector<Number, LineAllocator<Number>>;
+
+  std::size_t lanes() const { return passes_.lanes; }
+
+  WideView view()
   {
-    return std::span(points_).subspan(four.first, four.points);
+    return {groups_, a_.data(), b_.data(), contacts_.data(), points_.data(), bodies_.data()};
   }
 
-  template <class Look>
-  [[gnu::flatten]] void look_at(WideContact& four, const Look& look)
+  WorldContact& contact_of(IslandView world, int taken) const
   {
-    gather_motion(bodies_, four.a, four.body_a);
-    gather_motion(bodies_, four.b, four.body_b);
-    for (ContactConstraint<Four>& at : points_of(four))
-    {
-      look(four, at);
-    }
+    return world.contacts[place_of(islands.contacts()[place_of(taken)])];
+  }
+
+  std::span<WorldPoint> points_of(IslandView world, int taken) const
+  {
+    return taken == none ? std::span<WorldPoint>() : contact_of(world, taken).points();
+  }
+
+  /// Where the numbers of a point lie in a lane.
+  float* numbers_of(std::size_t place, std::size_t lane)
+  {
+    return &points_[place * lanes() * point_numbers + lane % lanes()];
   }
 
   void color(IslandView world)
@@ -159,38 +173,94 @@ private:
     }
   }
 
+  /// Puts contacts into groups, colour by colour; what is left over of lanes is between nobody and
+  /// nobody.
+  void take_groups(IslandView world)
+  {
+    const std::size_t most = pairs_.size() / lanes() + std::size_t(graph_.colors());
+    groups_.clear();
+    taken_.clear();
+    make_room(groups_, most);
+    make_room(taken_, most * lanes());
+    std::size_t points = 0;
+    for (int color = 0; color < graph_.colors(); ++color)
+    {
+      points = take_color(world, graph_[color], points);
+    }
+    const auto assign = [](auto& to, std::size_t count, auto same)
+    {
+      to.clear();
+      make_room(to, count);
+      to.assign(count, same);
+    };
+    const int nobody = static_cast<int>(world.bodies.size());
+    assign(a_, taken_.size(), nobody);
+    assign(b_, taken_.size(), nobody);
+    assign(contacts_, taken_.size() * contact_numbers, 0.0f);
+    assign(points_, points * lanes() * point_numbers, 0.0f);
+  }
+
   /// Contacts with as many points come together, so that few lanes idle; how many points there are
   /// with those of this colour.
   std::size_t take_color(IslandView world, std::span<const int> of, std::size_t before)
   {
-    const auto contact_of = [&](int pair) -> WorldContact&
-    { return world.contacts[place_of(islands.contacts()[place_of(pair)])]; };
     order_.assign(of.begin(), of.end());
-    const auto points = [&](int pair) { return contact_of(pair).points().size(); };
+    const auto points = [&](int taken) { return points_of(world, taken).size(); };
     std::sort(
         order_.begin(), order_.end(),
         [&](int i, int j) { return std::pair(points(j), i) < std::pair(points(i), j); });
-    for (std::size_t i = 0; i < order_.size(); i += 4)
+    for (std::size_t i = 0; i < order_.size(); i += lanes())
     {
-      WideContact& four = fours_.emplace_back(no_contact(world.bodies.size()));
-      four.first = before;
-      four.points = points(order_[i]);
-      before += four.points;
-      for (std::size_t lane = 0; lane < std::min<std::size_t>(4, order_.size() - i); ++lane)
-      {
-        const int pair = order_[i + lane];
-        put_contact(four, lane, contact_of(pair), islands.correction_speed(place_of(pair)));
-      }
+      groups_.push_back({before, points(order_[i])});
+      before += groups_.back().points;
+      const std::size_t count = std::min(lanes(), order_.size() - i);
+      taken_.insert(taken_.end(), &order_[i], &order_[i] + count);
+      taken_.resize(groups_.size() * lanes(), none);
     }
     return before;
   }
 
+  /// Puts a contact and its points into a lane, the impulses as so large a share of a frame's.
+  void put_contact(IslandView world, std::size_t lane, double share)
+  {
+    if (taken_[lane] == none)
+    {
+      return;
+    }
+    WorldContact& contact = contact_of(world, taken_[lane]);
+    const RigidBody& a = world.bodies[place_of(contact.a)];
+    const RigidBody& b = world.bodies[place_of(contact.b)];
+    const std::size_t group = lane / lanes();
+    a_[lane] = contact.a;
+    b_[lane] = contact.b;
+    WideContact<double> common;
+    common.across = contact.normal().unitOrthogonal();
+    common.correction_speed = islands.correction_speed(place_of(taken_[lane]));
+    WriteLane write{
+        &contacts_[(group * contact_numbers + contact_masses) * lanes() + lane % lanes()], lanes()};
+    each_given(common, write);
+    std::size_t place = groups_[group].first;
+    for (const WorldPoint& point : contact.points())
+    {
+      ContactConstraint<double> at = constraint_of(a, b, contact, point);
+      at.impulse *= share;
+      at.friction *= share;
+      WriteLane pushed{numbers_of(place++, lane), lanes()};
+      each_pushed(at, pushed);
+      WriteLane given{pushed.to + point_masses * lanes(), lanes()};
+      each_given(at, given);
+    }
+  }
+
+  WidePasses passes_;
   ContactGraph graph_;
   std::vector<std::pair<int, int>> pairs_;
-  std::vector<LaneBody> bodies_;
-  std::vector<WideContact> fours_;
-  std::vector<ContactConstraint<Four>> points_;
-  std::vector<int> order_;
+  std::vector<int> order_;        // of the contacts of a colour
+  std::vector<LaneBody> bodies_;  // by their places in the world
+  std::vector<WideGroup> groups_; // as in a WideView, here and below
+  std::vector<int> taken_;        // the contact in each lane
+  std::vector<int> a_, b_;
+  Numbers<float> contacts_, points_;
 };
 // [wide_contacts]
 

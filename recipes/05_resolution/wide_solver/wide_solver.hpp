@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief Soft steps, four contacts at a time: what one contact teaches, on packs of floats.
+/// \brief Soft steps, many contacts at a time: what one contact teaches, on packs of floats.
 
 #include "05_resolution/soft_steps/soft_steps.hpp"
 #include "05_resolution/wide_solver/wide_contacts.hpp"
@@ -13,13 +13,6 @@ namespace cookbook
 {
 
 // [wide_steps]
-/// A spring of the same numbers in every lane.
-inline Softness<Four> in_every_lane(const Softness<double>& spring)
-{
-  const auto same = [](double number) { return Four(static_cast<float>(number)); };
-  return {same(spring.bias_rate), same(spring.mass_scale), same(spring.impulse_scale)};
-}
-
 /// Whether what an island is about to be pushed by fits into floats, and its squares, too.
 inline bool fits_floats(IslandView world, const Island& island, double step)
 {
@@ -36,8 +29,8 @@ inline bool fits_floats(IslandView world, const Island& island, double step)
   return std::all_of(island.bodies.begin(), island.bodies.end(), fits);
 }
 
-/// Moves the bodies of islands on by a step [s], as soft_steps() does, four contacts at a time in
-/// float; R13, R16. The four may be of different islands: none feels that there are others.
+/// Moves the bodies of islands on by a step [s], as soft_steps() does, a contact in every lane of a
+/// pack of floats; R13, R16. They may be of different islands: none feels that there are others.
 ///
 /// Contacts come colour by colour, so that the order differs from that of soft_steps(), and with it
 /// the answer; poses stay in double. What does not fit into floats is left to soft_steps(). `lanes`
@@ -59,16 +52,12 @@ inline void wide_steps(
     }
   }
   const double small = step / settings.substeps;
-  const Softness<Four> spring = in_every_lane(spring_for(small, settings));
-  const Four in_step(static_cast<float>(small));
   const auto each_body = [&](const auto& change) {
     lanes.islands.for_each_body([&](int i) { change(world.bodies[place_of(i)], lanes.body(i)); });
   };
-  const auto correct_all = [&](const Softness<Four>& how)
+  const auto correct_all = [&](const Softness<double>& how)
   {
-    lanes.change_each(
-        [&](WideContact& of, ContactConstraint<Four>& at)
-        { correct<Four>(of.body_a, of.body_b, at, how, in_step, of.correction_speed); });
+    lanes.correct(how, small);
     each_body([](RigidBody& body, const LaneBody& lane) { take_motion(lane, body); });
   };
   lanes.take(world, settings.substeps);
@@ -80,23 +69,21 @@ inline void wide_steps(
           pull(body, world.gravity, small);
           put_motion(body, lane);
         });
-    lanes.change_each([](WideContact& of, ContactConstraint<Four>& at)
-                      { warm_start<Four>(of.body_a, of.body_b, at); });
-    correct_all(spring);
+    lanes.warm_start();
+    correct_all(spring_for(small, settings));
     each_body(
         [&](RigidBody& body, LaneBody& lane)
         {
           move(body, small);
           put_motion(body, lane);
         });
-    lanes.look_at_each([&](WideContact& of, ContactConstraint<Four>& at)
-                       { at.apart += in_step * parting_speed<Four>(of.body_a, of.body_b, at); });
+    lanes.part(small);
     lanes.find_masses(
         world,
         [&](const Island& island) { return largest_turn(world, island, small) > noticed_turn; });
-    correct_all(rigid<Four>());
+    correct_all(rigid<double>());
   }
-  lanes.store(settings.substeps);
+  lanes.store(world, settings.substeps);
 }
 // [wide_steps]
 

@@ -1,0 +1,18 @@
+/// \file
+/// \brief The wide solver's passes; COOKBOOK_INSTRUCTION_SET names the instruction set.
+
+#include "05_resolution/wide_passes/wide_passes_kernel.hpp"
+#include "05_resolution/wide_solver/passes_in_lanes.hpp"
+#include "common/simd/lanes.hpp"
+
+namespace cookbook
+{
+
+// [wide_passes_kernel]
+WidePasses COOKBOOK_NAMED(wide_passes_, COOKBOOK_INSTRUCTION_SET)()
+{
+  return passes_in_lanes<Lanes>();
+}
+// [wide_passes_kernel]
+
+} // namespace cookbook
