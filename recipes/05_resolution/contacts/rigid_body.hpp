@@ -3,14 +3,10 @@
 /// \file
 /// \brief A body of a world: pose, motion, and how much a push changes it, in the body's own frame.
 
-#include "01_math/turning/rotation_by.hpp"
 #include "02_primitives/shapes/shapes.hpp"
 #include "05_resolution/contacts/scene.hpp"
 #include "05_resolution/impulse/body.hpp"
-#include "05_resolution/spinning_bodies/spin_with_energy.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <variant>
 
 namespace cookbook
@@ -104,68 +100,6 @@ inline double kinetic_energy(const RigidBody& body)
   return (body.motion.velocity.squaredNorm() / body.inverse_mass +
           spin.cwiseProduct(body.moments).dot(spin)) /
          2;
-}
-
-/// How a body is turned once it has turned about a vector, world, by its length [rad].
-inline Quaternion<double> turned_by(const RigidBody& body, const Vector3<double>& turn)
-{
-  return (rotation_by<double>(turn) * body.orientation).normalized();
-}
-
-/// Turns a body about the direction of a vector by its length [rad], world.
-inline void turn_by(RigidBody& body, const Vector3<double>& turn)
-{
-  body.orientation = turned_by(body, turn);
-  update_axes(body);
-}
-
-/// The largest turn [rad] taken in one go, and into how many pieces a larger one is cut at most.
-inline constexpr double largest_piece = 0.5;
-inline constexpr double most_pieces = 100;
-
-/// Whether a body's moments are all the same, as a ball's and a cube's: it spins on as it does.
-inline bool is_even(const RigidBody& body)
-{
-  return (body.moments.array() == body.moments.x()).all();
-}
-
-/// Turns a body freely for a time [s]: its angular momentum and its energy stay as they are; R24.
-///
-/// Where even the pieces of a turn are too large, it loses some spin, and never gains energy.
-inline void spin(RigidBody& body, double time)
-{
-  if (is_even(body))
-  {
-    return turn_by(body, time * body.motion.angular_velocity);
-  }
-  const double turn = time * body.motion.angular_velocity.norm();
-  const bool too_fast = turn > largest_piece * most_pieces;
-  const double energy = too_fast ? kinetic_energy(body) : 0;
-  const double pieces = std::clamp(std::ceil(turn / largest_piece), 1.0, most_pieces);
-  Spinning<double> spun{body.orientation, body.motion.angular_velocity};
-  for (double piece = 0; piece < pieces; ++piece)
-  {
-    spun = turned_with_energy<double>(spun, body.moments, time / pieces);
-  }
-  body.orientation = spun.orientation;
-  body.motion.angular_velocity = spun.angular_velocity;
-  update_axes(body);
-  if (too_fast && kinetic_energy(body) > energy)
-  {
-    body.motion.angular_velocity *= std::sqrt(energy / kinetic_energy(body));
-  }
-}
-
-/// A turn [rad] in which the spin of a body that is touched hardly changes by itself: by no more
-/// than this share, times that of its moments.
-inline constexpr double steady_turn = 1e-5;
-
-/// Moves a body that is touched with its velocities for a time [s].
-inline void move(RigidBody& body, double time)
-{
-  body.motion.center += time * body.motion.velocity;
-  const bool steady = time * body.motion.angular_velocity.norm() <= steady_turn;
-  steady ? turn_by(body, time * body.motion.angular_velocity) : spin(body, time);
 }
 
 /// Mass and moments of a shape; a plane has none.

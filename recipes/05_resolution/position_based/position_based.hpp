@@ -3,6 +3,7 @@
 /// \file
 /// \brief Many contacts by positions: small steps, each corrected until nothing overlaps (XPBD).
 
+#include "05_resolution/contacts/moved_body.hpp"
 #include "05_resolution/position_based/position_point.hpp"
 #include "05_resolution/restitution/restitution.hpp"
 

@@ -3,6 +3,7 @@
 /// \file
 /// \brief Many contacts by impulses: one point after the other, pass by pass, frame by frame.
 
+#include "05_resolution/contacts/moved_body.hpp"
 #include "05_resolution/islands/body_shift.hpp"
 #include "05_resolution/islands/island_points.hpp"
 #include "05_resolution/position_correction/position_correction.hpp"

@@ -3,6 +3,7 @@
 /// \file
 /// \brief Many contacts by small steps: each contact a stiff damped spring, corrected in turn.
 
+#include "05_resolution/contacts/moved_body.hpp"
 #include "05_resolution/islands/island_points.hpp"
 #include "05_resolution/position_correction/position_correction.hpp"
 

@@ -3,8 +3,7 @@
 /// \file
 /// \brief How a body of a world goes through a step.
 
-#include "01_math/turning/rotation_by.hpp"
-#include "05_resolution/contacts/rigid_body.hpp"
+#include "05_resolution/contacts/moved_body.hpp"
 
 #include <algorithm>
 

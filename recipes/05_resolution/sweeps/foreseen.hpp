@@ -5,6 +5,7 @@
 
 #include "04_obb_manifolds/box_box/box_box.hpp"
 #include "05_resolution/contacts/broad_phase.hpp"
+#include "05_resolution/contacts/moved_body.hpp"
 #include "05_resolution/sweeps/box_on_course.hpp"
 #include "05_resolution/sweeps/step_courses.hpp"
 #include "common/simd/registers.hpp"

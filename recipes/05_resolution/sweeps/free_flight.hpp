@@ -3,7 +3,7 @@
 /// \file
 /// \brief Bodies of a world that nothing touches: gravity, forces and spin.
 
-#include "05_resolution/contacts/rigid_body.hpp"
+#include "05_resolution/contacts/moved_body.hpp"
 
 #include <algorithm>
 

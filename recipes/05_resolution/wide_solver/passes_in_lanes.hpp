@@ -4,6 +4,8 @@
 /// \brief What one contact teaches, done to as many at once as a pack has lanes.
 
 #include "05_resolution/soft_steps/soft_steps.hpp"
+#include "05_resolution/wide_solver/either_in_lanes.hpp"
+#include "05_resolution/wide_solver/gather.hpp"
 #include "05_resolution/wide_solver/wide_contact.hpp"
 #include "05_resolution/wide_solver/wide_view.hpp"
 

@@ -5,43 +5,12 @@
 /// it.
 
 #include "05_resolution/islands/contact_constraint.hpp"
-#include "05_resolution/wide_solver/lane_body.hpp"
-#include "common/simd/fours.hpp"
+#include "common/simd/pack.hpp"
 
-#include <array>
 #include <cstddef>
 
 namespace cookbook
 {
-
-// [either]
-/// In every lane the number of the first, if a test says so there; otherwise that of the second.
-template <class Real, std::size_t Width, class Second>
-Pack<Real, Width> either(
-    const typename Pack<Real, Width>::Mask& first, const Pack<Real, Width>& yes,
-    const Second& second)
-{
-  return all(first) ? yes : select(first, yes, Pack<Real, Width>(second()));
-}
-
-/// The same for each number of a vector or matrix.
-template <class Real, std::size_t Width, int Rows, int Columns, class Second>
-Eigen::Matrix<Pack<Real, Width>, Rows, Columns> either(
-    const typename Pack<Real, Width>::Mask& first,
-    const Eigen::Matrix<Pack<Real, Width>, Rows, Columns>& yes, const Second& second)
-{
-  Eigen::Matrix<Pack<Real, Width>, Rows, Columns> chosen = yes;
-  if (!all(first))
-  {
-    const Eigen::Matrix<Pack<Real, Width>, Rows, Columns> no = second();
-    for (int i = 0; i < yes.size(); ++i)
-    {
-      chosen(i) = select(first, yes(i), no(i));
-    }
-  }
-  return chosen;
-}
-// [either]
 
 // [wide_contact]
 /// What the points of contacts have in common, one contact in every lane.
@@ -169,70 +138,5 @@ struct WriteLane
   }
 };
 // [wide_contact]
-
-// [gather]
-/// The same row of four numbers of a body for each lane, as columns: the first of each, the second,
-/// …
-template <class Lanes, class Row>
-std::array<Lanes, 4> gathered(LaneBody* bodies, const int* of, const Row& row)
-{
-  Lanes rows[4];
-  for (std::size_t i = 0; i < 4; ++i)
-  {
-    rows[i] = load_fours<Lanes>(
-        [&](std::size_t four) -> const float* { return row(bodies[of[4 * four + i]]); });
-  }
-  transpose(rows);
-  return {rows[0], rows[1], rows[2], rows[3]};
-}
-
-/// How the bodies of all lanes move now.
-template <class Lanes>
-void gather_motion(LaneBody* bodies, const int* of, Body<Lanes>& to)
-{
-  const auto v = gathered<Lanes>(bodies, of, [](LaneBody& body) { return body.velocity; });
-  const auto w = gathered<Lanes>(bodies, of, [](LaneBody& body) { return body.angular_velocity; });
-  to.motion.velocity = {v[0], v[1], v[2]};
-  to.motion.angular_velocity = {w[0], w[1], w[2]};
-}
-
-/// How much a push changes each of them.
-template <class Lanes>
-void gather_inverse_masses(LaneBody* bodies, const int* of, Body<Lanes>& to)
-{
-  for (int i = 0; i < 3; ++i)
-  {
-    const auto column =
-        gathered<Lanes>(bodies, of, [i](LaneBody& body) { return body.inertia[i]; });
-    to.inverse_inertia.col(i) = Vector3<Lanes>(column[0], column[1], column[2]);
-    if (i == 0)
-    {
-      to.inverse_mass = column[3];
-    }
-  }
-}
-
-/// Puts three numbers of the bodies of all lanes back.
-template <class Lanes, class Row>
-void scatter(const Vector3<Lanes>& from, LaneBody* bodies, const int* of, const Row& row)
-{
-  Lanes rows[] = {from.x(), from.y(), from.z(), Lanes(0)};
-  transpose(rows);
-  for (std::size_t i = 0; i < 4; ++i)
-  {
-    store_fours(rows[i], [&](std::size_t four) { return row(bodies[of[4 * four + i]]); });
-  }
-}
-
-/// Puts back how they move.
-template <class Lanes>
-void scatter_motion(const Body<Lanes>& from, LaneBody* bodies, const int* of)
-{
-  scatter(from.motion.velocity, bodies, of, [](LaneBody& body) { return body.velocity; });
-  scatter(
-      from.motion.angular_velocity, bodies, of,
-      [](LaneBody& body) { return body.angular_velocity; });
-}
-// [gather]
 
 } // namespace cookbook

@@ -29,6 +29,28 @@ inline bool fits_floats(IslandView world, const Island& island, double step)
   return std::all_of(island.bodies.begin(), island.bodies.end(), fits);
 }
 
+/// Finds what impulses feel, once bodies of an island have turned by what is noticed in a time [s].
+inline void take_turned(IslandView world, double time, WideContacts& lanes)
+{
+  bool any = false;
+  for (const Island& island : lanes.islands.all())
+  {
+    if (largest_turn(world, island, time) > noticed_turn)
+    {
+      any = true;
+      for (const int i : island.bodies)
+      {
+        update_axes(world.bodies[place_of(i)]);
+        put_inverse_masses(world.bodies[place_of(i)], lanes.body(i));
+      }
+    }
+  }
+  if (any)
+  {
+    lanes.find_masses();
+  }
+}
+
 /// Moves the bodies of islands on by a step [s], as soft_steps() does, a contact in every lane of a
 /// pack of floats; R13, R16. They may be of different islands: none feels that there are others.
 ///
@@ -55,34 +77,35 @@ inline void wide_steps(
   const auto each_body = [&](const auto& change) {
     lanes.islands.for_each_body([&](int i) { change(world.bodies[place_of(i)], lanes.body(i)); });
   };
-  const auto correct_all = [&](const Softness<double>& how)
-  {
-    lanes.correct(how, small);
-    each_body([](RigidBody& body, const LaneBody& lane) { take_motion(lane, body); });
-  };
   lanes.take(world, settings.substeps);
   for (int i = 0; i < settings.substeps; ++i)
   {
     each_body(
         [&](RigidBody& body, LaneBody& lane)
         {
+          take_motion(lane, body);
           pull(body, world.gravity, small);
           put_motion(body, lane);
         });
     lanes.warm_start();
-    correct_all(spring_for(small, settings));
+    lanes.correct(spring_for(small, settings), small);
     each_body(
         [&](RigidBody& body, LaneBody& lane)
         {
-          move(body, small);
+          take_motion(lane, body);
+          move_pose(body, small);
           put_motion(body, lane);
         });
     lanes.part(small);
-    lanes.find_masses(
-        world,
-        [&](const Island& island) { return largest_turn(world, island, small) > noticed_turn; });
-    correct_all(rigid<double>());
+    take_turned(world, small, lanes);
+    lanes.correct(rigid<double>(), small);
   }
+  each_body(
+      [](RigidBody& body, const LaneBody& lane)
+      {
+        take_motion(lane, body);
+        update_axes(body);
+      });
   lanes.store(world, settings.substeps);
 }
 // [wide_steps]

@@ -3,6 +3,7 @@
 /// \file
 /// \brief The recommended solver: direct, or by soft steps where that finds no answer.
 
+#include "05_resolution/contacts/moved_body.hpp"
 #include "05_resolution/direct_solver/direct_solver.hpp"
 #include "05_resolution/soft_steps/soft_steps.hpp"
 
