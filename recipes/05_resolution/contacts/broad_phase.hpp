@@ -3,141 +3,22 @@
 /// \file
 /// \brief Which bodies of a world may touch: those whose bounds overlap.
 
-#include "05_resolution/contacts/bounds_tree.hpp"
-#include "05_resolution/contacts/rigid_body.hpp"
+#include "05_resolution/contacts/overlaps.hpp"
+#include "05_resolution/islands/groups.hpp"
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
+#include <iterator>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace cookbook
 {
 
-// [reach]
-/// How far [m] a body reaches from its centre along the axes of the world.
-struct Reach
-{
-  const RigidBody& body;
-
-  Vector3<double> operator()(const BoxShape& box) const
-  {
-    return body.axes.cwiseAbs() * box.half_extents;
-  }
-  Vector3<double> operator()(const SphereShape& ball) const
-  {
-    return Vector3<double>::Constant(ball.radius);
-  }
-  Vector3<double> operator()(const PlaneShape&) const
-  {
-    return Vector3<double>::Constant(std::numeric_limits<double>::infinity());
-  }
-};
-
-/// The bounds of a shape where its body is, wider by a margin [m].
-inline Eigen::AlignedBox<double, 3>
-bounds_of(const RigidBody& body, const decltype(SceneBody::shape)& shape, double margin)
-{
-  const Vector3<double> reach = std::visit(Reach{body}, shape) + Vector3<double>::Constant(margin);
-  return {body.motion.center - reach, body.motion.center + reach};
-}
-// [reach]
-
-// [each_overlap]
-/// What Eigen's `intersects` says: whether two boxes overlap or touch. All axes are asked at once,
-/// for a branch costs more than they do.
-inline bool
-boxes_intersect(const Eigen::AlignedBox<double, 3>& a, const Eigen::AlignedBox<double, 3>& b)
-{
-  bool along_all = true;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    along_all &= a.min()[axis] <= b.max()[axis];
-    along_all &= b.min()[axis] <= a.max()[axis];
-  }
-  return along_all;
-}
-
-/// Asks all pairs of leaves of which one is below one node of a tree and one below another.
-template <class Ask>
-void overlaps_between(const BoundsTree& tree, std::size_t a, std::size_t b, const Ask& ask)
-{
-  const BoundsTree::Node &of_a = tree.nodes()[a], &of_b = tree.nodes()[b];
-  if (!boxes_intersect(of_a.box, of_b.box))
-  {
-    return;
-  }
-  const bool a_is_larger = of_a.end - of_a.first >= of_b.end - of_b.first;
-  if (of_a.right > 0 && (a_is_larger || of_b.right == 0))
-  {
-    overlaps_between(tree, a + 1, b, ask);
-    return overlaps_between(tree, of_a.right, b, ask);
-  }
-  if (of_b.right > 0)
-  {
-    overlaps_between(tree, a, b + 1, ask);
-    return overlaps_between(tree, a, of_b.right, ask);
-  }
-  for (std::size_t i = of_a.first; i < of_a.end; ++i)
-  {
-    const bool near_any = boxes_intersect(tree.leaves()[i].box, of_b.box);
-    for (std::size_t j = of_b.first; j < of_b.end && near_any; ++j)
-    {
-      ask(tree.leaves()[i], tree.leaves()[j]);
-    }
-  }
-}
-
-/// Asks all pairs of leaves below a node of a tree.
-template <class Ask>
-void overlaps_below(const BoundsTree& tree, std::size_t node, const Ask& ask)
-{
-  const BoundsTree::Node& here = tree.nodes()[node];
-  if (here.right > 0)
-  {
-    overlaps_below(tree, node + 1, ask);
-    overlaps_below(tree, here.right, ask);
-    return overlaps_between(tree, node + 1, here.right, ask);
-  }
-  for (std::size_t i = here.first; i < here.end; ++i)
-  {
-    for (std::size_t j = i + 1; j < here.end; ++j)
-    {
-      ask(tree.leaves()[i], tree.leaves()[j]);
-    }
-  }
-}
-
-/// Calls `meet(i, j)` once for all pairs of bodies whose bounds overlap, the smaller number first.
-template <class Meet>
-void each_overlap(const BoundsTree& tree, const Meet& meet)
-{
-  const auto ask = [&](const Bounds& a, const Bounds& b)
-  {
-    if (boxes_intersect(a.box, b.box))
-    {
-      meet(std::min(a.body, b.body), std::max(a.body, b.body));
-    }
-  };
-  for (auto one = tree.endless().begin(); one != tree.endless().end(); ++one)
-  {
-    const auto with = [&](const Bounds& other) { ask(*one, other); };
-    std::for_each(one + 1, tree.endless().end(), with);
-    std::for_each(tree.leaves().begin(), tree.leaves().end(), with);
-  }
-  if (!tree.nodes().empty())
-  {
-    overlaps_below(tree, 0, ask);
-  }
-}
-// [each_overlap]
-
-// [overlapping_pairs]
+// [too_many_contacts]
 /// What a scene with too many overlaps is answered with.
 class TooManyContacts : public std::runtime_error
 {
@@ -151,8 +32,13 @@ public:
   {
   }
 };
+// [too_many_contacts]
 
-/// Finds which bodies may touch, in room that stays from step to step.
+// [overlapping_pairs]
+/// Finds which bodies may touch, in memory that stays from step to step.
+///
+/// Who hardly moves is looked for with wider bounds, its room, and not again until it has left
+/// that.
 class BroadPhase
 {
 public:
@@ -160,32 +46,176 @@ public:
   /// more than 100 for each body.
   const std::vector<std::pair<int, int>>& pairs(std::span<const Bounds> bounds)
   {
-    const std::size_t most = 100 * bounds.size();
-    pairs_.clear();
-    if (!tree_.follow(bounds))
+    if (!follow(bounds))
     {
-      tree_.build(bounds);
+      find(bounds);
     }
-    each_overlap(
-        tree_,
-        [&](int a, int b)
-        {
-          if (pairs_.size() == most)
-          {
-            throw TooManyContacts(bounds.size(), most);
-          }
-          pairs_.emplace_back(a, b);
-        });
-    std::sort(pairs_.begin(), pairs_.end());
+    now_.assign(bounds.begin(), bounds.end());
+    pairs_.clear();
+    for (const auto& [a, b] : near_)
+    {
+      if (boxes_intersect(now_[place(a)].box, now_[place(b)].box))
+      {
+        pairs_.emplace_back(a, b);
+      }
+    }
+    check(pairs_.size(), 100);
     return pairs_;
   }
 
   const std::vector<std::pair<int, int>>& last() const { return pairs_; } ///< the pairs last found
-  BoundsTree& tree() { return tree_; } ///< of the bounds last given
+
+  /// A tree of the bounds last given, to be changed. While it is asked for, nobody is given room.
+  BoundsTree& tree()
+  {
+    if (roomy_)
+    {
+      tree_.refit([&](const Bounds& leaf) { return now_[place(leaf.body)].box; });
+    }
+    roomy_ = false;
+    asked_ = true;
+    return tree_;
+  }
 
 private:
+  static constexpr double room = 0.05; // of a box's smallest size, on all sides
+
+  static Eigen::AlignedBox<double, 3> grown(const Eigen::AlignedBox<double, 3>& box, double share)
+  {
+    const Vector3<double> more = Vector3<double>::Constant(share * box.sizes().minCoeff());
+    return {box.min() - more, box.max() + more};
+  }
+
+  std::size_t place(int body) const { return places_[static_cast<std::size_t>(body)]; }
+
+  void check(std::size_t pairs, std::size_t most) const
+  {
+    if (pairs > most * rooms_.size())
+    {
+      throw TooManyContacts(rooms_.size(), most * rooms_.size());
+    }
+  }
+
+  /// Whether these are the bodies that have rooms, and only few have left theirs, now or since
+  /// pairs were found; those are given others.
+  bool follow(std::span<const Bounds> bounds)
+  {
+    left_.clear();
+    bool same = roomy_ && bounds.size() == rooms_.size();
+    for (std::size_t i = 0; same && i < bounds.size(); ++i)
+    {
+      same = bounds[i].body == rooms_[i].body;
+      if (!rooms_[i].box.contains(bounds[i].box))
+      {
+        left_.push_back(i);
+      }
+    }
+    moved_ += left_.size();
+    same = same && 8 * left_.size() <= bounds.size() && moved_ <= bounds.size();
+    if (same && !left_.empty())
+    {
+      give_rooms(bounds);
+    }
+    return same;
+  }
+
+  void give_rooms(std::span<const Bounds> bounds)
+  {
+    for (const std::size_t i : left_)
+    {
+      rooms_[i].box = grown(bounds[i].box, room);
+      tree_.widen(leaves_[i], rooms_[i].box);
+    }
+    found_.clear();
+    for (const std::size_t i : left_)
+    {
+      const auto enters = [&](const auto& box) { return boxes_intersect(box, rooms_[i].box); };
+      const auto meet = [&](int other)
+      {
+        if (other != rooms_[i].body)
+        {
+          found_.emplace_back(std::minmax(rooms_[i].body, other));
+        }
+      };
+      tree_.each_that(enters, meet);
+    }
+    std::sort(found_.begin(), found_.end());
+    found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
+    known_.swap(near_);
+    near_.clear();
+    std::set_union(
+        known_.begin(), known_.end(), found_.begin(), found_.end(), std::back_inserter(near_));
+    const auto apart = [&](const auto& pair)
+    { return !boxes_intersect(rooms_[place(pair.first)].box, rooms_[place(pair.second)].box); };
+    near_.erase(std::remove_if(near_.begin(), near_.end(), apart), near_.end());
+  }
+
+  /// Finds all pairs anew, and gives room to all that hardly move.
+  void find(std::span<const Bounds> bounds)
+  {
+    const bool gives = !asked_ && bounds.size() == now_.size();
+    roomy_ = asked_ = false;
+    moved_ = 0;
+    rooms_.assign(bounds.begin(), bounds.end());
+    for (std::size_t i = 0; gives && i < bounds.size(); ++i)
+    {
+      if (grown(now_[i].box, room / 4).contains(bounds[i].box))
+      {
+        rooms_[i].box = grown(bounds[i].box, room);
+      }
+    }
+    if (!tree_.follow(rooms_))
+    {
+      tree_.build(rooms_);
+    }
+    leaves_.resize(bounds.size());
+    for (std::size_t leaf = 0; leaf < tree_.leaves().size(); ++leaf)
+    {
+      leaves_[static_cast<std::size_t>(tree_.leaves()[leaf].place)] = leaf;
+    }
+    int bodies = 0;
+    for (std::size_t i = 0; i < bounds.size(); ++i)
+    {
+      bodies = std::max(bodies, bounds[i].body + 1);
+      places_.resize(static_cast<std::size_t>(bodies));
+      places_[static_cast<std::size_t>(bounds[i].body)] = i;
+    }
+    found_.clear();
+    each_overlap(
+        tree_,
+        [&](int a, int b)
+        {
+          found_.emplace_back(a, b);
+          check(found_.size(), 200);
+        });
+    sort_found(places_.size());
+    roomy_ = gives;
+  }
+
+  /// Puts the pairs that were found in order: first by the first of each, so that few are left.
+  void sort_found(std::size_t bodies)
+  {
+    by_first_.sort(bodies, found_.size(), [&](std::size_t i) { return found_[i].first; });
+    near_.clear();
+    for (std::size_t body = 0; body < bodies; ++body)
+    {
+      const std::ptrdiff_t begin = static_cast<std::ptrdiff_t>(near_.size());
+      for (const int i : by_first_[body])
+      {
+        near_.push_back(found_[static_cast<std::size_t>(i)]);
+      }
+      std::sort(near_.begin() + begin, near_.end());
+    }
+  }
+
   BoundsTree tree_;
-  std::vector<std::pair<int, int>> pairs_;
+  Groups by_first_;
+  std::vector<std::pair<int, int>> pairs_, near_, known_, found_; // near: by their rooms
+  std::vector<Bounds> now_, rooms_;        // by their places in the list of bounds
+  std::vector<std::size_t> leaves_, left_; // by the same; the places of those that left
+  std::vector<std::size_t> places_;        // of bodies in that list
+  std::size_t moved_ = 0;                  // rooms given since pairs were found
+  bool roomy_ = false, asked_ = false; // whether there are rooms; whether the tree was asked for
 };
 // [overlapping_pairs]
 

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Solves contacts four at a time in float, and asks what that changes.
+/// \brief Solves many contacts at a time in float, and asks what that changes.
 
 #include "05_resolution/wide_solver/wide_solver.hpp"
 #include "05_resolution/wide_solver/trial/wide_solver_runs.hpp"
@@ -25,7 +25,7 @@ void run(const Arguments& given)
 {
   Table table(
       {"after 5 s of 8 substeps", "one by one: sink [mm]", "overlap [mm]",
-       "four at once: sink [mm]", "overlap [mm]"});
+       "many at once: sink [mm]", "overlap [mm]"});
   for (const std::string& scene : compared_scenes)
   {
     const auto [one, wide] = two_runs(scene, 8, 5);
@@ -44,6 +44,6 @@ int main(int argc, char** argv)
 {
   const Arguments arguments{
       .name = "wide_solver",
-      .summary = "Solves contacts four at a time, in float: what that changes in some scenes."};
+      .summary = "Solves many contacts at a time, in float: what that changes in some scenes."};
   return run_program(argc, argv, arguments, run);
 }

@@ -12,7 +12,7 @@
 namespace cookbook
 {
 
-// [wide_steps]
+// [fits_floats]
 /// Whether what an island is about to be pushed by fits into floats, and its squares, too.
 inline bool fits_floats(IslandView world, const Island& island, double step)
 {
@@ -28,7 +28,9 @@ inline bool fits_floats(IslandView world, const Island& island, double step)
   };
   return std::all_of(island.bodies.begin(), island.bodies.end(), fits);
 }
+// [fits_floats]
 
+// [wide_steps]
 /// Finds what impulses feel, once bodies of an island have turned by what is noticed in a time [s].
 inline void take_turned(IslandView world, double time, WideContacts& lanes)
 {

@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief Scenes under soft steps, one contact at a time in double and four at a time in float.
+/// \brief Scenes under soft steps, one contact at a time in double and many at a time in float.
 
 #include "05_resolution/scenes/trial/world_scenes.hpp"
 #include "05_resolution/world/trial/world_runs.hpp"
@@ -62,7 +62,7 @@ inline plot::Chart apart_chart(double duration)
   plot::Chart chart(
       "wide_solver", "", {"time [s]", plot::Scale::linear, 0, duration},
       {"farthest body apart [m]", plot::Scale::log});
-  chart.describe("How far one contact at a time and four at a time have a body apart, over time.");
+  chart.describe("How far one contact at a time and many at a time have a body apart, over time.");
   for (const std::string& scene : compared_scenes)
   {
     const std::vector<double> apart = farthest_apart(two_runs(scene, 8, duration));

@@ -1,0 +1,135 @@
+#pragma once
+
+/// \file
+/// \brief A body's bounds, and all pairs of leaves of a tree that overlap.
+
+#include "05_resolution/contacts/bounds_tree.hpp"
+#include "05_resolution/contacts/rigid_body.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <variant>
+
+namespace cookbook
+{
+
+// [reach]
+/// How far [m] a body reaches from its centre along the axes of the world.
+struct Reach
+{
+  const RigidBody& body;
+
+  Vector3<double> operator()(const BoxShape& box) const
+  {
+    return body.axes.cwiseAbs() * box.half_extents;
+  }
+  Vector3<double> operator()(const SphereShape& ball) const
+  {
+    return Vector3<double>::Constant(ball.radius);
+  }
+  Vector3<double> operator()(const PlaneShape&) const
+  {
+    return Vector3<double>::Constant(std::numeric_limits<double>::infinity());
+  }
+};
+
+/// The bounds of a shape where its body is, wider by a margin [m].
+inline Eigen::AlignedBox<double, 3>
+bounds_of(const RigidBody& body, const decltype(SceneBody::shape)& shape, double margin)
+{
+  const Vector3<double> reach = std::visit(Reach{body}, shape) + Vector3<double>::Constant(margin);
+  return {body.motion.center - reach, body.motion.center + reach};
+}
+// [reach]
+
+// [each_overlap]
+/// What Eigen's `intersects` says: whether two boxes overlap or touch. All axes are asked at once,
+/// for a branch costs more than they do.
+inline bool
+boxes_intersect(const Eigen::AlignedBox<double, 3>& a, const Eigen::AlignedBox<double, 3>& b)
+{
+  bool along_all = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    along_all &= a.min()[axis] <= b.max()[axis];
+    along_all &= b.min()[axis] <= a.max()[axis];
+  }
+  return along_all;
+}
+
+/// Asks all pairs of leaves of which one is below one node of a tree and one below another.
+template <class Ask>
+void overlaps_between(const BoundsTree& tree, std::size_t a, std::size_t b, const Ask& ask)
+{
+  const BoundsTree::Node &of_a = tree.nodes()[a], &of_b = tree.nodes()[b];
+  if (!boxes_intersect(of_a.box, of_b.box))
+  {
+    return;
+  }
+  const bool a_is_larger = of_a.end - of_a.first >= of_b.end - of_b.first;
+  if (of_a.right > 0 && (a_is_larger || of_b.right == 0))
+  {
+    overlaps_between(tree, a + 1, b, ask);
+    return overlaps_between(tree, of_a.right, b, ask);
+  }
+  if (of_b.right > 0)
+  {
+    overlaps_between(tree, a, b + 1, ask);
+    return overlaps_between(tree, a, of_b.right, ask);
+  }
+  for (std::size_t i = of_a.first; i < of_a.end; ++i)
+  {
+    const bool near_any = boxes_intersect(tree.leaves()[i].box, of_b.box);
+    for (std::size_t j = of_b.first; j < of_b.end && near_any; ++j)
+    {
+      ask(tree.leaves()[i], tree.leaves()[j]);
+    }
+  }
+}
+
+/// Asks all pairs of leaves below a node of a tree.
+template <class Ask>
+void overlaps_below(const BoundsTree& tree, std::size_t node, const Ask& ask)
+{
+  const BoundsTree::Node& here = tree.nodes()[node];
+  if (here.right > 0)
+  {
+    overlaps_below(tree, node + 1, ask);
+    overlaps_below(tree, here.right, ask);
+    return overlaps_between(tree, node + 1, here.right, ask);
+  }
+  for (std::size_t i = here.first; i < here.end; ++i)
+  {
+    for (std::size_t j = i + 1; j < here.end; ++j)
+    {
+      ask(tree.leaves()[i], tree.leaves()[j]);
+    }
+  }
+}
+
+/// Calls `meet(i, j)` once for all pairs of bodies whose bounds overlap, the smaller number first.
+template <class Meet>
+void each_overlap(const BoundsTree& tree, const Meet& meet)
+{
+  const auto ask = [&](const Bounds& a, const Bounds& b)
+  {
+    if (boxes_intersect(a.box, b.box))
+    {
+      meet(std::min(a.body, b.body), std::max(a.body, b.body));
+    }
+  };
+  for (auto one = tree.endless().begin(); one != tree.endless().end(); ++one)
+  {
+    const auto with = [&](const Bounds& other) { ask(*one, other); };
+    std::for_each(one + 1, tree.endless().end(), with);
+    std::for_each(tree.leaves().begin(), tree.leaves().end(), with);
+  }
+  if (!tree.nodes().empty())
+  {
+    overlaps_below(tree, 0, ask);
+  }
+}
+// [each_overlap]
+
+} // namespace cookbook
