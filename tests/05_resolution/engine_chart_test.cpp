@@ -41,3 +41,10 @@ TEST_CASE("each engine steps a scene, and each name is a line of its own", "[pee
     CHECK(cost.settled > 0);
   }
 }
+
+TEST_CASE("wide steps are timed in registers of every width")
+{
+  const std::vector<double> costs = width_costs(named_scene("tower_2"), 0.5, 1);
+  REQUIRE(costs.size() == instruction_sets().size());
+  CHECK(*std::min_element(costs.begin(), costs.end()) > 0);
+}

@@ -3,36 +3,19 @@
 /// \file
 /// \brief Which bodies of a world may touch: those whose bounds overlap.
 
-#include "05_resolution/contacts/overlaps.hpp"
-#include "05_resolution/islands/groups.hpp"
+#include "05_resolution/contacts/groups.hpp"
+#include "05_resolution/contacts/too_many_contacts.hpp"
+#include "05_resolution/contacts/tree_overlaps.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <span>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace cookbook
 {
-
-// [too_many_contacts]
-/// What a scene with too many overlaps is answered with.
-class TooManyContacts : public std::runtime_error
-{
-public:
-  /// Says how many bodies there are, and how many pairs of them were counted.
-  TooManyContacts(std::size_t bodies, std::size_t pairs)
-      : std::runtime_error(std::to_string(bodies)
-                               .append(" bodies overlap in more than ")
-                               .append(std::to_string(pairs))
-                               .append(" pairs: place them apart"))
-  {
-  }
-};
-// [too_many_contacts]
 
 // [overlapping_pairs]
 /// Finds which bodies may touch, in memory that stays from step to step.
@@ -80,12 +63,6 @@ public:
 private:
   static constexpr double room = 0.05; // of a box's smallest size, on all sides
 
-  static Eigen::AlignedBox<double, 3> grown(const Eigen::AlignedBox<double, 3>& box, double share)
-  {
-    const Vector3<double> more = Vector3<double>::Constant(share * box.sizes().minCoeff());
-    return {box.min() - more, box.max() + more};
-  }
-
   std::size_t place(int body) const { return places_[static_cast<std::size_t>(body)]; }
 
   void check(std::size_t pairs, std::size_t most) const
@@ -123,7 +100,7 @@ private:
   {
     for (const std::size_t i : left_)
     {
-      rooms_[i].box = grown(bounds[i].box, room);
+      rooms_[i].box = roomy(bounds[i].box, room);
       tree_.widen(leaves_[i], rooms_[i].box);
     }
     found_.clear();
@@ -159,9 +136,9 @@ private:
     rooms_.assign(bounds.begin(), bounds.end());
     for (std::size_t i = 0; gives && i < bounds.size(); ++i)
     {
-      if (grown(now_[i].box, room / 4).contains(bounds[i].box))
+      if (roomy(now_[i].box, room / 4).contains(bounds[i].box))
       {
-        rooms_[i].box = grown(bounds[i].box, room);
+        rooms_[i].box = roomy(bounds[i].box, room);
       }
     }
     if (!tree_.follow(rooms_))

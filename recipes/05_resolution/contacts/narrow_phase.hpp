@@ -10,6 +10,7 @@
 #include "05_resolution/contacts/world_contact.hpp"
 #include "common/simd/registers.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -49,15 +50,25 @@ inline std::optional<Manifold<double>> meet(
   return box_box_on<Registers<double>>(a, b, axis, overlap - growth, growth + margin);
 }
 
+/// Whether two manifolds have points with the same features, in the same order.
+inline bool has_same_features(const Manifold<double>& a, const Manifold<double>& b)
+{
+  const auto same = [](const auto& one, const auto& other) { return one.feature == other.feature; };
+  return std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(), same);
+}
+
 /// Gives a contact its manifold of this frame: a point with a feature that was there before keeps
 /// what was known of it.
 inline void
 renew(ContactMemory<double, WorldPoint>& known, const std::optional<Manifold<double>>& manifold)
 {
-  if (manifold)
+  if (manifold && !known.manifold)
   {
-    known.warm = known.manifold ? carried_by_id(*known.manifold, known.warm, *manifold)
-                                : PerPoint<WorldPoint>{};
+    known.warm = PerPoint<WorldPoint>{};
+  }
+  else if (manifold && !has_same_features(*known.manifold, *manifold))
+  {
+    known.warm = carried_by_id(*known.manifold, known.warm, *manifold);
   }
   known.manifold = manifold;
 }

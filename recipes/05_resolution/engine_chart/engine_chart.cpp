@@ -50,6 +50,30 @@ Cells scenes_beside(bool quick)
 }
 // [scenes_beside]
 
+// [widths]
+/// What wide steps cost in scenes, by the instruction set.
+Cells widths(bool quick)
+{
+  Cells table{{"µs a body and step, first 5 s"}};
+  for (const InstructionSet set : instruction_sets())
+  {
+    const std::size_t lanes = wide_passes(set).lanes;
+    table[0].push_back(name_of(set) + ", " + std::to_string(lanes) + " contacts at a time");
+  }
+  const std::vector<std::string> all{"tower",     "pyramid", "pile_100",
+                                     "pile_1000", "wall",    "domino_50"};
+  for (const std::string& scene : quick ? std::vector<std::string>{"tower", "pile_40"} : all)
+  {
+    table.push_back({scene});
+    for (const double cost : width_costs(named_scene(scene), quick ? 1 : 5, quick ? 1 : 2))
+    {
+      table.back().push_back(number(cost * 1e6));
+    }
+  }
+  return table;
+}
+// [widths]
+
 // [growth]
 /// What a body costs [µs] over how many there are, by engine.
 using Growth = std::map<std::string, std::vector<Eigen::Vector2d>>;
@@ -99,9 +123,10 @@ void run(const Arguments& given)
   save_figure(
       given, "engine_chart_floor.svg",
       chart_of("engine_chart_floor", "a flat crowd", growth("floor", counts, 1)));
-  const Cells table = scenes_beside(quick);
-  std::cout << text_table(table);
-  save_figure(given, "engine_chart.html", html_table(table));
+  const Cells beside = scenes_beside(quick), by_width = widths(quick);
+  std::cout << text_table(beside) << '\n' << text_table(by_width);
+  save_figure(given, "engine_chart.html", html_table(beside));
+  save_figure(given, "engine_chart_widths.html", html_table(by_width));
 }
 // [run]
 

@@ -5,7 +5,7 @@
 
 #include "05_resolution/contacts/world_contact.hpp"
 #include "05_resolution/islands/find_islands.hpp"
-#include "05_resolution/islands/groups.hpp"
+#include "05_resolution/contacts/groups.hpp"
 
 #include <algorithm>
 #include <cstddef>

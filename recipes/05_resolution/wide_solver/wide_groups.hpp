@@ -4,13 +4,14 @@
 /// \brief Contacts put together in groups, colour by colour.
 
 #include "05_resolution/contact_graph/contact_graph.hpp"
+#include "05_resolution/contacts/groups.hpp"
 #include "05_resolution/islands/island_points.hpp"
 #include "05_resolution/wide_solver/islands_together.hpp"
 #include "05_resolution/wide_solver/wide_view.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -42,8 +43,7 @@ public:
     points_ = 0;
     for (int color = 0; color < graph_.colors(); ++color)
     {
-      count(world, contacts, graph_[color]);
-      take(lanes);
+      take(world, contacts, graph_[color], lanes);
     }
   }
 
@@ -54,37 +54,37 @@ public:
   std::span<const int> taken() const { return taken_; }
 
 private:
-  /// The contacts of a colour: those with as many points together, so that few lanes idle.
-  void count(IslandView world, std::span<const int> contacts, std::span<const int> of)
-  {
-    counted_.clear();
-    for (const int taken : of)
-    {
-      const WorldContact& contact = world.contacts[place_of(contacts[place_of(taken)])];
-      counted_.emplace_back(contact.points().size(), taken);
-    }
-    const auto before = [](const auto& one, const auto& other)
-    { return std::pair(other.first, one.second) < std::pair(one.first, other.second); };
-    std::sort(counted_.begin(), counted_.end(), before);
-  }
+  /// Of a contact.
+  static constexpr std::size_t most_points = std::tuple_size_v<PerPoint<WorldPoint>>;
 
-  void take(std::size_t lanes)
+  /// The contacts of a colour: those with as many points together, so that few lanes idle.
+  void
+  take(IslandView world, std::span<const int> contacts, std::span<const int> of, std::size_t lanes)
   {
-    for (std::size_t i = 0; i < counted_.size(); i += lanes)
+    const auto count = [&](std::size_t i)
+    { return world.contacts[place_of(contacts[place_of(of[i])])].points().size(); };
+    by_points_.sort(
+        most_points + 1, of.size(),
+        [&](std::size_t i) { return static_cast<int>(most_points - count(i)); });
+    std::size_t lane = 0;
+    for (std::size_t fewer = 0; fewer <= most_points; ++fewer)
     {
-      groups_.push_back({points_, counted_[i].first});
-      points_ += groups_.back().points;
-      for (std::size_t lane = i; lane < i + lanes; ++lane)
+      for (const int i : by_points_[fewer])
       {
-        taken_.push_back(lane < counted_.size() ? counted_[lane].second : none);
+        if (lane++ % lanes == 0)
+        {
+          groups_.push_back({points_, most_points - fewer});
+          points_ += most_points - fewer;
+        }
+        taken_.push_back(of[place_of(i)]);
       }
     }
+    taken_.resize(groups_.size() * lanes, none);
   }
 
   ContactGraph graph_;
   std::vector<std::pair<int, int>> pairs_;
-  std::vector<std::pair<std::size_t, int>>
-      counted_; // how many points a contact has, and which it is
+  Groups by_points_;
   std::vector<WideGroup> groups_;
   std::vector<int> taken_;
   std::size_t points_ = 0;

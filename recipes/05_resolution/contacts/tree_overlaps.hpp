@@ -43,6 +43,13 @@ bounds_of(const RigidBody& body, const decltype(SceneBody::shape)& shape, double
 }
 // [reach]
 
+/// A box wider by a share of its smallest size on all sides.
+inline Eigen::AlignedBox<double, 3> roomy(const Eigen::AlignedBox<double, 3>& box, double share)
+{
+  const Vector3<double> more = Vector3<double>::Constant(share * box.sizes().minCoeff());
+  return {box.min() - more, box.max() + more};
+}
+
 // [each_overlap]
 /// What Eigen's `intersects` says: whether two boxes overlap or touch. All axes are asked at once,
 /// for a branch costs more than they do.
