@@ -65,7 +65,7 @@ Cells widths(bool quick)
   for (const std::string& scene : quick ? std::vector<std::string>{"tower", "pile_40"} : all)
   {
     table.push_back({scene});
-    for (const double cost : width_costs(named_scene(scene), quick ? 1 : 5, quick ? 1 : 2))
+    for (const double cost : width_costs(named_scene(scene), quick ? 1 : 5, 3))
     {
       table.back().push_back(number(cost * 1e6));
     }
