@@ -35,14 +35,6 @@ World wide_world(const Scene& scene, int substeps = 4)
   return World(scene, solver_named("wide_steps", substeps));
 }
 
-World wide_world_in(const Scene& scene, const WidePasses& passes)
-{
-  return World(
-      scene, [lanes = WideContacts(passes)](
-                 IslandView view, std::span<const Island> islands, double step) mutable
-      { wide_steps(view, islands, step, SoftSettings{}, lanes); });
-}
-
 using Four = Pack<float, 4>;
 
 /// One lane of a vector.
@@ -187,7 +179,7 @@ TEST_CASE("whatever the width of the registers, a scene comes out to the bit", "
     std::vector<World> worlds;
     for (const InstructionSet set : instruction_sets())
     {
-      worlds.push_back(wide_world_in(named_scene(name), wide_passes(set)));
+      worlds.push_back(wide_world(named_scene(name), wide_passes(set)));
     }
     for (int step = 0; step < 180; ++step)
     {
@@ -463,11 +455,7 @@ double sink_of_four(double size)
     }
   }
   scene.gravity *= size;
-  const SoftSettings how{.substeps = 8, .correction_speed = size};
-  World world(
-      scene, [how, lanes = WideContacts()](
-                 IslandView view, std::span<const Island> islands, double step) mutable
-      { wide_steps(view, islands, step, how, lanes); });
+  World world = wide_world(scene, widest_passes(), {.substeps = 8, .correction_speed = size});
   while (world.time() < 5)
   {
     world.step();

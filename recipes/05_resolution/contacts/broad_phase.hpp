@@ -106,15 +106,7 @@ private:
     found_.clear();
     for (const std::size_t i : left_)
     {
-      const auto enters = [&](const auto& box) { return boxes_intersect(box, rooms_[i].box); };
-      const auto meet = [&](int other)
-      {
-        if (other != rooms_[i].body)
-        {
-          found_.emplace_back(std::minmax(rooms_[i].body, other));
-        }
-      };
-      tree_.each_that(enters, meet);
+      add_overlaps(tree_, leaves_[i], found_);
     }
     std::sort(found_.begin(), found_.end());
     found_.erase(std::unique(found_.begin(), found_.end()), found_.end());

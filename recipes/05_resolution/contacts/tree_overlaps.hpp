@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace cookbook
 {
@@ -136,6 +138,21 @@ void each_overlap(const BoundsTree& tree, const Meet& meet)
   {
     overlaps_below(tree, 0, ask);
   }
+}
+
+/// Adds the pairs of a leaf with all whose bounds overlap its own, the smaller number first.
+inline void
+add_overlaps(const BoundsTree& tree, std::size_t leaf, std::vector<std::pair<int, int>>& pairs)
+{
+  const Bounds& one = tree.leaves()[leaf];
+  const auto meet = [&](int other)
+  {
+    if (other != one.body)
+    {
+      pairs.emplace_back(std::minmax(one.body, other));
+    }
+  };
+  tree.each_that([&](const auto& box) { return boxes_intersect(box, one.box); }, meet);
 }
 // [each_overlap]
 

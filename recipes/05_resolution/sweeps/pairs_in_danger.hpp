@@ -103,15 +103,7 @@ void each_that_may_have_met(StepCourses& step, std::span<const RigidBody> ends, 
   }
   for (const std::size_t leaf : astray)
   {
-    const Bounds& one = step.tree.leaves()[leaf];
-    const auto meet = [&](int other)
-    {
-      if (other != one.body)
-      {
-        pairs.emplace_back(std::minmax(one.body, other));
-      }
-    };
-    step.tree.each_that([&](const auto& box) { return boxes_intersect(box, one.box); }, meet);
+    add_overlaps(step.tree, leaf, pairs);
   }
   if (!astray.empty())
   {

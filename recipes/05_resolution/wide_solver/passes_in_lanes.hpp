@@ -15,10 +15,6 @@ namespace cookbook
 {
 
 // [passes_in_lanes]
-/// How many floats a pack has.
-template <class Lanes>
-inline constexpr std::size_t lanes_of = sizeof(Lanes) / sizeof(float);
-
 /// Lets `look(contacts, at, numbers)` see every point of a view, a group at a time, and where the
 /// point's numbers lie; whom it pushes is pushed if it is said to.
 template <class Lanes, class Look>

@@ -86,6 +86,10 @@ inline constexpr std::size_t pushed_numbers = 5;                   ///< numbers 
 inline constexpr std::size_t point_masses = 11;                    ///< numbers of each_mass()
 inline constexpr std::size_t point_numbers = pushed_numbers + point_masses + 10; ///< all of a point
 
+/// How many floats a pack has.
+template <class Lanes>
+inline constexpr std::size_t lanes_of = sizeof(Lanes) / sizeof(float);
+
 /// Reads number after number from memory, in all lanes.
 template <class Lanes>
 struct ReadLanes
@@ -95,7 +99,7 @@ struct ReadLanes
   void operator()(Lanes& number)
   {
     number = load_pack<Lanes>(from);
-    from += sizeof(Lanes) / sizeof(float);
+    from += lanes_of<Lanes>;
   }
 };
 
@@ -108,7 +112,7 @@ struct WriteLanes
   void operator()(const Lanes& number)
   {
     store_pack(number, to);
-    to += sizeof(Lanes) / sizeof(float);
+    to += lanes_of<Lanes>;
   }
 };
 

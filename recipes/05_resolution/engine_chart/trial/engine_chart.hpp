@@ -6,8 +6,7 @@
 
 #include "05_resolution/scenes/trial/world_scenes.hpp"
 #include "05_resolution/wide_passes/wide_passes.hpp"
-#include "05_resolution/wide_solver/wide_solver.hpp"
-#include "05_resolution/world/solvers.hpp"
+#include "05_resolution/wide_solver/trial/wide_solver_runs.hpp"
 #include "05_resolution/world/trial/world_cost_measured.hpp"
 #include "05_resolution/world/trial/world_runs.hpp"
 #include "05_resolution/world_chart/trial/world_chart.hpp"
@@ -105,15 +104,6 @@ inline std::vector<SceneCost> scene_costs(
 // [scene_costs]
 
 // [width_costs]
-/// Wide steps in registers of one width.
-inline World wide_world(const Scene& scene, const WidePasses& passes)
-{
-  return World(
-      scene, [lanes = WideContacts(passes)](
-                 IslandView view, std::span<const Island> islands, double step) mutable
-      { wide_steps(view, islands, step, SoftSettings{}, lanes); });
-}
-
 /// What a body and step [s] of a scene cost for a time [s] from its beginning, in registers of each
 /// width that this processor has.
 inline std::vector<double> width_costs(const Scene& scene, double duration, int repetitions)
