@@ -490,10 +490,9 @@ TEST_CASE("a soft contact gives way to what it carried at 1 cm/s, and is never s
 {
   WorldContact contact;
   contact.friction = 0.5;
-  contact.memory.manifold.emplace();
-  contact.memory.manifold->normal = {0, 1, 0};
-  contact.memory.manifold->points.push_back({{0, 0, 0}, 0, 0});
-  WorldPoint& point = contact.points()[0];
+  contact.normal = {0, 1, 0};
+  contact.points.resize(1);
+  WorldPoint& point = contact.points[0];
   const DirectSettings stiff;
   CHECK(softness_of(contact, 2, stiff).push == 2e-7);
   CHECK(softness_of(contact, 2, stiff).grip == 2e-7);

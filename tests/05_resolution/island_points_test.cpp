@@ -29,9 +29,10 @@ WorldContact contact_at(
   WorldContact contact;
   contact.a = numbers.first;
   contact.b = numbers.second;
-  contact.memory.manifold = Manifold<double>{up, 0, ContactPoints<double, 8>({place, 0, 0})};
-  contact.points()[0].on_a = a.axes.transpose() * (place - a.motion.center);
-  contact.points()[0].on_b = b.axes.transpose() * (place - b.motion.center);
+  contact.normal = up;
+  contact.points.resize(1);
+  contact.points[0].on_a = a.axes.transpose() * (place - a.motion.center);
+  contact.points[0].on_b = b.axes.transpose() * (place - b.motion.center);
   return contact;
 }
 
@@ -46,13 +47,13 @@ struct OnGround
       : body(rigid_body(on_top)), contact(contact_at(floor, body, {0, 1}, place))
   {
     contact.friction = 0.5;
-    contact.points()[0].impulse = impulse;
+    contact.points[0].impulse = impulse;
   }
 
   /// The friction after so many visits.
   V rubbed(int visits)
   {
-    IslandPoint point = island_point(floor, body, contact, contact.points()[0]);
+    IslandPoint point = island_point(floor, body, contact, contact.points[0]);
     for (int i = 0; i < visits; ++i)
     {
       add_friction(point);
@@ -141,7 +142,7 @@ TEST_CASE("add_friction takes back what a smaller push does not allow any more",
 {
   OnGround ball = sliding_ball(0, 4);
   ball.rubbed(1);
-  ball.contact.points()[0].impulse = 1;
+  ball.contact.points[0].impulse = 1;
   CHECK((ball.rubbed(1) - V(-0.3, 0, -0.4)).norm() <= 1e-14);
 }
 // [add_friction]
@@ -151,8 +152,8 @@ TEST_CASE("soft steps: a gap of 2 cm may close within a small step of 10 ms, at 
 {
   OnGround ball(ball_body("ball", 0.5, {0, 0.52, 0}), {0, 0, 0}, 0);
   ball.body.motion.velocity = {0, -5, 0};
-  ball.contact.points()[0].on_b = {0, -0.5, 0};
-  IslandPoint point = island_point(ball.floor, ball.body, ball.contact, ball.contact.points()[0]);
+  ball.contact.points[0].on_b = {0, -0.5, 0};
+  IslandPoint point = island_point(ball.floor, ball.body, ball.contact, ball.contact.points[0]);
   correct<double>(ball.floor, ball.body, point, softness(12.5, 5.0, 0.01), 0.01, 1);
   CHECK(ball.body.motion.velocity.y() == Catch::Approx(-2).epsilon(1e-12));
   // Slower, it does not close at all, and nothing pushes.
@@ -173,7 +174,7 @@ TEST_CASE("balls that come closer by no more than rounding of their speeds do no
     low.motion.velocity = {0.3, -1, 0};
     high.motion.velocity = {0, -1 - closing, 0};
     WorldContact contact = contact_at(low, high, {0, 1}, {0, 0.5, 0});
-    std::vector<ImpactPoint> points{{island_point(low, high, contact, contact.points()[0]), 0}};
+    std::vector<ImpactPoint> points{{island_point(low, high, contact, contact.points[0]), 0}};
     reach_targets(points, 1);
     CHECK((points[0].point.impulse > 0) == (closing == 1e-12));
   }

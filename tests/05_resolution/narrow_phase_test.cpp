@@ -2,6 +2,7 @@
 /// Where the contacts of a world are: on both surfaces, for every pair of shapes; and balls of all
 /// sizes that roll on them.
 
+#include "01_math/turning/turning.hpp"
 #include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "05_resolution/contacts/narrow_phase.hpp"
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
@@ -14,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <variant>
 
 using namespace cookbook;
@@ -21,6 +24,7 @@ using namespace cookbook;
 namespace
 {
 
+using V = Vector3<double>;
 using Shape = decltype(SceneBody::shape);
 
 // [surface_distance]
@@ -78,12 +82,12 @@ struct Surfaces
     const RigidBody body_a = rigid_body(a), body_b = rigid_body(b);
     WorldContact contact;
     std::visit(UpdateContact{contact, body_a, body_b, margin, margin}, a.shape, b.shape);
-    if (!contact.memory.manifold)
+    if (contact.points.empty())
     {
       return;
     }
     ++contacts;
-    for (const WorldPoint& point : contact.points())
+    for (const WorldPoint& point : contact.points)
     {
       const double from_a = std::visit(FromSurface{body_a, point.on_a}, a.shape);
       const double from_b = std::visit(FromSurface{body_b, point.on_b}, b.shape);
@@ -112,6 +116,45 @@ TEST_CASE("the two points of a contact lie on the two surfaces: 10,000 of each p
   }
 }
 // [on_surfaces]
+
+// [kept_points]
+TEST_CASE("a point of a contact keeps what is known of it as long as its feature is there")
+{
+  const SceneBody below = box_body("below", {0.5, 0.5, 0.5}, {0, 0, 0});
+  SceneBody above = box_body("above", {0.5, 0.4, 0.3}, {0.2, 0.899, 0.1});
+  WorldContact contact;
+  BoxDraw draw(5);
+  int changed = 0, parted = 0, given = 0;
+  for (int frame = 0; frame < 1000; ++frame)
+  {
+    above.orientation = rotation_by<double>(draw.vector(-0.01, 0.01) + V(0, 0.1 * frame, 0));
+    above.position.y() = 0.899 + (frame % 100 == 99 ? 1 : 0);
+    std::map<std::uint32_t, double> before;
+    for (WorldPoint& point : contact.points)
+    {
+      point.impulse = before[point.feature] = ++given;
+      point.friction = {-point.impulse, 0, 0};
+      point.solved = true;
+    }
+    const RigidBody a = rigid_body(below), b = rigid_body(above);
+    std::visit(UpdateContact{contact, a, b, 0.01, 0.01}, below.shape, above.shape);
+    int kept = 0, fresh = 0;
+    for (const WorldPoint& point : contact.points)
+    {
+      const auto known = before.find(point.feature);
+      const double impulse = known == before.end() ? 0 : known->second;
+      CHECK(point.impulse == impulse);
+      CHECK(point.friction == V(-impulse, 0, 0));
+      CHECK(point.solved == (impulse > 0));
+      (impulse > 0 ? kept : fresh) += 1;
+    }
+    parted += contact.points.empty() ? 1 : 0;
+    changed += kept > 0 && fresh > 0 ? 1 : 0;
+  }
+  CHECK(changed >= 60); // it turns 16 times, and some point comes or goes in every quarter
+  CHECK(parted == 10);
+}
+// [kept_points]
 
 // [rolls]
 /// How fast [m/s] a ball ends that starts at 7 m/s without spin, and how fast its surface turns.

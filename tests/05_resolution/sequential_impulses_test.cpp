@@ -104,7 +104,7 @@ TEST_CASE("bodies get the same impulses as the equations do: four balls, 1 to 50
     REQUIRE(world.contacts().size() == 4);
     for (Eigen::Index i = 0; i < 4; ++i)
     {
-      const double sum = world.contacts()[static_cast<std::size_t>(i)].points()[0].impulse;
+      const double sum = world.contacts()[static_cast<std::size_t>(i)].points[0].impulse;
       CHECK(sum == Catch::Approx(impulses(i)).epsilon(1e-12));
     }
   }
@@ -181,7 +181,7 @@ TEST_CASE("a tower of five cubes: 5, 4, 3, 2, 1 times g h kg, to a billionth", "
   for (std::size_t i = 0; i < 5; ++i)
   {
     double sum = 0;
-    for (const WorldPoint& point : world.contacts()[i].points())
+    for (const WorldPoint& point : world.contacts()[i].points)
     {
       sum += point.impulse;
     }

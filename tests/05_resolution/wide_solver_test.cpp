@@ -484,7 +484,7 @@ TEST_CASE(
   double up = 0;
   for (const WorldContact& contact : world.contacts())
   {
-    for (const WorldPoint& point : contact.points())
+    for (const WorldPoint& point : contact.points)
     {
       up += contact.b == 101 || contact.a == 101 ? point.impulse : 0;
     }
@@ -508,11 +508,11 @@ TEST_CASE(
   for (const WorldContact& contact : world.contacts())
   {
     double carries = 0;
-    for (const WorldPoint& point : contact.points())
+    for (const WorldPoint& point : contact.points)
     {
       carries += point.impulse;
     }
-    CHECK((contact.points().size() == 1) == (contact.b == 3));
+    CHECK((contact.points.size() == 1) == (contact.b == 3));
     CHECK(carries == Catch::Approx((5.0 - contact.b) * 9.81 / 60).epsilon(1e-4));
   }
 }

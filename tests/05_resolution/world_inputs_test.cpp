@@ -239,7 +239,7 @@ TEST_CASE("a crate of 1 kg that is pressed by 100 N weighs 109.81 N, and does no
       apply_force(world, 1, {0, -100, 0});
       world.step();
       load = 0;
-      for (const WorldPoint& point : world.contacts().at(0).points())
+      for (const WorldPoint& point : world.contacts().at(0).points)
       {
         load += point.impulse / scene.step;
       }

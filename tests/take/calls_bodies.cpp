@@ -68,20 +68,20 @@ void print_piles(const char* name, Solver solver)
       {
         continue;
       }
-      WorldContact contact{i - 1, i, draw.number(0, 1), draw.number(0, 1), {}};
+      WorldContact contact{i - 1, i, draw.number(0, 1), draw.number(0, 1), {}, {}};
       const Vector3<double> normal = (draw.vector(0.2) + Vector3<double>(0, 1, 0)).normalized();
-      contact.memory.manifold = Manifold<double>{normal, 0.1, {}};
+      contact.normal = normal;
       for (unsigned corner = 0; corner < 4; ++corner)
       {
         const Vector3<double> at(corner % 2 - 0.5, i - 0.5, corner / 2 - 0.5);
         const Vector3<double> apart = draw.number(-0.05, 0.05) / 2 * normal;
         const RigidBody &a = bodies[place_of(i - 1)], &b = bodies[place_of(i)];
-        WorldPoint& point = contact.memory.warm[corner];
+        WorldPoint& point = contact.points.emplace_back();
         point.on_a = a.axes.transpose() * (at - apart - a.motion.center);
         point.on_b = b.axes.transpose() * (at + apart - b.motion.center);
         point.impulse = draw.one_in(2) ? draw.number(0, 0.1) : 0;
         point.solved = point.impulse > 0;
-        contact.memory.manifold->points.push_back({at, 0.1, corner});
+        point.feature = corner;
       }
       contacts.push_back(contact);
     }
@@ -100,7 +100,7 @@ void print_piles(const char* name, Solver solver)
     }
     for (const WorldContact& contact : contacts)
     {
-      for (const WorldPoint& point : contact.points())
+      for (const WorldPoint& point : contact.points)
       {
         bits(point.impulse, point.friction);
       }
@@ -387,10 +387,7 @@ int main()
         {
           WorldContact contact{};
           contact.b = b;
-          const ContactPoint<double> point{draw.vector(1), 0, 0};
-          contact.memory.manifold =
-              Manifold<double>{draw.unit(), 0, ContactPoints<double, 8>(point)};
-          contact.memory.warm[0].impulse = draw.number(-1, 1);
+          contact.points.emplace_back().impulse = draw.number(-1, 1);
           contacts.push_back(contact);
         }
         watch.look(contacts);

@@ -31,6 +31,19 @@ int axis_of(const std::optional<Manifold<Real>>& manifold)
 template <class Warm>
 using PerPoint = std::array<Warm, 8>;
 
+/// The place of the point that has a feature, among points of which each has another; how many
+/// there are if none has it.
+template <class Points>
+std::size_t find_feature(const Points& points, std::uint32_t feature)
+{
+  std::size_t i = 0;
+  while (i < points.size() && points[i].feature != feature)
+  {
+    ++i;
+  }
+  return i;
+}
+
 /// What was known of the points of the frame before, for the points of this one that have the same
 /// feature; `Warm{}` for points that are new.
 template <class Real, class Warm>
@@ -40,12 +53,10 @@ carried_by_id(const Manifold<Real>& before, const PerPoint<Warm>& warm, const Ma
   PerPoint<Warm> carried{};
   for (std::size_t i = 0; i < now.points.size(); ++i)
   {
-    for (std::size_t j = 0; j < before.points.size(); ++j)
+    const std::size_t known = find_feature(before.points, now.points[i].feature);
+    if (known < before.points.size())
     {
-      if (now.points[i].feature == before.points[j].feature)
-      {
-        carried[i] = warm[j];
-      }
+      carried[i] = warm[known];
     }
   }
   return carried;

@@ -110,10 +110,11 @@ private:
     }
     std::sort(found_.begin(), found_.end());
     found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
-    known_.swap(near_);
+    std::vector<std::pair<int, int>>& known = pairs_; // which are found anew after this
+    known.swap(near_);
     near_.clear();
     std::set_union(
-        known_.begin(), known_.end(), found_.begin(), found_.end(), std::back_inserter(near_));
+        known.begin(), known.end(), found_.begin(), found_.end(), std::back_inserter(near_));
     const auto apart = [&](const auto& pair)
     { return !boxes_intersect(rooms_[place(pair.first)].box, rooms_[place(pair.second)].box); };
     near_.erase(std::remove_if(near_.begin(), near_.end(), apart), near_.end());
@@ -179,8 +180,8 @@ private:
 
   BoundsTree tree_;
   Groups by_first_;
-  std::vector<std::pair<int, int>> pairs_, near_, known_, found_; // near: by their rooms
-  std::vector<Bounds> now_, rooms_;        // by their places in the list of bounds
+  std::vector<std::pair<int, int>> pairs_, near_, found_; // near: by their rooms
+  std::vector<Bounds> now_, rooms_;                       // by their places in the list of bounds
   std::vector<std::size_t> leaves_, left_; // by the same; the places of those that left
   std::vector<std::size_t> places_;        // of bodies in that list
   std::size_t moved_ = 0;                  // rooms given since pairs were found

@@ -36,9 +36,9 @@ inline WorldContact new_contact(const Scene& scene, int a, int b)
   return contact;
 }
 
-/// Takes contacts in among others; both are in the order of their pairs, and so is the result. Room
-/// grows by an eighth more than they need: twice as much would be most of a world's memory.
-inline void merge_in(std::vector<WorldContact>& contacts, std::span<const WorldContact> others)
+/// Takes contacts in among others, away from where they were; both are in the order of their pairs,
+/// and so is the result. Room grows by an eighth more than they need.
+inline void merge_in(std::vector<WorldContact>& contacts, std::span<WorldContact> others)
 {
   std::size_t known = contacts.size(), other = others.size();
   if (known + other > contacts.capacity())
@@ -49,7 +49,7 @@ inline void merge_in(std::vector<WorldContact>& contacts, std::span<const WorldC
   while (other > 0)
   {
     const bool later = known > 0 && pair_of(contacts[known - 1]) > pair_of(others[other - 1]);
-    contacts[known + other - 1] = later ? contacts[known - 1] : others[other - 1];
+    contacts[known + other - 1] = std::move(later ? contacts[known - 1] : others[other - 1]);
     later ? --known : --other;
   }
 }
@@ -73,7 +73,7 @@ void update_contacts(
     const std::size_t a = place_of(contact.a), b = place_of(contact.b);
     const UpdateContact update{contact, bodies[a], bodies[b], margin, reach(contact.a, contact.b)};
     std::visit(update, scene.bodies[a].shape, scene.bodies[b].shape);
-    return contact.memory.manifold.has_value();
+    return !contact.points.empty();
   };
   WorldContact candidate;
   auto kept = contacts.begin(), known = contacts.begin();
@@ -92,7 +92,7 @@ void update_contacts(
     {
       if (kept != known)
       {
-        *kept = *known;
+        *kept = std::move(*known);
       }
       kept += both_still || touches(*kept) ? 1 : 0;
     }
@@ -100,11 +100,11 @@ void update_contacts(
     {
       candidate.a = pair.first;
       candidate.b = pair.second;
-      candidate.memory.manifold.reset();
+      candidate.points.clear();
       if (touches(candidate))
       {
         mix_surfaces(scene, candidate);
-        begun.push_back(candidate);
+        begun.push_back(std::move(candidate));
       }
     }
   }

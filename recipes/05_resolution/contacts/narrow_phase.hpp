@@ -11,6 +11,8 @@
 #include "common/simd/registers.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -21,19 +23,18 @@ namespace cookbook
 // [meet]
 /// The manifold of two shapes that touch, or will within a margin [m], in this frame.
 template <class A, class B>
-std::optional<Manifold<double>>
-meet(const std::optional<Manifold<double>>&, const A& a, const B& b, double margin)
+std::optional<Manifold<double>> meet(int, const A& a, const B& b, double margin)
 {
   return within(a, b, margin);
 }
 
-/// That of two boxes, on the axis of the frame before unless another is better.
+/// That of two boxes, on the axis of the frame before, −1 if there was none, unless another is
+/// better.
 ///
 /// The axis is that of the boxes once both have grown by half the margin, for only then do they
 /// overlap; the points are those of the boxes as they are.
-inline std::optional<Manifold<double>> meet(
-    const std::optional<Manifold<double>>& before, const Obb<double>& a, const Obb<double>& b,
-    double margin)
+inline std::optional<Manifold<double>>
+meet(int before, const Obb<double>& a, const Obb<double>& b, double margin)
 {
   const Obb<double> grown_a = grown(a, margin / 2), grown_b = grown(b, margin / 2);
   const std::optional<std::pair<int, double>> found =
@@ -42,7 +43,7 @@ inline std::optional<Manifold<double>> meet(
   {
     return std::nullopt;
   }
-  const auto [axis, overlap] = steady_axis(axis_of(before), grown_a, grown_b, *found);
+  const auto [axis, overlap] = steady_axis(before, grown_a, grown_b, *found);
   const Vector3<double> normal = axis_direction(a, b, axis);
   const double growth = margin / 2 *
                         ((a.axes.transpose() * normal).cwiseAbs().sum() +
@@ -50,41 +51,56 @@ inline std::optional<Manifold<double>> meet(
   return box_box_on<Registers<double>>(a, b, axis, overlap - growth, growth + margin);
 }
 
-/// Whether two manifolds have points with the same features, in the same order.
-inline bool has_same_features(const Manifold<double>& a, const Manifold<double>& b)
+/// The axis on which the manifold of a contact was built in the frame before; −1 if it had none.
+inline int axis_before(const WorldContact& contact)
 {
-  const auto same = [](const auto& one, const auto& other) { return one.feature == other.feature; };
-  return std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(), same);
+  return contact.points.empty() ? -1 : axis_of_feature(contact.points.front().feature);
 }
 
-/// Gives a contact its manifold of this frame: a point with a feature that was there before keeps
-/// what was known of it.
-inline void
-renew(ContactMemory<double, WorldPoint>& known, const std::optional<Manifold<double>>& manifold)
+/// Whether a contact has points with the features of a manifold, in the same order.
+inline bool has_features_of(const WorldContact& contact, const Manifold<double>& manifold)
 {
-  if (manifold && !known.manifold)
+  const auto same = [](const auto& one, const auto& other) { return one.feature == other.feature; };
+  return std::equal(
+      contact.points.begin(), contact.points.end(), manifold.points.begin(), manifold.points.end(),
+      same);
+}
+
+/// Gives a contact the normal and points of a manifold: a point with a feature that was there
+/// before keeps what was known of it.
+inline void renew(WorldContact& contact, const Manifold<double>& manifold)
+{
+  contact.normal = manifold.normal;
+  if (has_features_of(contact, manifold))
   {
-    known.warm = PerPoint<WorldPoint>{};
+    return;
   }
-  else if (manifold && !has_same_features(*known.manifold, *manifold))
+  PerPoint<WorldPoint> points{};
+  for (std::size_t i = 0; i < manifold.points.size(); ++i)
   {
-    known.warm = carried_by_id(*known.manifold, known.warm, *manifold);
+    const std::uint32_t feature = manifold.points[i].feature;
+    const std::size_t known = find_feature(contact.points, feature);
+    if (known < contact.points.size())
+    {
+      points[i] = contact.points[known];
+    }
+    points[i].feature = feature;
   }
-  known.manifold = manifold;
+  contact.points.assign(points.begin(), points.begin() + manifold.points.size());
 }
 // [meet]
 
 // [update_contact]
-/// Writes where each point of a manifold is on the surfaces of the two bodies.
-inline void anchor(WorldContact& contact, const RigidBody& a, const RigidBody& b)
+/// Writes where each point of a contact is on the surfaces of its two bodies, as its manifold says.
+inline void anchor(
+    WorldContact& contact, const Manifold<double>& manifold, const RigidBody& a, const RigidBody& b)
 {
-  const Manifold<double>& manifold = *contact.memory.manifold;
   for (std::size_t i = 0; i < manifold.points.size(); ++i)
   {
     const ContactPoint<double>& point = manifold.points[i];
     const Vector3<double> half = manifold.normal * (point.depth / 2);
-    contact.memory.warm[i].on_a = a.axes.transpose() * (point.position + half - a.motion.center);
-    contact.memory.warm[i].on_b = b.axes.transpose() * (point.position - half - b.motion.center);
+    contact.points[i].on_a = a.axes.transpose() * (point.position + half - a.motion.center);
+    contact.points[i].on_b = b.axes.transpose() * (point.position - half - b.motion.center);
   }
 }
 
@@ -103,18 +119,16 @@ struct UpdateContact
   {
     const auto placed_a = placed(a, shape_a);
     const auto placed_b = placed(b, shape_b);
-    std::optional<Manifold<double>> met = meet(contact.memory.manifold, placed_a, placed_b, reach);
-    if (met && is_ghost(placed_a, placed_b, met->normal, -met->depth, margin))
+    const std::optional<Manifold<double>> met =
+        meet(axis_before(contact), placed_a, placed_b, reach);
+    if (!met || is_ghost(placed_a, placed_b, met->normal, -met->depth, margin))
     {
-      met.reset();
+      return contact.points.clear();
     }
-    renew(contact.memory, met);
-    if (met)
-    {
-      anchor(contact, a, b);
-    }
+    renew(contact, *met);
+    anchor(contact, *met, a, b);
   }
-  void operator()(const PlaneShape&, const PlaneShape&) const { contact.memory.manifold.reset(); }
+  void operator()(const PlaneShape&, const PlaneShape&) const { contact.points.clear(); }
 };
 // [update_contact]
 

@@ -3,14 +3,14 @@
 /// \file
 /// \brief The contact of two bodies of a world: points that stay on the bodies, and their gaps.
 
-#include "04_obb_manifolds/feature_memory/contact_memory.hpp"
 #include "05_resolution/contacts/rigid_body.hpp"
 #include "05_resolution/impulse/impulse.hpp"
 
 #include <algorithm>
 #include <cstddef>
-#include <span>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace cookbook
 {
@@ -29,27 +29,19 @@ struct WorldPoint
   Vector3<double> on_b = Vector3<double>::Zero();     ///< [m], in B's frame, on its surface
   Vector3<double> friction = Vector3<double>::Zero(); ///< [N s], on B, across the normal, world
   double impulse = 0;                                 ///< [N s], along the normal, zero or more
-  bool solved = false;                                ///< whether that is more than a guess
+  std::uint32_t feature = 0;                          ///< which features of the shapes meet here
+  bool solved = false;                                ///< whether the impulse is more than a guess
 };
 
 /// Two bodies of a world that touch, or may in this step.
 struct WorldContact
 {
-  int a = 0;                                ///< the number of body A
-  int b = 0;                                ///< the number of body B, greater than a
-  double friction = 0;                      ///< [1], of the two surfaces together
-  double restitution = 0;                   ///< [1], of the two surfaces together
-  ContactMemory<double, WorldPoint> memory; ///< the manifold, and what is known of its points
-
-  /// The unit normal from A to B, world.
-  const Vector3<double>& normal() const { return memory.manifold->normal; }
-  /// The points at which the bodies may press on each other.
-  std::span<WorldPoint> points() { return {memory.warm.data(), memory.manifold->points.size()}; }
-  /// The points at which the bodies may press on each other.
-  std::span<const WorldPoint> points() const
-  {
-    return {memory.warm.data(), memory.manifold->points.size()};
-  }
+  int a = 0;                                        ///< the number of body A
+  int b = 0;                                        ///< the number of body B, greater than a
+  double friction = 0;                              ///< [1], of the two surfaces together
+  double restitution = 0;                           ///< [1], of the two surfaces together
+  Vector3<double> normal = Vector3<double>::Zero(); ///< [1], unit, world, from A to B
+  std::vector<WorldPoint> points; ///< where they may press on each other; none if they are apart
 };
 
 /// The two bodies of a contact.
@@ -61,9 +53,9 @@ inline std::pair<int, int> pair_of(const WorldContact& contact)
 /// Whether two bodies press on each other at any point of a contact.
 inline bool presses(const WorldContact& contact)
 {
-  const auto points = contact.points();
   return std::any_of(
-      points.begin(), points.end(), [](const WorldPoint& point) { return point.impulse > 0; });
+      contact.points.begin(), contact.points.end(),
+      [](const WorldPoint& point) { return point.impulse > 0; });
 }
 
 /// The arms [m], world, of a contact point as its bodies are turned now.

@@ -31,7 +31,7 @@ softness_of(const WorldContact& contact, double inverse_mass, const DirectSettin
 {
   const GiveSettings how;
   double carried = 0;
-  for (const WorldPoint& point : contact.points())
+  for (const WorldPoint& point : contact.points)
   {
     carried = std::max(carried, point.impulse);
   }
@@ -53,7 +53,7 @@ held_friction(const WorldContact& contact, const WorldPoint& point, double push,
   {
     return Vector3<double>::Zero();
   }
-  const Vector3<double> across = along_surface(point.friction, contact.normal());
+  const Vector3<double> across = along_surface(point.friction, contact.normal);
   return within_cone<double>(GiveSettings().kept * across, contact.friction * std::max(0.0, push));
 }
 

@@ -79,7 +79,7 @@ inline void scatter(
   std::size_t point = 0;
   for (const int i : island.contacts)
   {
-    for (WorldPoint& of : world.contacts[place_of(i)].points())
+    for (WorldPoint& of : world.contacts[place_of(i)].points)
     {
       of.impulse = system.points[point].impulse;
       of.friction = system.points[point].friction;

@@ -65,9 +65,9 @@ inline void gather(
   const RigidBody& b = world.bodies[place_of(contact.b)];
   const std::size_t first = system.points.size();
   const DirectSoftness softness = softness_of(contact, a.inverse_mass + b.inverse_mass, settings);
-  for (const WorldPoint& point : contact.points())
+  for (const WorldPoint& point : contact.points)
   {
-    const double apart = gap(a, b, contact.normal(), point) / step;
+    const double apart = gap(a, b, contact.normal, point) / step;
     const double opening = std::min(-settings.correction * apart, settings.correction_speed);
     DirectPoint& made = system.points.emplace_back();
     made.arms = arms_of(a, b, point);
@@ -130,7 +130,7 @@ inline void find_missing(DirectSystem& system)
   for (const DirectContact& contact : system.contacts)
   {
     const Motion<double> a = motion_of(system, contact.a), b = motion_of(system, contact.b);
-    const Vector3<double>& normal = contact.of->normal();
+    const Vector3<double>& normal = contact.of->normal;
     Vector6 on_a = Vector6::Zero(), on_b = Vector6::Zero();
     for (std::size_t i = contact.first; i < contact.end; ++i)
     {
@@ -171,7 +171,7 @@ inline void assemble(const DirectSystem& system, BlockCholesky& matrix)
   {
     const std::span<const DirectPoint> points(system.points);
     const DirectBlocks blocks = blocks_of(
-        points.subspan(contact.first, contact.end - contact.first), contact.of->normal(),
+        points.subspan(contact.first, contact.end - contact.first), contact.of->normal,
         contact.softness);
     if (contact.a >= 0)
     {

@@ -70,7 +70,7 @@ inline void find_masses(IslandPoint& point)
 inline ContactConstraint<double> constraint_of(
     const RigidBody& a, const RigidBody& b, const WorldContact& contact, const WorldPoint& of)
 {
-  const Vector3<double>& normal = contact.normal();
+  const Vector3<double>& normal = contact.normal;
   const Vector3<double> friction = along_surface(of.friction, normal);
   const double apart = gap(a, b, normal, of);
   return {normal, arms_of(a, b, of), contact.friction, apart, of.impulse, friction, 0, {}};
@@ -95,7 +95,7 @@ inline std::span<IslandPoint> points_of(IslandView world, const Island& island)
     WorldContact& contact = world.contacts[place_of(number)];
     RigidBody& a = world.bodies[place_of(contact.a)];
     RigidBody& b = world.bodies[place_of(contact.b)];
-    for (WorldPoint& point : contact.points())
+    for (WorldPoint& point : contact.points)
     {
       points.push_back(island_point(a, b, contact, point));
     }

@@ -15,12 +15,21 @@ namespace cookbook
 /// straight; the body turns steadily.
 struct Course
 {
-  RigidBody start;              ///< the body as this course begins
+  const RigidBody* from;        ///< the body as this course begins, kept elsewhere
   double since;                 ///< [s], of the step, when it begins
   Vector3<double> velocity;     ///< [m/s], at which the centre sets out
   Vector3<double> acceleration; ///< [m/s²], of the centre
   Vector3<double> spin;         ///< [rad/s], world; zero for a ball, whose turning changes nothing
+  Vector3<double> angular_acceleration = Vector3<double>::Zero(); ///< [rad/s²], world, by forces
 
+  /// The body as this course begins. It is the course that knows what pulls its centre.
+  RigidBody start() const
+  {
+    RigidBody body = *from;
+    body.acceleration.setZero();
+    body.angular_acceleration = angular_acceleration;
+    return body;
+  }
   /// The velocity [m/s] of the centre at a time [s] of the step.
   Vector3<double> velocity_at(double time) const
   {
@@ -29,7 +38,7 @@ struct Course
   /// The place [m] of the centre at that time.
   Vector3<double> place_at(double time) const
   {
-    return start.motion.center + (time - since) * (velocity + (time - since) / 2 * acceleration);
+    return from->motion.center + (time - since) * (velocity + (time - since) / 2 * acceleration);
   }
   /// The velocity [m/s] at that time of what the body carries along at a place [m].
   Vector3<double> velocity_of(const Vector3<double>& place, double time) const
@@ -39,7 +48,7 @@ struct Course
   /// The pose of the body at that time; its motion is still that of the start.
   RigidBody pose_at(double time) const
   {
-    RigidBody body = start;
+    RigidBody body = start();
     body.motion.center = place_at(time);
     if (!spin.isZero(0))
     {
@@ -64,20 +73,15 @@ inline Course straight_course(const RigidBody& from, const RigidBody& to, double
 {
   const Vector3<double> none = Vector3<double>::Zero();
   const Vector3<double> velocity = (to.motion.center - from.motion.center) / step;
-  Course course{from, 0, velocity, none, spin_between(from, to, step)};
-  forget_forces(course.start);
-  return course;
+  return {&from, 0, velocity, none, spin_between(from, to, step)};
 }
 
-/// The course of a body that nothing touches in a step [s], to a pose at its end; it is the course,
-/// from then on, that knows what pulls the centre.
+/// The course of a body that nothing touches in a step [s], to a pose at its end.
 inline Course falling_course(
     const RigidBody& from, const RigidBody& to, double step, const Vector3<double>& gravity)
 {
-  Course course{
-      from, 0, from.motion.velocity, pull_on(from, gravity), spin_between(from, to, step)};
-  course.start.acceleration.setZero();
-  return course;
+  const Vector3<double> spin = spin_between(from, to, step);
+  return {&from, 0, from.motion.velocity, pull_on(from, gravity), spin, from.angular_acceleration};
 }
 
 /// Takes out of a course what leads along a normal into the body that it leans on, at a place [m].

@@ -38,7 +38,7 @@ struct CourseTouch
 inline bool goes_on(const StepCourses& step, int i)
 {
   const bool alone = is_ball(step.scene, i) || step.falls[place_of(i)] || is_fast_box(step, i);
-  return alone && !is_fixed(step.courses[place_of(i)].start);
+  return alone && !is_fixed(*step.courses[place_of(i)].from);
 }
 
 /// Two bodies that touch, first the one that goes on by itself: a fast box before a ball, that

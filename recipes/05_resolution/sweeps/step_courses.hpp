@@ -138,7 +138,7 @@ on_the_way(const StepCourses& step, int i, double time, bool own, const RigidBod
   const bool fast = is_fast_box(step, i);
   if (own)
   {
-    RigidBody body = course.start;
+    RigidBody body = course.start();
     fly(body, course.acceleration, time - course.since);
     body.motion.center = pose.motion.center;
     return fast ? turned_like(body, pose) : body;
@@ -168,7 +168,7 @@ inline RigidBody gone_on(Course& course, double step, Onward how)
 {
   const double time = step - course.since;
   const bool turns = how == Onward::free || how == Onward::leans;
-  RigidBody end = course.start;
+  RigidBody end = course.start();
   if (turns)
   {
     fly(end, course.acceleration, time);
@@ -177,7 +177,7 @@ inline RigidBody gone_on(Course& course, double step, Onward how)
   {
     end.motion.velocity += time * course.acceleration;
   }
-  course.spin = turns ? spin_between(course.start, end, time) : Vector3<double>::Zero();
+  course.spin = turns ? spin_between(*course.from, end, time) : Vector3<double>::Zero();
   end.motion.center = course.place_at(step);
   return end;
 }
@@ -186,7 +186,7 @@ inline RigidBody gone_on(Course& course, double step, Onward how)
 inline void note_way(StepCourses& step, int i, const RigidBody& end, double time)
 {
   const Course& course = step.courses[place_of(i)];
-  const double center = (end.motion.center - course.start.motion.center).norm();
+  const double center = (end.motion.center - course.from->motion.center).norm();
   double& way = step.ways[place_of(i)];
   way = std::max(way, farthest_way(step, i, course, center, step.scene.step - time));
 }

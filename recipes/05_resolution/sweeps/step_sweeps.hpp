@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <deque>
 #include <limits>
 #include <optional>
 #include <span>
@@ -78,8 +79,8 @@ private:
     const int first = touch.first, other = touch.other;
     const std::pair<int, int> pair = std::minmax(first, other);
     RigidBody a = at(first, touch.time), b = at(other, touch.time);
-    WorldContact contact = touch_contact(step_.scene, touch, a, b);
-    const double depth = ghost_depth(step_.scene, contact, a, b);
+    const Met met = touch_manifold(step_.scene, touch, a, b);
+    const double depth = ghost_depth(step_.scene, touch, met, a, b);
     if (depth > touches_.slack_of(pair))
     {
       touches_.allow(pair, depth);
@@ -91,7 +92,7 @@ private:
     const double threshold = threshold_of(touch);
     const double slow = tired ? std::numeric_limits<double>::infinity()
                               : std::min(threshold, thinness(step_.scene, first) / (2 * duration_));
-    double approach = bounce(a, b, contact, slow);
+    double approach = bounce(step_.scene, touch, met, a, b, slow);
     if (approach > threshold)
     {
       touches_.come_back(first);
@@ -114,7 +115,7 @@ private:
     const bool frozen = is_frozen(first);
     if (held)
     {
-      approach = std::max(approach, stop_center(a, b, touch.normal, place_of_touch(contact, a)));
+      approach = std::max(approach, stop_center(a, b, touch.normal, place_of_touch(met, a)));
     }
     if (frozen || (ball && rests && !leans && (tired || approach == 0 || both_balls)))
     {
@@ -126,7 +127,7 @@ private:
                                : Onward::free;
     if (approach > 0 || how != Onward::free || !step_.falls[place_of(first)])
     {
-      go_on(first, a, touch, contact, how);
+      go_on(first, a, touch, met, how);
     }
     if (approach > 0)
     {
@@ -135,18 +136,17 @@ private:
     }
     if (approach > 0 || frozen)
     {
-      pass_on(b, touch, contact, frozen ? Onward::frozen : Onward::free);
+      pass_on(b, touch, met, frozen ? Onward::frozen : Onward::free);
     }
   }
 
   /// Has the other of two bodies that have touched go on, or only takes down its velocities.
-  void
-  pass_on(const RigidBody& body, const CourseTouch& touch, const WorldContact& contact, Onward how)
+  void pass_on(const RigidBody& body, const CourseTouch& touch, const Met& met, Onward how)
   {
     RigidBody& end = ends_[place_of(touch.other)];
     if (goes_on(step_, touch.other))
     {
-      go_on(touch.other, body, touch, contact, how);
+      go_on(touch.other, body, touch, met, how);
     }
     else
     {
@@ -156,16 +156,15 @@ private:
   }
 
   /// Lets a body go on from where it is when it touches, for the rest of the step.
-  void go_on(
-      int i, const RigidBody& body, const CourseTouch& touch, const WorldContact& contact,
-      Onward how)
+  void go_on(int i, const RigidBody& body, const CourseTouch& touch, const Met& met, Onward how)
   {
     how = is_frozen(i) ? Onward::frozen : how;
     Course& course = step_.courses[place_of(i)];
     const bool again = how == Onward::held && is_held_[place_of(i)];
     const Vector3<double> velocity = again ? course.velocity_at(touch.time) : body.motion.velocity;
     is_held_[place_of(i)] = how == Onward::held;
-    course = {body, touch.time, velocity, course.acceleration, course.spin};
+    course = {&turns_.emplace_back(body), touch.time,  velocity,
+              course.acceleration,        course.spin, body.angular_acceleration};
     RigidBody& end = ends_[place_of(i)];
     if (how == Onward::frozen)
     {
@@ -176,7 +175,7 @@ private:
     if (how == Onward::leans || how == Onward::held)
     {
       for_each_place(
-          contact, body,
+          met, body,
           [&](const Vector3<double>& place)
           { hold_back(course, step_.courses[place_of(touch.other)], touch.normal, place); });
       end = gone_on(course, duration_, how);
@@ -190,8 +189,9 @@ private:
   std::span<RigidBody> ends_;
   std::vector<int>& hit_;
   double duration_;
-  std::vector<int> touched_;  // how often each body has touched something
-  std::vector<bool> is_held_; // whether each body does not turn any more
+  std::vector<int> touched_;    // how often each body has touched something
+  std::vector<bool> is_held_;   // whether each body does not turn any more
+  std::deque<RigidBody> turns_; // bodies as they went on from a touch, where courses begin
   TouchQueue touches_;
 };
 // [step_sweeps]

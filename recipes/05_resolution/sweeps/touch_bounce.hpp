@@ -9,8 +9,7 @@
 #include "05_resolution/sweeps/simultaneous_impacts.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <utility>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -18,82 +17,76 @@ namespace cookbook
 {
 
 // [touch_contact]
-/// Where a box touches another shape: the points of its manifold, of all that is nearly as near as
-/// what touches first, so that a box that lands flat does so on all corners.
+/// Where two bodies touch on their way; nothing where boxes, by rounding, do not quite.
+using Met = std::optional<Manifold<double>>;
+
+/// The manifold of a box and another shape that touch: of all that is nearly as near as what
+/// touches first, so that a box that lands flat does so on all corners. None where there is no box.
 struct MeetOnCourse
 {
-  WorldContact& contact;
   const RigidBody& a;
   const RigidBody& b;
 
   template <class Shape>
-  void operator()(const BoxShape& box, const Shape& other) const
+  Met operator()(const BoxShape& box, const Shape& other) const
   {
     const Obb<double> here = placed(a, box);
     const auto there = placed(b, other);
     const double apart = std::max(0.0, way_between(here, there).length);
-    renew(contact.memory, meet({}, here, there, 2 * apart + 1e-3 * thinness_of(box)));
-    if (contact.memory.manifold)
-    {
-      anchor(contact, a, b);
-    }
+    return meet(-1, here, there, 2 * apart + 1e-3 * thinness_of(box));
   }
   template <class Shape, class Other>
-  void operator()(const Shape&, const Other&) const
+  Met operator()(const Shape&, const Other&) const
   {
+    return std::nullopt;
   }
 };
 
-/// The contact of two bodies of a scene where they touch: that of a ball has one point. Without a
-/// manifold if there is none.
-inline WorldContact
-touch_contact(const Scene& scene, const CourseTouch& touch, const RigidBody& a, const RigidBody& b)
+/// The manifold of two bodies of a scene where they touch: that of a ball has one point.
+inline Met
+touch_manifold(const Scene& scene, const CourseTouch& touch, const RigidBody& a, const RigidBody& b)
 {
-  WorldContact contact = new_contact(scene, touch.first, touch.other);
   const auto& shape = scene.bodies[place_of(touch.first)].shape;
   if (const SphereShape* const ball = std::get_if<SphereShape>(&shape))
   {
     const Vector3<double> place = a.motion.center + ball->radius * touch.normal;
-    contact.memory.manifold =
-        Manifold<double>{touch.normal, 0, ContactPoints<double, 8>({place, 0, 0})};
-    anchor(contact, a, b);
-    return contact;
+    return Manifold<double>{touch.normal, 0, ContactPoints<double, 8>({place, 0, 0})};
   }
-  std::visit(MeetOnCourse{contact, a, b}, shape, scene.bodies[place_of(touch.other)].shape);
-  return contact;
+  return std::visit(MeetOnCourse{a, b}, shape, scene.bodies[place_of(touch.other)].shape);
 }
 
-/// Calls `hold(place)` [m], world, for the points of a contact of a box; for the centre of a ball,
-/// or where there is none.
+/// Calls `hold(place)` [m], world, for the points at which a box touches; for the centre of a ball,
+/// or where there are none.
 template <class Hold>
-void for_each_place(const WorldContact& contact, const RigidBody& body, const Hold& hold)
+void for_each_place(const Met& met, const RigidBody& body, const Hold& hold)
 {
-  if (body.round || !contact.memory.manifold)
+  if (body.round || !met)
   {
     return hold(body.motion.center);
   }
-  for (const ContactPoint<double>& point : contact.memory.manifold->points)
+  for (const ContactPoint<double>& point : met->points)
   {
     hold(point.position);
   }
 }
 
 /// The first of these places.
-inline Vector3<double> place_of_touch(const WorldContact& contact, const RigidBody& body)
+inline Vector3<double> place_of_touch(const Met& met, const RigidBody& body)
 {
-  return contact.memory.manifold ? contact.memory.manifold->points[0].position : body.motion.center;
+  return met ? met->points[0].position : body.motion.center;
 }
 
 /// How deep [m] two boxes that touch may be in each other and still be about to pass; zero if they
 /// are not. Both are as they are at the touch.
-inline double
-ghost_depth(const Scene& scene, const WorldContact& contact, const RigidBody& a, const RigidBody& b)
+inline double ghost_depth(
+    const Scene& scene, const CourseTouch& touch, const Met& met, const RigidBody& a,
+    const RigidBody& b)
 {
-  const auto* const box_a = std::get_if<BoxShape>(&scene.bodies[place_of(contact.a)].shape);
-  const auto* const box_b = std::get_if<BoxShape>(&scene.bodies[place_of(contact.b)].shape);
+  const auto* const box_a = std::get_if<BoxShape>(&scene.bodies[place_of(touch.first)].shape);
+  const auto* const box_b = std::get_if<BoxShape>(&scene.bodies[place_of(touch.other)].shape);
   const double margin = contact_margin(scene);
-  if (!box_a || !box_b || !contact.memory.manifold ||
-      !is_ghost(placed(a, *box_a), placed(b, *box_b), contact.normal(), 0, margin))
+  if (!box_a || !box_b || !met ||
+      !is_ghost(placed(a, *box_a), placed(b, *box_b), met->normal, 0, margin))
   {
     return 0;
   }
@@ -102,17 +95,23 @@ ghost_depth(const Scene& scene, const WorldContact& contact, const RigidBody& a,
 // [touch_contact]
 
 // [bounce_at]
-/// Lets two bodies bounce where they touch, with friction, and says at what speed [m/s] they met;
-/// R2, R6. An approach up to a threshold [m/s] only ends; 0, and nothing changes, if they part.
-inline double bounce(RigidBody& a, RigidBody& b, WorldContact& contact, double threshold)
+/// Lets two bodies of a scene bounce where they touch, with friction, and says at what speed [m/s]
+/// they met; R2, R6. An approach up to a threshold [m/s] only ends; 0, and nothing changes, if they
+/// part, or do not quite touch.
+inline double bounce(
+    const Scene& scene, const CourseTouch& touch, const Met& met, RigidBody& a, RigidBody& b,
+    double threshold)
 {
-  double fastest = 0;
-  std::vector<ImpactPoint> points;
-  if (!contact.memory.manifold)
+  if (!met)
   {
     return 0;
   }
-  for (WorldPoint& sum : contact.points())
+  WorldContact contact = new_contact(scene, touch.first, touch.other);
+  renew(contact, *met);
+  anchor(contact, *met, a, b);
+  double fastest = 0;
+  std::vector<ImpactPoint> points;
+  for (WorldPoint& sum : contact.points)
   {
     const IslandPoint point = island_point(a, b, contact, sum);
     const double approach = std::max(0.0, -parting_speed(point));

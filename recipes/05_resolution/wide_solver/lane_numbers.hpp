@@ -44,7 +44,7 @@ public:
     a_[lane] = contact.a;
     b_[lane] = contact.b;
     WideContact<double> of;
-    of.across = contact.normal().unitOrthogonal();
+    of.across = contact.normal.unitOrthogonal();
     of.correction_speed = correction_speed;
     const std::size_t numbers = lane / lanes_ * contact_numbers + contact_masses;
     WriteLane write{&contacts_[numbers * lanes_ + lane % lanes_], lanes_};

@@ -51,7 +51,7 @@ public:
         {
           numbers_.put(contact, correction_speed, lane);
           std::size_t place = first_of(lane);
-          for (const WorldPoint& point : contact.points())
+          for (const WorldPoint& point : contact.points)
           {
             const RigidBody& a = world.bodies[place_of(contact.a)];
             const RigidBody& b = world.bodies[place_of(contact.b)];
@@ -92,7 +92,7 @@ public:
         [&](WorldContact& contact, float, std::size_t lane)
         {
           std::size_t place = first_of(lane);
-          for (WorldPoint& known : contact.points())
+          for (WorldPoint& known : contact.points)
           {
             const ContactConstraint<float> at = numbers_.pushed(place++, lane);
             known.impulse = scale * at.impulse;
@@ -131,6 +131,7 @@ private:
   void take_bodies(IslandView world)
   {
     bodies_.resize(world.bodies.size());
+    make_room(bodies_, world.bodies.size() + 1);
     bodies_.emplace_back();
     const auto put = [&](int i)
     {

@@ -3,6 +3,7 @@
 /// \file
 /// \brief Contacts put together in groups, colour by colour.
 
+#include "04_obb_manifolds/feature_memory/contact_memory.hpp"
 #include "05_resolution/contact_graph/contact_graph.hpp"
 #include "05_resolution/contacts/groups.hpp"
 #include "05_resolution/islands/island_points.hpp"
@@ -62,7 +63,7 @@ private:
   take(IslandView world, std::span<const int> contacts, std::span<const int> of, std::size_t lanes)
   {
     const auto count = [&](std::size_t i)
-    { return world.contacts[place_of(contacts[place_of(of[i])])].points().size(); };
+    { return world.contacts[place_of(contacts[place_of(of[i])])].points.size(); };
     by_points_.sort(
         most_points + 1, of.size(),
         [&](std::size_t i) { return static_cast<int>(most_points - count(i)); });

@@ -14,19 +14,22 @@ namespace cookbook
 {
 
 /// Wakes whatever touches a body, and all that hangs together with it.
-inline void wake_neighbours(
-    std::vector<SleepState<double>>& states, const std::vector<int>& numbers,
-    std::span<const WorldContact> contacts, int body)
+inline void wake_neighbours(WorldState& world, int body)
 {
+  if (!world.may_sleep)
+  {
+    return;
+  }
+  world.islands.find(world.bodies, world.contacts);
   std::vector<int> touching;
-  for (const WorldContact& contact : contacts)
+  for (const WorldContact& contact : world.contacts)
   {
     if (contact.a == body || contact.b == body)
     {
       touching.push_back(contact.a + contact.b - body);
     }
   }
-  wake(states, numbers, touching);
+  wake(world.sleep, world.islands.numbers(), touching);
 }
 
 /// Wakes what sleeps in the bounds of a body, with all that hangs together with it.
@@ -40,7 +43,7 @@ inline void wake_touched_by(WorldState& world, const Bounds& bound)
   std::vector<int> touched;
   for (const Bounds& other : world.bounds)
   {
-    if (world.sleep[place_of(other.body)].asleep && other.box.intersects(bound.box))
+    if (sleeps(world, other.body) && other.box.intersects(bound.box))
     {
       touched.push_back(other.body);
     }

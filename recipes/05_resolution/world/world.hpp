@@ -70,7 +70,7 @@ public:
   bool sleeps(std::size_t body) const
   {
     check_there(body);
-    return state_.sleep[body].asleep;
+    return cookbook::sleeps(state_, static_cast<int>(body));
   }
   /// Whether a body is there: it was put in, and not taken out.
   bool has(std::size_t body) const { return body < bodies().size() && !state_.gone[body]; }
@@ -94,9 +94,7 @@ public:
   void remove(std::size_t body)
   {
     check_there(body);
-    state_.islands.find(state_.bodies, state_.contacts);
-    wake_neighbours(
-        state_.sleep, state_.islands.numbers(), state_.contacts, static_cast<int>(body));
+    wake_neighbours(state_, static_cast<int>(body));
     fix(state_.bodies[body]);
     state_.gone[body] = true;
     std::erase_if(
@@ -141,7 +139,7 @@ public:
   {
     check_finite("gravity", gravity);
     state_.scene.gravity = gravity;
-    state_.sleep.assign(bodies().size(), {});
+    state_.sleep.assign(state_.sleep.size(), {});
   }
 
   /// Has two bodies, not one, pass through each other from the next step on, and wakes both.
@@ -170,7 +168,7 @@ private:
     state_.bounds.push_back(
         {bounds_of(bodies().back(), body.shape, margin()), static_cast<int>(bodies().size()) - 1});
     state_.gone.push_back(false);
-    state_.sleep.emplace_back();
+    state_.sleep.resize(state_.may_sleep ? bodies().size() : 0);
     state_.has_balls = state_.has_balls || bodies().back().round;
   }
 

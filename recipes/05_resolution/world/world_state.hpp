@@ -40,7 +40,7 @@ struct WorldState
   std::vector<bool> gone;                ///< who was taken out
   std::vector<bool> falls;               ///< who fell freely in the last step
   std::vector<bool> parted;              ///< who was moved out of an overlap, but not pushed
-  std::vector<SleepState<double>> sleep; ///< who rests, and for how long
+  std::vector<SleepState<double>> sleep; ///< who rests, and for how long; empty if none may sleep
   std::vector<Bounds> bounds;            ///< of all that are there
   BroadPhase near;                       ///< who may touch
   std::vector<WorldContact> contacts;    ///< of the last step
@@ -48,14 +48,20 @@ struct WorldState
   Islands islands;                       ///< who hangs together
   std::vector<Island> touching;          ///< those that a step gives to the solver
   std::vector<IslandPoint> room;         ///< for the points of an island
-  std::vector<Course> courses;           ///< of the last step, where it was swept
-  std::vector<double> ways;              ///< [m], how far they led
+  std::vector<Course> courses;           ///< room for those of a sweep
+  std::vector<double> ways;              ///< [m], room for how far they lead
 };
+
+/// Whether a body sleeps.
+inline bool sleeps(const WorldState& world, int body)
+{
+  return world.may_sleep && world.sleep[place_of(body)].asleep;
+}
 
 /// Whether a body is left out, since it does not move.
 inline bool is_still(const WorldState& world, int body)
 {
-  return is_fixed(world.bodies[place_of(body)]) || world.sleep[place_of(body)].asleep;
+  return is_fixed(world.bodies[place_of(body)]) || sleeps(world, body);
 }
 // [world_state]
 

@@ -118,6 +118,7 @@ inline void sweep(WorldState& world)
   set_out(step, world.start, world.bodies);
   std::vector<int> hit;
   StepSweeps(step, world.bodies, hit).run();
+  world.courses.clear();
   if (world.may_sleep)
   {
     wake(world.sleep, world.islands.numbers(), hit);

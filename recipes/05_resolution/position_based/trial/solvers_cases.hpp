@@ -164,7 +164,7 @@ inline double impulse_missing(const ContactMethod& method, double ratio, int pas
   const Scene scene = balls(ratio);
   World world(scene, method.way(passes));
   world.step();
-  return ratio * 9.81 * scene.step - world.contacts().back().points()[0].impulse;
+  return ratio * 9.81 * scene.step - world.contacts().back().points[0].impulse;
 }
 
 /// The factor by which one more pass makes that error smaller; R8.

@@ -30,7 +30,7 @@ inline void published_frame(IslandView world, const Island& island, double step)
   {
     for (IslandPoint& point : points)
     {
-      const auto shared = static_cast<double>(point.contact->points().size());
+      const auto shared = static_cast<double>(point.contact->points.size());
       point.impulse = 0;
       add_impulse(point, -point.normal_mass * parting_speed(point) / shared);
       add_friction(point);

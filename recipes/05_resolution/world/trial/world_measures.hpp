@@ -67,9 +67,9 @@ inline double deepest_overlap(const World& world)
   {
     const RigidBody& a = world.bodies()[static_cast<std::size_t>(contact.a)];
     const RigidBody& b = world.bodies()[static_cast<std::size_t>(contact.b)];
-    for (const WorldPoint& point : contact.points())
+    for (const WorldPoint& point : contact.points)
     {
-      most = std::max(most, -gap(a, b, contact.normal(), point));
+      most = std::max(most, -gap(a, b, contact.normal, point));
     }
   }
   return most;
@@ -86,11 +86,11 @@ inline double residual(const World& world)
   {
     const RigidBody& a = world.bodies()[static_cast<std::size_t>(contact.a)];
     const RigidBody& b = world.bodies()[static_cast<std::size_t>(contact.b)];
-    for (const WorldPoint& point : contact.points())
+    for (const WorldPoint& point : contact.points)
     {
       const Arms<double> arms{axes(contact.a) * point.on_a, axes(contact.b) * point.on_b};
-      const double speed = parting_speed<double>(a, b, contact.normal(), arms);
-      const bool touches = gap(a, b, contact.normal(), point) <= 0;
+      const double speed = parting_speed<double>(a, b, contact.normal, arms);
+      const bool touches = gap(a, b, contact.normal, point) <= 0;
       const double wrong = point.impulse > 0 ? std::abs(speed) : touches ? -speed : 0;
       most = std::max(most, wrong);
     }
@@ -108,9 +108,9 @@ inline std::vector<double> carried_in(const World& world)
   std::vector<double> sums(world.bodies().size(), 0.0);
   for (const WorldContact& contact : world.contacts())
   {
-    for (const WorldPoint& point : contact.points())
+    for (const WorldPoint& point : contact.points)
     {
-      const Vector3<double> impulse = point.impulse * contact.normal() + point.friction;
+      const Vector3<double> impulse = point.impulse * contact.normal + point.friction;
       sums[static_cast<std::size_t>(contact.b)] -=
           impulse.dot(gravity) / std::max(gravity.norm(), 1e-300);
     }
