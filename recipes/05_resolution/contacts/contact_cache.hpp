@@ -17,22 +17,16 @@ namespace cookbook
 {
 
 // [world_contacts]
-/// Two surfaces meet with the geometric mean of their frictions and the larger restitution.
-inline void mix_surfaces(const Scene& scene, WorldContact& contact)
-{
-  const SceneBody& a = scene.bodies[place_of(contact.a)];
-  const SceneBody& b = scene.bodies[place_of(contact.b)];
-  contact.friction = std::sqrt(a.friction * b.friction);
-  contact.restitution = std::max(a.restitution, b.restitution);
-}
-
-/// The contact of two bodies of a scene that is new.
+/// The contact of two bodies of a scene that is new: two surfaces meet with the geometric mean of
+/// their frictions and the larger restitution.
 inline WorldContact new_contact(const Scene& scene, int a, int b)
 {
+  const SceneBody &body_a = scene.bodies[place_of(a)], &body_b = scene.bodies[place_of(b)];
   WorldContact contact;
   contact.a = a;
   contact.b = b;
-  mix_surfaces(scene, contact);
+  contact.friction = std::sqrt(body_a.friction * body_b.friction);
+  contact.restitution = std::max(body_a.restitution, body_b.restitution);
   return contact;
 }
 
@@ -75,7 +69,6 @@ void update_contacts(
     std::visit(update, scene.bodies[a].shape, scene.bodies[b].shape);
     return !contact.points.empty();
   };
-  WorldContact candidate;
   auto kept = contacts.begin(), known = contacts.begin();
   for (const std::pair<int, int>& pair : pairs)
   {
@@ -98,13 +91,10 @@ void update_contacts(
     }
     else if (!both_still)
     {
-      candidate.a = pair.first;
-      candidate.b = pair.second;
-      candidate.points.clear();
-      if (touches(candidate))
+      begun.push_back(new_contact(scene, pair.first, pair.second));
+      if (!touches(begun.back()))
       {
-        mix_surfaces(scene, candidate);
-        begun.push_back(std::move(candidate));
+        begun.pop_back();
       }
     }
   }
