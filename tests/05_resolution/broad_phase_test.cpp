@@ -74,7 +74,8 @@ struct MetPairs
     for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i)
     {
       starts.push_back(rigid_body(scene.bodies[place_of(i)]));
-      bounds.push_back({foreseen_bounds(scene, starts.back(), i, margin), i});
+      const Ahead ahead = ahead_of(scene, starts.back(), i);
+      bounds.push_back({foreseen_bounds(scene, starts.back(), ahead, i, margin), i});
       ends.push_back(starts.back());
       const bool shoved = !is_fixed(starts.back()) && draw.whole(one_in) == 0;
       ends.back().motion.velocity += shoved ? draw.vector(-50, 50) : Vector3<double>::Zero();

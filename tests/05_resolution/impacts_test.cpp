@@ -115,7 +115,8 @@ TEST_CASE("what a cube will be too deep in is in reach: by the way of a step mor
     scene.bodies[0].velocity.y() = speed_of_slab;
     scene.bodies[1].velocity.y() = speed;
     const RigidBody bodies[] = {rigid_body(scene.bodies[0]), rigid_body(scene.bodies[1])};
-    return foreseen_reach(scene, bodies, 0, 1, contact_margin(scene));
+    const Ahead ahead[] = {ahead_of(scene, bodies[0], 0), ahead_of(scene, bodies[1], 1)};
+    return foreseen_reach(scene, bodies, ahead, 0, 1, contact_margin(scene));
   };
   CHECK(reach_of_cube(0.10, -12, 0) == Catch::Approx(margin + way)); // 0.1 deep
   CHECK(reach_of_cube(0.16, -12, 0) == Catch::Approx(margin));       // 0.04 deep

@@ -10,6 +10,18 @@
 namespace cookbook
 {
 
+// [ahead]
+/// What is known of a body's step if nothing pushes it, before any other body is looked at.
+struct Ahead
+{
+  Vector3<double> way; ///< [m], of its centre, where nothing touches it
+  double turn;         ///< [m], how far it takes any of its points that it turns
+  double harmless;     ///< [m], how deep another may get into it unforeseen
+  bool swept;          ///< whether it is left to the sweep: a box that goes far, a ball sooner
+  bool forced;         ///< whether forces pull it
+};
+// [ahead]
+
 // [course]
 /// A body's way through a step, or through what is left of it: the centre along a parabola, or
 /// straight; the body turns steadily.

@@ -79,11 +79,17 @@ inline bool is_far(const Scene& scene, int i, double way)
   return way > 1.25 * thinness(scene, i);
 }
 
-/// Whether a body whose points go by up to this way [m] is left to the sweep: a box if it is far, a
-/// ball if it is farther than is harmless.
-inline bool is_for_sweep(const Scene& scene, const RigidBody& body, int i, double way)
+/// How a body goes on if nothing pushes it.
+inline Ahead ahead_of(const Scene& scene, const RigidBody& body, int i)
 {
-  return body.round ? way > harmless_depth(thinness(scene, i)) : is_far(scene, i, way);
+  Ahead ahead;
+  ahead.way = way_on(scene, body, flying_share);
+  ahead.turn = turn_on(scene, body, i);
+  ahead.harmless = harmless_depth(thinness(scene, i));
+  const double farthest = ahead.way.norm() + ahead.turn;
+  ahead.swept = body.round ? farthest > ahead.harmless : is_far(scene, i, farthest);
+  ahead.forced = body.acceleration.any();
+  return ahead;
 }
 
 /// A body where it would be after a step in which it goes and turns on as it does; its inertia is
@@ -102,39 +108,41 @@ inline RigidBody going_on(const Scene& scene, RigidBody body, double share)
 /// The bounds of a body where it is, wider by half the margin [m] of contacts; and where it will be
 /// if nothing pushes it, unless that is far: only the sweep asks what lies so far ahead.
 inline Eigen::AlignedBox<double, 3>
-foreseen_bounds(const Scene& scene, const RigidBody& body, int i, double margin)
+foreseen_bounds(const Scene& scene, const RigidBody& body, const Ahead& ahead, int i, double margin)
 {
   const auto& shape = scene.bodies[place_of(i)].shape;
-  const Vector3<double> way = way_on(scene, body, flying_share);
-  const double turning = turn_on(scene, body, i), farthest = way.norm() + turning;
+  const double farthest = ahead.way.norm() + ahead.turn;
   if (is_far(scene, i, farthest))
   {
     return bounds_of(body, shape, margin / 2);
   }
   const double rounding = 1e-9 * farthest;
-  const Eigen::AlignedBox<double, 3> here = bounds_of(body, shape, margin / 2 + turning + rounding);
-  return here.merged(here.translated(way))
+  const Eigen::AlignedBox<double, 3> here =
+      bounds_of(body, shape, margin / 2 + ahead.turn + rounding);
+  return here.merged(here.translated(ahead.way))
       .merged(here.translated(way_on(scene, body, pushed_share)));
 }
 
 /// How far apart [m] two bodies may be and be in contact: the margin [m]; and as far as they may
 /// come closer in this step, if they would end too deep in each other, and clearly deeper than they
 /// are.
-inline double
-foreseen_reach(const Scene& scene, std::span<const RigidBody> bodies, int i, int j, double margin)
+inline double foreseen_reach(
+    const Scene& scene, std::span<const RigidBody> bodies, std::span<const Ahead> ahead, int i,
+    int j, double margin)
 {
+  const Ahead &of_a = ahead[place_of(i)], &of_b = ahead[place_of(j)];
   const RigidBody &a = bodies[place_of(i)], &b = bodies[place_of(j)];
-  const double harmless = harmless_depth(std::min(thinness(scene, i), thinness(scene, j)));
-  const bool forced = a.acceleration.any() || b.acceleration.any();
-  const auto larger = [forced](const auto& of)
-  { return forced ? std::max(of(flying_share), of(pushed_share)) : of(flying_share); };
-  const double turn_a = turn_on(scene, a, i), turn_b = turn_on(scene, b, j);
-  const auto way_between = [&](double share)
-  { return (way_on(scene, b, share) - way_on(scene, a, share)).norm(); };
-  const double closing = larger(way_between) + turn_a + turn_b;
-  const auto swept = [&scene](const RigidBody& body, int number, double turn)
-  { return is_for_sweep(scene, body, number, way_on(scene, body, flying_share).norm() + turn); };
-  if (!(closing > harmless) || swept(a, i, turn_a) || swept(b, j, turn_b))
+  const double harmless = std::min(of_a.harmless, of_b.harmless);
+  const bool forced = of_a.forced || of_b.forced;
+  double closing = (of_b.way - of_a.way).norm();
+  if (forced)
+  {
+    const auto pushed = [&](const RigidBody& body) { return way_on(scene, body, pushed_share); };
+    closing = std::max(closing, (pushed(b) - pushed(a)).norm());
+  }
+  closing += of_a.turn;
+  closing += of_b.turn;
+  if (!(closing > harmless) || of_a.swept || of_b.swept)
   {
     return margin;
   }
@@ -145,7 +153,8 @@ foreseen_reach(const Scene& scene, std::span<const RigidBody> bodies, int i, int
   };
   const auto end_of = [&](double share)
   { return depth(going_on(scene, a, share), going_on(scene, b, share)); };
-  const double end = larger(end_of);
+  const double end =
+      forced ? std::max(end_of(flying_share), end_of(pushed_share)) : end_of(flying_share);
   return end > harmless && end > depth(a, b) + harmless / 10 ? margin + closing : margin;
 }
 // [foreseen]

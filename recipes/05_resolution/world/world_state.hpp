@@ -42,6 +42,7 @@ struct WorldState
   std::vector<bool> parted;              ///< who was moved out of an overlap, but not pushed
   std::vector<SleepState<double>> sleep; ///< who rests, and for how long; empty if none may sleep
   std::vector<Bounds> bounds;            ///< of all that are there
+  std::vector<Ahead> ahead;              ///< where each goes if nothing pushes it
   BroadPhase near;                       ///< who may touch
   std::vector<WorldContact> contacts;    ///< of the last step
   std::vector<WorldContact> begun;       ///< those that began with it

@@ -24,13 +24,16 @@ inline void find_contacts(WorldState& world)
 {
   const Scene& scene = world.scene;
   const double margin = contact_margin(scene);
+  world.ahead.resize(world.bodies.size());
   for (Bounds& bound : world.bounds)
   {
-    bound.box = foreseen_bounds(scene, world.bodies[place_of(bound.body)], bound.body, margin);
+    const std::size_t i = place_of(bound.body);
+    world.ahead[i] = ahead_of(scene, world.bodies[i], bound.body);
+    bound.box = foreseen_bounds(scene, world.bodies[i], world.ahead[i], bound.body, margin);
   }
   update_contacts(
       world.contacts, world.begun, scene, world.bodies, world.near.pairs(world.bounds), margin,
-      [&](int a, int b) { return foreseen_reach(scene, world.bodies, a, b, margin); },
+      [&](int a, int b) { return foreseen_reach(scene, world.bodies, world.ahead, a, b, margin); },
       [&](int body) { return is_still(world, body); });
 }
 
