@@ -40,7 +40,7 @@ struct WorldState
   std::vector<bool> gone;                ///< who was taken out
   std::vector<bool> falls;               ///< who fell freely in the last step
   std::vector<bool> parted;              ///< who was moved out of an overlap, but not pushed
-  std::vector<SleepState<double>> sleep; ///< who rests, and for how long; empty if none may sleep
+  std::vector<SleepState<double>> sleep; ///< who rests; empty if none may sleep
   std::vector<Bounds> bounds;            ///< of all that are there
   std::vector<Ahead> ahead;              ///< where each goes if nothing pushes it
   BroadPhase near;                       ///< who may touch
