@@ -31,35 +31,31 @@ int axis_of(const std::optional<Manifold<Real>>& manifold)
 template <class Warm>
 using PerPoint = std::array<Warm, 8>;
 
-/// The place of the point that has a feature, among points of which each has another; how many
-/// there are if none has it.
-template <class Points>
-std::size_t find_feature(const Points& points, std::uint32_t feature)
+/// For the points of this frame what was known of those of the frame before that have the same
+/// feature, each point another; `Warm{}` for points that are new.
+template <class Warm, class Before, class Known, class Now>
+PerPoint<Warm> carried_points(const Before& before, const Known& known, const Now& now)
 {
-  std::size_t i = 0;
-  while (i < points.size() && points[i].feature != feature)
+  PerPoint<Warm> carried{};
+  for (std::size_t i = 0; i < now.size(); ++i)
   {
-    ++i;
+    for (std::size_t j = 0; j < before.size(); ++j)
+    {
+      if (now[i].feature == before[j].feature)
+      {
+        carried[i] = known[j];
+      }
+    }
   }
-  return i;
+  return carried;
 }
 
-/// What was known of the points of the frame before, for the points of this one that have the same
-/// feature; `Warm{}` for points that are new.
+/// The same for the points of two manifolds.
 template <class Real, class Warm>
 PerPoint<Warm>
 carried_by_id(const Manifold<Real>& before, const PerPoint<Warm>& warm, const Manifold<Real>& now)
 {
-  PerPoint<Warm> carried{};
-  for (std::size_t i = 0; i < now.points.size(); ++i)
-  {
-    const std::size_t known = find_feature(before.points, now.points[i].feature);
-    if (known < before.points.size())
-    {
-      carried[i] = warm[known];
-    }
-  }
-  return carried;
+  return carried_points<Warm>(before.points, warm, now.points);
 }
 // [feature_id]
 

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -65,29 +64,6 @@ inline bool has_features_of(const WorldContact& contact, const Manifold<double>&
       contact.points.begin(), contact.points.end(), manifold.points.begin(), manifold.points.end(),
       same);
 }
-
-/// Gives a contact the normal and points of a manifold: a point with a feature that was there
-/// before keeps what was known of it.
-inline void renew(WorldContact& contact, const Manifold<double>& manifold)
-{
-  contact.normal = manifold.normal;
-  if (has_features_of(contact, manifold))
-  {
-    return;
-  }
-  PerPoint<WorldPoint> points{};
-  for (std::size_t i = 0; i < manifold.points.size(); ++i)
-  {
-    const std::uint32_t feature = manifold.points[i].feature;
-    const std::size_t known = find_feature(contact.points, feature);
-    if (known < contact.points.size())
-    {
-      points[i] = contact.points[known];
-    }
-    points[i].feature = feature;
-  }
-  contact.points.assign(points.begin(), points.begin() + manifold.points.size());
-}
 // [meet]
 
 // [update_contact]
@@ -102,6 +78,25 @@ inline void anchor(
     contact.points[i].on_a = a.axes.transpose() * (point.position + half - a.motion.center);
     contact.points[i].on_b = b.axes.transpose() * (point.position - half - b.motion.center);
   }
+}
+
+/// Gives a contact the normal and points of a manifold of its two bodies: a point with a feature
+/// that was there before keeps what was known of it.
+inline void renew(
+    WorldContact& contact, const Manifold<double>& manifold, const RigidBody& a, const RigidBody& b)
+{
+  contact.normal = manifold.normal;
+  if (!has_features_of(contact, manifold))
+  {
+    PerPoint<WorldPoint> points =
+        carried_points<WorldPoint>(contact.points, contact.points, manifold.points);
+    for (std::size_t i = 0; i < manifold.points.size(); ++i)
+    {
+      points[i].feature = manifold.points[i].feature;
+    }
+    contact.points.assign(points.begin(), points.begin() + manifold.points.size());
+  }
+  anchor(contact, manifold, a, b);
 }
 
 /// Brings the points of a contact up to date with where its bodies are; none where they are farther
@@ -125,8 +120,7 @@ struct UpdateContact
     {
       return contact.points.clear();
     }
-    renew(contact, *met);
-    anchor(contact, *met, a, b);
+    renew(contact, *met, a, b);
   }
   void operator()(const PlaneShape&, const PlaneShape&) const { contact.points.clear(); }
 };

@@ -85,9 +85,9 @@ inline Ahead ahead_of(const Scene& scene, const RigidBody& body, int i)
   Ahead ahead;
   ahead.way = way_on(scene, body, flying_share);
   ahead.turn = turn_on(scene, body, i);
+  ahead.farthest = ahead.way.norm() + ahead.turn;
   ahead.harmless = harmless_depth(thinness(scene, i));
-  const double farthest = ahead.way.norm() + ahead.turn;
-  ahead.swept = body.round ? farthest > ahead.harmless : is_far(scene, i, farthest);
+  ahead.swept = body.round ? ahead.farthest > ahead.harmless : is_far(scene, i, ahead.farthest);
   ahead.forced = body.acceleration.any();
   return ahead;
 }
@@ -111,12 +111,11 @@ inline Eigen::AlignedBox<double, 3>
 foreseen_bounds(const Scene& scene, const RigidBody& body, const Ahead& ahead, int i, double margin)
 {
   const auto& shape = scene.bodies[place_of(i)].shape;
-  const double farthest = ahead.way.norm() + ahead.turn;
-  if (is_far(scene, i, farthest))
+  if (is_far(scene, i, ahead.farthest))
   {
     return bounds_of(body, shape, margin / 2);
   }
-  const double rounding = 1e-9 * farthest;
+  const double rounding = 1e-9 * ahead.farthest;
   const Eigen::AlignedBox<double, 3> here =
       bounds_of(body, shape, margin / 2 + ahead.turn + rounding);
   return here.merged(here.translated(ahead.way))

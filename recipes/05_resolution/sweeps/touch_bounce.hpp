@@ -107,8 +107,7 @@ inline double bounce(
     return 0;
   }
   WorldContact contact = new_contact(scene, touch.first, touch.other);
-  renew(contact, *met);
-  anchor(contact, *met, a, b);
+  renew(contact, *met, a, b);
   double fastest = 0;
   std::vector<ImpactPoint> points;
   for (WorldPoint& sum : contact.points)

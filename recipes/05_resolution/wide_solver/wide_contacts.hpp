@@ -130,8 +130,8 @@ private:
   /// Bodies have their places in the world; behind them is nobody, whom nothing moves.
   void take_bodies(IslandView world)
   {
-    bodies_.resize(world.bodies.size());
     make_room(bodies_, world.bodies.size() + 1);
+    bodies_.resize(world.bodies.size());
     bodies_.emplace_back();
     const auto put = [&](int i)
     {

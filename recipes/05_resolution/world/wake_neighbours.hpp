@@ -13,14 +13,20 @@
 namespace cookbook
 {
 
+/// Wakes bodies, with all that hangs together with them; where none may sleep, none has to be
+/// found.
+inline void wake_islands_of(WorldState& world, std::span<const int> bodies)
+{
+  if (world.may_sleep)
+  {
+    world.islands.find(world.bodies, world.contacts);
+    wake(world.sleep, world.islands.numbers(), bodies);
+  }
+}
+
 /// Wakes whatever touches a body, and all that hangs together with it.
 inline void wake_neighbours(WorldState& world, int body)
 {
-  if (!world.may_sleep)
-  {
-    return;
-  }
-  world.islands.find(world.bodies, world.contacts);
   std::vector<int> touching;
   for (const WorldContact& contact : world.contacts)
   {
@@ -29,7 +35,7 @@ inline void wake_neighbours(WorldState& world, int body)
       touching.push_back(contact.a + contact.b - body);
     }
   }
-  wake(world.sleep, world.islands.numbers(), touching);
+  wake_islands_of(world, touching);
 }
 
 /// Wakes what sleeps in the bounds of a body, with all that hangs together with it.
@@ -39,7 +45,6 @@ inline void wake_touched_by(WorldState& world, const Bounds& bound)
   {
     return;
   }
-  world.islands.find(world.bodies, world.contacts);
   std::vector<int> touched;
   for (const Bounds& other : world.bounds)
   {
@@ -48,7 +53,7 @@ inline void wake_touched_by(WorldState& world, const Bounds& bound)
       touched.push_back(other.body);
     }
   }
-  wake(world.sleep, world.islands.numbers(), touched);
+  wake_islands_of(world, touched);
 }
 
 } // namespace cookbook

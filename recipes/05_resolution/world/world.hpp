@@ -172,14 +172,11 @@ private:
     state_.has_balls = state_.has_balls || bodies().back().round;
   }
 
-  /// Wakes a body and all that hangs together with it; where none may sleep, none has to be found.
+  /// Wakes a body and all that hangs together with it.
   void wake_island_of(std::size_t body)
   {
-    if (state_.may_sleep)
-    {
-      state_.islands.find(state_.bodies, state_.contacts);
-      wake(state_.sleep, state_.islands.numbers(), static_cast<int>(body));
-    }
+    const int number = static_cast<int>(body);
+    wake_islands_of(state_, {&number, 1});
   }
 
   void check_there(std::size_t body) const
