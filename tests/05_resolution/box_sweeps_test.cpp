@@ -123,7 +123,7 @@ bool goes_through(const Scene& scene, int steps, const std::string& solver, std:
       before.push_back(seen_from(world, wall, body));
     }
     world.step();
-    REQUIRE(energy(world.bodies(), scene.gravity) <= most + 1e-6 * std::abs(most) + 1e-9);
+    CHECK(energy(world.bodies(), scene.gravity) <= most + 1e-6 * std::abs(most) + 1e-9);
     for (std::size_t body = wall + 1; body < scene.bodies.size(); ++body)
     {
       const Vector3<double> was = before[body], now = seen_from(world, wall, body);
@@ -161,6 +161,43 @@ void nothing_passes(int tries)
     }
   }
 }
+
+// [corner]
+/// A box thrown at the corner that three planes make.
+Scene thrown_into_corner(BoxDraw& draw, const Vector3<double>& half)
+{
+  Scene scene;
+  for (const int axis : {0, 1, 2})
+  {
+    SceneBody plane = ground();
+    plane.name = numbered("plane", axis);
+    plane.shape = PlaneShape{Vector3<double>::Unit(axis), 0};
+    scene.bodies.push_back(plane);
+  }
+  SceneBody box = box_body("box", half, draw.vector(0.5, 1));
+  box.velocity = -evenly(draw, 1, 1000) * box.position.normalized();
+  box.orientation = Quaternion<double>(draw.rotation());
+  box.angular_velocity = spin_of(draw);
+  box.restitution = draw.whole(2) * draw.between(0, 1);
+  scene.bodies.push_back(box);
+  return scene;
+}
+
+/// It stays in front of the planes for a second and a half, and gains no energy.
+void check_in_corner(const Scene& scene, const std::string& solver, int number)
+{
+  World world(scene, solver_named(solver));
+  const double most = energy(world.bodies(), scene.gravity);
+  for (int step = 0; step < 90; ++step)
+  {
+    world.step();
+    CAPTURE(number, solver, step);
+    REQUIRE(is_finite(world.bodies()[3]));
+    REQUIRE(world.bodies()[3].motion.center.minCoeff() > 0);
+    REQUIRE(energy(world.bodies(), scene.gravity) <= most * (1 + 1e-3));
+  }
+}
+// [corner]
 
 } // namespace
 
@@ -355,35 +392,29 @@ TEST_CASE("300 boxes of 1 mm to 20 cm thrown into a corner of three planes stay 
   BoxDraw draw(7);
   for (int i = 0; i < inputs(300, 10); ++i)
   {
-    Scene scene;
-    for (const int axis : {0, 1, 2})
-    {
-      SceneBody plane = ground();
-      plane.name = numbered("plane", axis);
-      plane.shape = PlaneShape{Vector3<double>::Unit(axis), 0};
-      scene.bodies.push_back(plane);
-    }
     const Vector3<double> half{
         evenly(draw, 0.0005, 0.1), evenly(draw, 0.0005, 0.1), evenly(draw, 0.0005, 0.1)};
-    SceneBody box = box_body("box", half, draw.vector(0.5, 1));
-    box.velocity = -evenly(draw, 1, 1000) * box.position.normalized();
-    box.orientation = Quaternion<double>(draw.rotation());
-    box.angular_velocity = spin_of(draw);
-    box.restitution = draw.whole(2) * draw.between(0, 1);
-    scene.bodies.push_back(box);
-    World world(scene, solver_named(i % 2 == 0 ? "direct" : "soft_steps"));
-    const double most = energy(world.bodies(), scene.gravity);
-    for (int step = 0; step < 90; ++step)
+    check_in_corner(thrown_into_corner(draw, half), i % 2 == 0 ? "direct" : "soft_steps", i);
+  }
+}
+
+// [needles]
+TEST_CASE("300 needles, 30 to 160 times as long as thick, gain no energy in that corner")
+{
+  BoxDraw draw(8);
+  for (int i = 0; i < inputs(300, 10); ++i)
+  {
+    Vector3<double> half{
+        evenly(draw, 0.0005, 0.0015), evenly(draw, 0.0005, 0.0015), evenly(draw, 0.05, 0.08)};
+    std::swap(half.z(), half[i % 3]);
+    const Scene scene = thrown_into_corner(draw, half);
+    for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
     {
-      world.step();
-      const RigidBody& now = world.bodies()[3];
-      CAPTURE(i, step, half.transpose());
-      REQUIRE(is_finite(now));
-      CHECK(now.motion.center.minCoeff() > 0);
-      CHECK(energy(world.bodies(), scene.gravity) <= most * (1 + 1e-3));
+      check_in_corner(scene, solver, i);
     }
   }
 }
+// [needles]
 
 TEST_CASE(
     "100 boxes that lean on a wall are hit from behind at 1 to 1,000 m/s, and nobody passes it")

@@ -86,7 +86,8 @@ struct MetPairs
     std::vector<double> ways;
     BroadPhase near;
     near.pairs(bounds);
-    StepCourses step{scene, {}, falls, gone, near.last(), near.tree(), courses, ways};
+    std::vector<bool> too_deep(starts.size(), false);
+    StepCourses step{scene, {}, falls, gone, near.last(), near.tree(), courses, ways, too_deep};
     set_out(step, starts, ends);
     compare(step, ends);
   }

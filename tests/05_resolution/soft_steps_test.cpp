@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,60 @@ TEST_CASE("a cube on soft contacts sinks by g / ω², as on a spring of their fr
   }
 }
 // [spring]
+
+// [cold_starts]
+TEST_CASE(
+    "a turn is noticed sooner the more moments differ: a cube's at 0.05, a needle's at 0.0007")
+{
+  const auto turns = [](const Vector3<double>& half, double angle)
+  {
+    RigidBody body = rigid_body(box_body("box", half, {0, 0, 0}));
+    body.motion.angular_velocity = Vector3<double>(0, angle, 0) * 240;
+    return turns_noticeably(body, 1.0 / 240);
+  };
+  CHECK(!turns({1, 1, 1}, 0.0499));
+  CHECK(turns({1, 1, 1}, 0.0501));
+  const double moments = (1 + 0.0001) / 0.0002; // of a needle of 1 : 100, one over the other
+  CHECK(!turns({1, 0.01, 0.01}, 0.0499 / std::sqrt(moments)));
+  CHECK(turns({1, 0.01, 0.01}, 0.0501 / std::sqrt(moments)));
+  RigidBody ball = rigid_body(ball_body("ball", 1, {0, 0, 0}));
+  ball.motion.angular_velocity.x() = 1000;
+  CHECK(!turns_noticeably(ball, 1));
+  CHECK(!turns_noticeably(rigid_body(ground()), 1));
+}
+
+TEST_CASE("what would give a needle energy that turns is forgotten; what would take some is given")
+{
+  const auto pushed = [](double down, double spin) // the needle's energy before and after, and what
+  {                                                // its point keeps
+    SceneBody needle = box_body("needle", {0.1, 0.001, 0.001}, {0, 0.001, 0});
+    needle.velocity.y() = -down;
+    needle.angular_velocity.y() = spin;
+    std::array<RigidBody, 2> bodies{rigid_body(ground()), rigid_body(needle)};
+    std::array<WorldContact, 1> contacts{
+        WorldContact{0, 1, 0.6, 0, {0, 1, 0}, {WorldPoint{.on_b = {0, -0.001, 0}, .impulse = 1}}}};
+    constexpr std::array<int, 1> movable{1}, contact{0};
+    std::vector<IslandPoint> room;
+    std::vector<TurningBody> turning;
+    const IslandView view{bodies, contacts, {0, 0, 0}, room};
+    const Island island{movable, contact};
+    const std::span<IslandPoint> points = points_of(view, island);
+    const double before = kinetic_energy(bodies[1]);
+    warm_start(view, island, 1.0 / 240, points, turning);
+    return std::array<double, 3>{before, kinetic_energy(bodies[1]), points[0].impulse};
+  };
+  // 1 N s on 1 kg: from rest it gives half a joule, and from 2 m/s it takes 1.5 J.
+  const auto [resting, forgotten, nothing] = pushed(0, 1);
+  CHECK(forgotten == Catch::Approx(resting).epsilon(1e-12));
+  CHECK(nothing == 0);
+  const auto [still, lifted, kept_still] = pushed(0, 0);
+  CHECK(lifted - still == Catch::Approx(0.5));
+  CHECK(kept_still == 1);
+  const auto [coming, braked, kept] = pushed(2, 1);
+  CHECK(coming - braked == Catch::Approx(1.5));
+  CHECK(kept == 1);
+}
+// [cold_starts]
 
 // [thin_plate]
 TEST_CASE(

@@ -6,11 +6,13 @@
 #include "05_resolution/contacts/moved_body.hpp"
 #include "05_resolution/islands/island_points.hpp"
 #include "05_resolution/position_correction/position_correction.hpp"
+#include "05_resolution/soft_steps/cold_starts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 namespace cookbook
 {
@@ -59,8 +61,6 @@ inline double largest_turn(IslandView world, const Island& island, double time)
   return time * std::sqrt(fastest);
 }
 
-/// A box that turns by more than this [rad] feels pushes otherwise afterwards.
-inline constexpr double noticed_turn = 0.05;
 /// A box that turns by more than this [rad] in a frame lies in other overlaps before it is out of
 /// those that were found: it is not pushed out of them, which would only give it energy.
 inline constexpr double confusing_turn = 1;
@@ -99,6 +99,7 @@ soft_steps(IslandView world, const Island& island, double step, const SoftSettin
   const double small = step / settings.substeps;
   const Softness<double> spring = spring_for(small, settings);
   const double correction_speed = speed_of_correction(world, island, step, settings);
+  std::vector<TurningBody> turning;
   scale_impulses(points, 1.0 / settings.substeps);
   for (int i = 0; i < settings.substeps; ++i)
   {
@@ -106,10 +107,7 @@ soft_steps(IslandView world, const Island& island, double step, const SoftSettin
     {
       pull(world.bodies[static_cast<std::size_t>(body)], world.gravity, small);
     }
-    for (IslandPoint& point : points)
-    {
-      warm_start(point);
-    }
+    warm_start(world, island, small, points, turning);
     for (IslandPoint& point : points)
     {
       correct<double>(*point.a, *point.b, point, spring, small, correction_speed);
@@ -118,7 +116,7 @@ soft_steps(IslandView world, const Island& island, double step, const SoftSettin
     {
       move(world.bodies[static_cast<std::size_t>(body)], small);
     }
-    const bool turned = largest_turn(world, island, small) > noticed_turn;
+    const bool turned = any_turns_noticeably(world, island, small);
     for (IslandPoint& point : points)
     {
       point.apart += small * parting_speed(point);

@@ -38,6 +38,13 @@ inline double thinness_of(const PlaneShape&)
 {
   return std::numeric_limits<double>::infinity();
 }
+
+/// How deep [m] bodies may get into each other and nobody minds, of which the thinner one has this
+/// thinness [m]: by a twentieth of its smallest size.
+inline double harmless_depth(double thinness)
+{
+  return thinness / 10;
+}
 // [body_sizes]
 
 } // namespace cookbook

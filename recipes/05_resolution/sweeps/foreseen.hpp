@@ -44,13 +44,6 @@ struct DepthBetween
 // [depth_between]
 
 // [foreseen]
-/// How deep [m] bodies may get into each other unforeseen, of which the thinner one has this
-/// thinness [m]: by a twentieth of its smallest size.
-inline double harmless_depth(double thinness)
-{
-  return thinness / 10;
-}
-
 /// How far [m] a body goes in a step if no other pushes it, but for the fall of that step. Its
 /// forces lead it half as far where nothing touches it, by a parabola, as where a solver moves it.
 inline Vector3<double> way_on(const Scene& scene, const RigidBody& body, double share)

@@ -33,24 +33,35 @@ struct CourseTouch
 // [course_touch]
 
 // [first_of]
-/// Whether a body that is hit goes its own way: a ball, a fast box, and what falls. All others lie
+/// Whether a body that is hit goes its own way: a ball, a swept box, and what falls. All others lie
 /// among others: they are pushed in this step, and move in the next.
 inline bool goes_on(const StepCourses& step, int i)
 {
-  const bool alone = is_ball(step.scene, i) || step.falls[place_of(i)] || is_fast_box(step, i);
+  const bool alone = is_ball(step.scene, i) || step.falls[place_of(i)] || is_swept_box(step, i);
   return alone && !is_fixed(*step.courses[place_of(i)].from);
 }
 
-/// Two bodies that touch, first the one that goes on by itself: a fast box before a ball, that
+/// Two bodies that touch, first the one that goes on by itself: a swept box before a ball, that
 /// before all others; of two balls one that falls.
 inline std::pair<int, int> first_of(const StepCourses& step, int i, int j)
 {
   const auto rank = [&](int one)
   {
     const bool ball = is_ball(step.scene, one);
-    return is_fast_box(step, one) ? 3 : ball && step.falls[place_of(one)] ? 2 : ball ? 1 : 0;
+    return is_swept_box(step, one) ? 3 : ball && step.falls[place_of(one)] ? 2 : ball ? 1 : 0;
   };
   return rank(j) > rank(i) ? std::pair(j, i) : std::pair(i, j);
+}
+
+/// Has what a solver has left too deep take along the box that it pressed on: where the one went,
+/// it went because of the other.
+inline void take_along(StepCourses& step, int first, int other)
+{
+  if (step.too_deep[place_of(first)] && !is_ball(step.scene, other) &&
+      !is_fixed(*step.courses[place_of(other)].from) && pressed(step, std::minmax(first, other)))
+  {
+    step.too_deep[place_of(other)] = true;
+  }
 }
 // [first_of]
 
@@ -79,7 +90,7 @@ next_touch(const StepCourses& step, int first, int other, double time, double de
     const BallOnCourse ball{course, by, time, scene.step, presses ? thin / 100 : 0};
     return std::visit(ball, shape, of_other);
   }
-  const double slack = presses ? std::min(thin, thinness(scene, other)) / 8 : 0;
+  const double slack = presses ? harmless_depth(std::min(thin, thinness(scene, other))) : 0;
   return std::visit(
       BoxOnCourse{course, by, time, scene.step, std::max(slack, depth)}, shape, of_other);
 }

@@ -128,7 +128,7 @@ pairs_in_danger(StepCourses& step, std::span<const RigidBody> ends)
   const auto fast = [&](int i)
   {
     const bool falling_ball = step.falls[place_of(i)] && is_ball(step.scene, i);
-    return falling_ball || step.ways[place_of(i)] > harmless || is_fast_box(step, i);
+    return falling_ball || step.ways[place_of(i)] > harmless || is_swept_box(step, i);
   };
   bool any = false;
   for (int i = 0; i < static_cast<int>(ends.size()) && !any; ++i)
@@ -139,7 +139,7 @@ pairs_in_danger(StepCourses& step, std::span<const RigidBody> ends)
   const auto ask = [&](int i, int j)
   {
     const bool ball = in_danger(step, i, j) || in_danger(step, j, i);
-    if (is_fast_box(step, i) || is_fast_box(step, j) || ((fast(i) || fast(j)) && ball))
+    if (is_swept_box(step, i) || is_swept_box(step, j) || ((fast(i) || fast(j)) && ball))
     {
       pairs.emplace_back(i, j);
     }

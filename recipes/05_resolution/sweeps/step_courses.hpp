@@ -10,7 +10,6 @@
 #include "05_resolution/sweeps/free_flight.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -32,6 +31,7 @@ struct StepCourses
   BoundsTree& tree;                          ///< of all bodies that are there
   std::vector<Course>& courses;              ///< of all bodies
   std::vector<double>& ways;                 ///< [m], how far any point of a body went
+  std::vector<bool>& too_deep;               ///< which boxes a solver has left too deep
 };
 
 /// True if a body is a ball.
@@ -54,34 +54,12 @@ inline double thinness(const Scene& scene, int i)
       [](const auto& shape) { return thinness_of(shape); }, scene.bodies[place_of(i)].shape);
 }
 
-/// True if a body is a box some point of which went by more than half of its smallest size. What
-/// goes by less cannot get behind a surface.
-inline bool is_fast_box(const StepCourses& step, int i)
+/// True if a body is a box some point of which went by more than half of its smallest size: what
+/// goes by less cannot get behind a surface. Or if it has ended too deep in something.
+inline bool is_swept_box(const StepCourses& step, int i)
 {
-  return !is_ball(step.scene, i) && step.ways[place_of(i)] > thinness(step.scene, i);
-}
-
-/// Whether any box may be fast: no sines, and no more than 1.6 times too soon.
-inline bool may_have_fast_boxes(
-    const Scene& scene, std::span<const RigidBody> starts, std::span<const RigidBody> ends)
-{
-  for (std::size_t i = 0; i < ends.size(); ++i)
-  {
-    const BoxShape* const box = std::get_if<BoxShape>(&scene.bodies[i].shape);
-    if (!box || is_fixed(ends[i]))
-    {
-      continue;
-    }
-    // A turn by an angle moves a quaternion by a chord of at least the angle over pi.
-    const auto from = starts[i].orientation.coeffs(), to = ends[i].orientation.coeffs();
-    const double chord = std::sqrt(std::min((to - from).squaredNorm(), (to + from).squaredNorm()));
-    const double way = (ends[i].motion.center - starts[i].motion.center).norm();
-    if (way + 3.15 * chord * reach_of(*box) > thinness_of(*box))
-    {
-      return true;
-    }
-  }
-  return false;
+  return !is_ball(step.scene, i) &&
+         (step.ways[place_of(i)] > thinness(step.scene, i) || step.too_deep[place_of(i)]);
 }
 
 /// How far [m] a spin [rad/s] carries any point of a body round its centre in a time [s].
@@ -135,7 +113,7 @@ on_the_way(const StepCourses& step, int i, double time, bool own, const RigidBod
 {
   const Course& course = step.courses[place_of(i)];
   const RigidBody pose = course.pose_at(time);
-  const bool fast = is_fast_box(step, i);
+  const bool fast = is_swept_box(step, i);
   if (own)
   {
     RigidBody body = course.start();

@@ -7,7 +7,6 @@
 #include "05_resolution/sweeps/touch_queue.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <deque>
 #include <limits>
 #include <optional>
@@ -78,6 +77,7 @@ private:
   {
     const int first = touch.first, other = touch.other;
     const std::pair<int, int> pair = std::minmax(first, other);
+    take_along(step_, first, other);
     RigidBody a = at(first, touch.time), b = at(other, touch.time);
     const Met met = touch_manifold(step_.scene, touch, a, b);
     const double depth = ghost_depth(step_.scene, touch, met, a, b);
@@ -131,12 +131,14 @@ private:
     }
     if (approach > 0)
     {
-      hit_.push_back(first);
-      hit_.push_back(other);
+      hit_.insert(hit_.end(), {first, other});
     }
-    if (approach > 0 || frozen)
+    // Their ways close, though by their velocities at the end they part: a solver turned them
+    // round.
+    const bool turned = how == Onward::held && approach == 0 && is_swept_box(step_, other);
+    if (approach > 0 || frozen || turned)
     {
-      pass_on(b, touch, met, frozen ? Onward::frozen : Onward::free);
+      pass_on(b, touch, met, frozen || turned ? how : Onward::free);
     }
   }
 
@@ -165,13 +167,12 @@ private:
     is_held_[place_of(i)] = how == Onward::held;
     course = {&turns_.emplace_back(body), touch.time,  velocity,
               course.acceleration,        course.spin, body.angular_acceleration};
-    RigidBody& end = ends_[place_of(i)];
     if (how == Onward::frozen)
     {
       course.velocity.setZero();
       course.acceleration.setZero();
     }
-    end = gone_on(course, duration_, how);
+    RigidBody& end = ends_[place_of(i)] = gone_on(course, duration_, how);
     if (how == Onward::leans || how == Onward::held)
     {
       for_each_place(

@@ -64,7 +64,7 @@ public:
       step_.tree.widen(place_of(leaf_[place_of(i)]), way);
     }
     const auto watched = [&](int one)
-    { return is_ball(step_.scene, one) || is_fast_box(step_, one); };
+    { return is_ball(step_.scene, one) || is_swept_box(step_, one); };
     step_.tree.each_that(
         [&](const Eigen::AlignedBox<double, 3>& box) { return box.intersects(way); },
         [&](int j)

@@ -69,6 +69,16 @@ public:
     return at;
   }
 
+  /// Forgets what that point has been given.
+  void start_cold(std::size_t place, std::size_t lane)
+  {
+    ContactConstraint<float> at = pushed(place, lane);
+    at.impulse = 0;
+    at.friction.setZero();
+    WriteLane write{point(place, lane), lanes_};
+    each_pushed(at, write);
+  }
+
   /// All of them, in their groups, and the bodies that they push.
   WideView view(std::span<const WideGroup> groups, LaneBody* bodies)
   {

@@ -8,7 +8,9 @@
 #include "05_resolution/wide_solver/passes_in_lanes.hpp"
 #include "common/simd/lanes.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace cookbook
@@ -69,6 +71,25 @@ public:
 
   /// Pushes as the step before has ended.
   void warm_start() { passes_.warm_start(view()); }
+
+  /// Forgets what the points of these bodies have been given.
+  void start_cold(IslandView world, std::span<const TurningBody> bodies)
+  {
+    for_each_contact(
+        world,
+        [&](const WorldContact& contact, float, std::size_t lane)
+        {
+          const auto touches = [&](const TurningBody& one)
+          { return one.number == contact.a || one.number == contact.b; };
+          if (std::any_of(bodies.begin(), bodies.end(), touches))
+          {
+            for (std::size_t i = 0; i < contact.points.size(); ++i)
+            {
+              numbers_.start_cold(first_of(lane) + i, lane);
+            }
+          }
+        });
+  }
 
   /// Corrects every point once, with a spring, in a small step [s].
   void correct(const Softness<double>& spring, double small)

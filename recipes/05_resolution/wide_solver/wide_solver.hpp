@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <span>
+#include <vector>
 
 namespace cookbook
 {
@@ -30,14 +31,14 @@ inline bool fits_floats(IslandView world, const Island& island, double step)
 }
 // [fits_floats]
 
-// [wide_steps]
+// [wide_turning]
 /// Finds what impulses feel, once bodies of an island have turned by what is noticed in a time [s].
 inline void take_turned(IslandView world, double time, WideContacts& lanes)
 {
   bool any = false;
   for (const Island& island : lanes.islands.all())
   {
-    if (largest_turn(world, island, time) > noticed_turn)
+    if (any_turns_noticeably(world, island, time))
     {
       any = true;
       for (const int i : island.bodies)
@@ -53,6 +54,35 @@ inline void take_turned(IslandView world, double time, WideContacts& lanes)
   }
 }
 
+/// Pushes as the step before has ended; whom that would give energy starts from nothing, if he
+/// turns noticeably in a small step [s].
+inline void warm_start(IslandView world, double small, WideContacts& lanes)
+{
+  std::vector<TurningBody> turning;
+  for (const Island& island : lanes.islands.all())
+  {
+    add_turning(world, island, small, turning);
+  }
+  lanes.warm_start();
+  const auto gains = [&](const TurningBody& one)
+  {
+    RigidBody pushed = world.bodies[place_of(one.number)];
+    take_motion(lanes.body(one.number), pushed);
+    return kinetic_energy(pushed) > one.energy;
+  };
+  const auto cold = std::partition(turning.begin(), turning.end(), gains);
+  if (cold == turning.begin())
+  {
+    return;
+  }
+  lanes.start_cold(world, {turning.begin(), cold});
+  lanes.islands.for_each_body([&](int i) { put_motion(world.bodies[place_of(i)], lanes.body(i)); });
+  lanes.warm_start();
+}
+
+// [wide_turning]
+
+// [wide_steps]
 /// Moves the bodies of islands on by a step [s], as soft_steps() does, a contact in every lane of a
 /// pack of floats; R13, R16. They may be of different islands: none feels that there are others.
 ///
@@ -89,7 +119,7 @@ inline void wide_steps(
           pull(body, world.gravity, small);
           put_motion(body, lane);
         });
-    lanes.warm_start();
+    warm_start(world, small, lanes);
     lanes.correct(spring_for(small, settings), small);
     each_body(
         [&](RigidBody& body, LaneBody& lane)

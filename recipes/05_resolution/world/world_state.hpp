@@ -50,7 +50,8 @@ struct WorldState
   std::vector<Island> touching;          ///< those that a step gives to the solver
   std::vector<IslandPoint> room;         ///< for the points of an island
   std::vector<Course> courses;           ///< room for those of a sweep
-  std::vector<double> ways;              ///< [m], room for how far they lead
+  std::vector<double> ways;              ///< [m], how far any point of a body went
+  std::vector<bool> too_deep;            ///< which boxes a solver has left too deep
 };
 
 /// Whether a body sleeps.

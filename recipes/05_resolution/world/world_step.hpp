@@ -5,10 +5,10 @@
 
 #include "05_resolution/contacts/contact_cache.hpp"
 #include "05_resolution/damping/damping.hpp"
-#include "05_resolution/sweeps/foreseen.hpp"
 #include "05_resolution/sweeps/free_flight.hpp"
 #include "05_resolution/sweeps/simultaneous_impacts.hpp"
 #include "05_resolution/sweeps/step_sweeps.hpp"
+#include "05_resolution/sweeps/too_deep.hpp"
 #include "05_resolution/world/world_state.hpp"
 
 #include <algorithm>
@@ -113,11 +113,16 @@ inline void advance(WorldState& world, const WorldSolver& solver)
   for_each_awake([&](const Island& island) { fall_unless_pushed(world, island); });
 }
 
-/// Has bodies bounce off what they would have passed through, and wakes whom they hit.
+/// Has bodies bounce off what they would have passed through, or been too deep in, and wakes whom
+/// they hit.
 inline void sweep(WorldState& world)
 {
-  StepCourses step{world.scene,       world.contacts,    world.falls,   world.gone,
-                   world.near.last(), world.near.tree(), world.courses, world.ways};
+  StepCourses step{world.scene,       world.contacts, world.falls, world.gone,    world.near.last(),
+                   world.near.tree(), world.courses,  world.ways,  world.too_deep};
+  if (!has_boxes_to_sweep(step, world.ahead, world.start, world.bodies) && !world.has_balls)
+  {
+    return;
+  }
   set_out(step, world.start, world.bodies);
   std::vector<int> hit;
   StepSweeps(step, world.bodies, hit).run();
@@ -181,10 +186,7 @@ COOKBOOK_WORLD_INLINE void step(WorldState& world, const WorldSolver& solver)
     const ForcesOfStep forces{world.bodies};
     advance(world, solver);
   }
-  if (world.has_balls || may_have_fast_boxes(world.scene, world.start, world.bodies))
-  {
-    sweep(world);
-  }
+  sweep(world);
   for (std::size_t i = 0; i < world.bodies.size(); ++i)
   {
     finish(world, i);

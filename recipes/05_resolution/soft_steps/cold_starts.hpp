@@ -1,0 +1,96 @@
+#pragma once
+
+/// \file
+/// \brief Bodies that turn so far in a small step that what pushed them before no longer fits.
+
+#include "05_resolution/islands/island_points.hpp"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace cookbook
+{
+
+// [cold_starts]
+/// A cube that turns by more than this [rad] feels pushes otherwise afterwards.
+inline constexpr double noticed_turn = 0.05;
+
+/// Whether a box turns in a time [s] so far that pushes feel another inertia afterwards. The more
+/// its moments differ, the less it takes: a needle, pushed at its end, spins about itself once it
+/// no longer lies along the arm of that push.
+inline bool turns_noticeably(const RigidBody& body, double time)
+{
+  const double squared = time * time * body.motion.angular_velocity.squaredNorm();
+  return !body.round &&
+         squared * body.moments.maxCoeff() > noticed_turn * noticed_turn * body.moments.minCoeff();
+}
+
+/// Whether any box of an island does.
+inline bool any_turns_noticeably(IslandView world, const Island& island, double time)
+{
+  return std::any_of(
+      island.bodies.begin(), island.bodies.end(),
+      [&](int i) { return turns_noticeably(world.bodies[place_of(i)], time); });
+}
+
+/// A body that turns noticeably, and its energy [J] before it is pushed again as it was.
+struct TurningBody
+{
+  int number;
+  double energy;
+};
+
+/// Adds those of an island that do so in a time [s].
+inline void
+add_turning(IslandView world, const Island& island, double time, std::vector<TurningBody>& turning)
+{
+  for (const int i : island.bodies)
+  {
+    const RigidBody& body = world.bodies[place_of(i)];
+    if (turns_noticeably(body, time))
+    {
+      turning.push_back({i, kinetic_energy(body)});
+    }
+  }
+}
+
+/// Takes back what the points of a body were given at the start of a small step, and forgets it.
+inline void start_cold(std::span<IslandPoint> points, const RigidBody& body)
+{
+  for (IslandPoint& point : points)
+  {
+    if (point.a == &body || point.b == &body)
+    {
+      push_apart<double>(
+          *point.a, *point.b, point.arms, -(point.impulse * point.normal + point.friction));
+      point.impulse = 0;
+      point.friction.setZero();
+    }
+  }
+}
+
+/// Gives points what the step before has ended with. A body that turns noticeably is pushed at arms
+/// where it no longer is: where that would give it energy, its points start from nothing.
+inline void warm_start(
+    IslandView world, const Island& island, double small, std::span<IslandPoint> points,
+    std::vector<TurningBody>& turning)
+{
+  turning.clear();
+  add_turning(world, island, small, turning);
+  for (const IslandPoint& point : points)
+  {
+    warm_start(point);
+  }
+  for (const TurningBody& one : turning)
+  {
+    const RigidBody& body = world.bodies[place_of(one.number)];
+    if (kinetic_energy(body) > one.energy)
+    {
+      start_cold(points, body);
+    }
+  }
+}
+// [cold_starts]
+
+} // namespace cookbook

@@ -1,0 +1,101 @@
+#pragma once
+
+/// \file
+/// \brief Which boxes have to be swept: what went far, and what a solver has left too deep.
+
+#include "05_resolution/sweeps/foreseen.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace cookbook
+{
+
+// [too_deep]
+/// How far [m] any point of each body went in a step, and up to 1.6 times as far: no sines.
+inline void find_rough_ways(
+    StepCourses& step, std::span<const RigidBody> starts, std::span<const RigidBody> ends)
+{
+  step.ways.clear();
+  for (std::size_t i = 0; i < ends.size(); ++i)
+  {
+    double way = (ends[i].motion.center - starts[i].motion.center).norm();
+    if (!ends[i].round)
+    {
+      // A turn by an angle moves a quaternion by a chord of at least the angle over pi.
+      const auto from = starts[i].orientation.coeffs(), to = ends[i].orientation.coeffs();
+      const double chord =
+          std::sqrt(std::min((to - from).squaredNorm(), (to + from).squaredNorm()));
+      way += 3.15 * chord * reach(step.scene, static_cast<int>(i));
+    }
+    step.ways.push_back(way);
+  }
+}
+
+/// Marks the boxes that a step has taken deeper into something than a fifteenth of the smaller size
+/// of the two, and by more than gravity alone does in a step, and says whether there are any. Only
+/// bodies are asked that were near each other.
+inline bool find_too_deep(
+    StepCourses& step, std::span<const Ahead> ahead, std::span<const RigidBody> starts,
+    std::span<const RigidBody> ends)
+{
+  const double fall = contact_margin(step.scene) / 2;
+  bool any = false;
+  step.too_deep.assign(ends.size(), false);
+  const auto moved_box = [&](int i)
+  { return step.ways[place_of(i)] > 0 && !is_ball(step.scene, i); };
+  for (const auto& [i, j] : step.near)
+  {
+    const double harmless = std::min(ahead[place_of(i)].harmless, ahead[place_of(j)].harmless);
+    const double ways = step.ways[place_of(i)] + step.ways[place_of(j)];
+    if (!(ways > harmless) || !(moved_box(i) || moved_box(j)))
+    {
+      continue;
+    }
+    const auto depth = [&](std::span<const RigidBody> bodies)
+    {
+      const DepthBetween between{bodies[place_of(i)], bodies[place_of(j)]};
+      return std::visit(
+          between, step.scene.bodies[place_of(i)].shape, step.scene.bodies[place_of(j)].shape);
+    };
+    const double end = depth(ends);
+    if (end > harmless * 4 / 3 && end > depth(starts) + std::max(harmless / 10, fall))
+    {
+      any = true;
+      step.too_deep[place_of(i)] = step.too_deep[place_of(i)] || moved_box(i);
+      step.too_deep[place_of(j)] = step.too_deep[place_of(j)] || moved_box(j);
+    }
+  }
+  return any;
+}
+
+/// Whether any box may have gone by more than half of its smallest size.
+inline bool may_have_fast_boxes(const StepCourses& step)
+{
+  for (std::size_t i = 0; i < step.ways.size(); ++i)
+  {
+    const int body = static_cast<int>(i);
+    if (!is_ball(step.scene, body) && step.ways[i] > thinness(step.scene, body))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether any box may have to be swept.
+inline bool has_boxes_to_sweep(
+    StepCourses& step, std::span<const Ahead> ahead, std::span<const RigidBody> starts,
+    std::span<const RigidBody> ends)
+{
+  find_rough_ways(step, starts, ends);
+  return find_too_deep(step, ahead, starts, ends) || may_have_fast_boxes(step);
+}
+// [too_deep]
+
+} // namespace cookbook
