@@ -87,7 +87,7 @@ struct MetPairs
     BroadPhase near;
     near.pairs(bounds);
     std::vector<bool> too_deep(starts.size(), false);
-    StepCourses step{scene, {}, falls, gone, near.last(), near.tree(), courses, ways, too_deep};
+    StepCourses step{scene, {}, falls, gone, near.last(), courses, ways, too_deep, &near.tree()};
     set_out(step, starts, ends);
     compare(step, ends);
   }

@@ -150,11 +150,10 @@ TEST_CASE("a box is swept that a step leaves deeper than a fifteenth, and not by
     ends[0].motion.center.x() += slab == Slab::moves ? 1e-6 : 0;
     const std::vector<bool> none(2, false);
     const std::vector<std::pair<int, int>> near{{0, 1}};
-    BoundsTree tree;
     std::vector<Course> courses;
     std::vector<double> ways;
     std::vector<bool> marked;
-    StepCourses step{scene, {}, none, none, near, tree, courses, ways, marked};
+    StepCourses step{scene, {}, none, none, near, courses, ways, marked};
     const Ahead ahead[] = {ahead_of(scene, starts[0], 0), ahead_of(scene, starts[1], 1)};
     const bool any = has_boxes_to_sweep(step, ahead, starts, ends);
     CHECK(any == (marked[0] || marked[1]));

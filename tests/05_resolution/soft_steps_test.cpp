@@ -56,8 +56,8 @@ TEST_CASE(
   CHECK(!turns({1, 1, 1}, 0.0499));
   CHECK(turns({1, 1, 1}, 0.0501));
   const double moments = (1 + 0.0001) / 0.0002; // of a needle of 1 : 100, one over the other
-  CHECK(!turns({1, 0.01, 0.01}, 0.0499 / std::sqrt(moments)));
-  CHECK(turns({1, 0.01, 0.01}, 0.0501 / std::sqrt(moments)));
+  CHECK(!turns({1, 0.01, 0.01}, 0.999 * std::sqrt(0.025 / moments)));
+  CHECK(turns({1, 0.01, 0.01}, 1.001 * std::sqrt(0.025 / moments)));
   RigidBody ball = rigid_body(ball_body("ball", 1, {0, 0, 0}));
   ball.motion.angular_velocity.x() = 1000;
   CHECK(!turns_noticeably(ball, 1));

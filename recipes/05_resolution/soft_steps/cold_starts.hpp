@@ -13,17 +13,20 @@ namespace cookbook
 {
 
 // [cold_starts]
-/// A cube that turns by more than this [rad] feels pushes otherwise afterwards.
+/// A box that turns by more than this [rad] feels pushes otherwise afterwards.
 inline constexpr double noticed_turn = 0.05;
+/// So does a slender one, if its largest moment over its least, times the square of its turn, is
+/// more than this: a needle that is pushed at its end spins about itself once it no longer lies
+/// along the arm of that push.
+inline constexpr double noticed_moment = 0.025;
 
-/// Whether a box turns in a time [s] so far that pushes feel another inertia afterwards. The more
-/// its moments differ, the less it takes: a needle, pushed at its end, spins about itself once it
-/// no longer lies along the arm of that push.
+/// Whether a box turns in a time [s] so far that pushes feel another inertia afterwards.
 inline bool turns_noticeably(const RigidBody& body, double time)
 {
   const double squared = time * time * body.motion.angular_velocity.squaredNorm();
   return !body.round &&
-         squared * body.moments.maxCoeff() > noticed_turn * noticed_turn * body.moments.minCoeff();
+         (squared > noticed_turn * noticed_turn ||
+          squared * body.moments.maxCoeff() > noticed_moment * body.moments.minCoeff());
 }
 
 /// Whether any box of an island does.

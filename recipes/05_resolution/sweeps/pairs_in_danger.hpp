@@ -71,7 +71,7 @@ inline bool may_meet(const StepCourses& step, int i, int j, double time)
 strays(const StepCourses& step, std::span<const RigidBody> ends)
 {
   std::vector<std::size_t> found;
-  const std::vector<Bounds>& leaves = step.tree.leaves();
+  const std::vector<Bounds>& leaves = step.tree->leaves();
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
   {
     const int i = leaves[leaf].body;
@@ -93,17 +93,17 @@ void each_that_may_have_met(StepCourses& step, std::span<const RigidBody> ends, 
   const std::vector<std::size_t> astray = strays(step, ends);
   if (8 * astray.size() > ends.size())
   {
-    step.tree.refit(way_of);
-    return each_overlap(step.tree, ask);
+    step.tree->refit(way_of);
+    return each_overlap(*step.tree, ask);
   }
   std::vector<std::pair<int, int>> pairs(step.near.begin(), step.near.end());
   for (const std::size_t leaf : astray)
   {
-    step.tree.widen(leaf, way_of(step.tree.leaves()[leaf]));
+    step.tree->widen(leaf, way_of(step.tree->leaves()[leaf]));
   }
   for (const std::size_t leaf : astray)
   {
-    add_overlaps(step.tree, leaf, pairs);
+    add_overlaps(*step.tree, leaf, pairs);
   }
   if (!astray.empty())
   {
@@ -112,10 +112,7 @@ void each_that_may_have_met(StepCourses& step, std::span<const RigidBody> ends, 
   }
   for (const auto& [i, j] : pairs)
   {
-    if (may_meet(step, i, j, 0))
-    {
-      ask(i, j);
-    }
+    ask(i, j);
   }
 }
 
@@ -139,7 +136,9 @@ pairs_in_danger(StepCourses& step, std::span<const RigidBody> ends)
   const auto ask = [&](int i, int j)
   {
     const bool ball = in_danger(step, i, j) || in_danger(step, j, i);
-    if (is_swept_box(step, i) || is_swept_box(step, j) || ((fast(i) || fast(j)) && ball))
+    const bool danger =
+        is_swept_box(step, i) || is_swept_box(step, j) || ((fast(i) || fast(j)) && ball);
+    if (danger && may_meet(step, i, j, 0))
     {
       pairs.emplace_back(i, j);
     }

@@ -28,10 +28,10 @@ struct StepCourses
   const std::vector<bool>& falls;            ///< whether no other body pushed it
   const std::vector<bool>& gone;             ///< whether it is no more
   std::span<const std::pair<int, int>> near; ///< whose bounds met as it began
-  BoundsTree& tree;                          ///< of all bodies that are there
   std::vector<Course>& courses;              ///< of all bodies
   std::vector<double>& ways;                 ///< [m], how far any point of a body went
   std::vector<bool>& too_deep;               ///< which boxes a solver has left too deep
+  BoundsTree* tree = nullptr;                ///< of all bodies that are there, once any is swept
 };
 
 /// True if a body is a ball.

@@ -34,7 +34,7 @@ public:
         duration_(step.scene.step),
         touched_(ends.size(), 0),
         is_held_(ends.size(), false),
-        touches_(step)
+        touches_(step, ends)
   {
   }
 

@@ -37,6 +37,28 @@ inline void find_rough_ways(
   }
 }
 
+/// How deep [m] two bodies of a scene are in each other.
+inline double
+depth_of(const Scene& scene, std::span<const RigidBody> bodies, const std::pair<int, int>& pair)
+{
+  const std::size_t i = place_of(pair.first), j = place_of(pair.second);
+  return std::visit(
+      DepthBetween{bodies[i], bodies[j]}, scene.bodies[i].shape, scene.bodies[j].shape);
+}
+
+/// Whether two bodies end no deeper in each other than does harm, and nothing has to be known of
+/// their ways: boxes that go by less than half of their size cannot get behind each other.
+inline bool end_harmlessly(
+    const StepCourses& step, std::span<const RigidBody> ends, const std::pair<int, int>& pair)
+{
+  const auto is_slow_box = [&](int i)
+  { return !is_ball(step.scene, i) && step.ways[place_of(i)] <= thinness(step.scene, i); };
+  const auto [i, j] = pair;
+  const double thin = std::min(thinness(step.scene, i), thinness(step.scene, j));
+  return is_slow_box(i) && is_slow_box(j) &&
+         depth_of(step.scene, ends, pair) <= harmless_depth(thin);
+}
+
 /// Marks the boxes that a step has taken deeper into something than a fifteenth of the smaller size
 /// of the two, and by more than gravity alone does in a step, and says whether there are any. Only
 /// bodies are asked that were near each other.
@@ -57,14 +79,9 @@ inline bool find_too_deep(
     {
       continue;
     }
-    const auto depth = [&](std::span<const RigidBody> bodies)
-    {
-      const DepthBetween between{bodies[place_of(i)], bodies[place_of(j)]};
-      return std::visit(
-          between, step.scene.bodies[place_of(i)].shape, step.scene.bodies[place_of(j)].shape);
-    };
-    const double end = depth(ends);
-    if (end > harmless * 4 / 3 && end > depth(starts) + std::max(harmless / 10, fall))
+    const double end = depth_of(step.scene, ends, {i, j});
+    if (end > harmless * 4 / 3 &&
+        end > depth_of(step.scene, starts, {i, j}) + std::max(harmless / 10, fall))
     {
       any = true;
       step.too_deep[place_of(i)] = step.too_deep[place_of(i)] || moved_box(i);

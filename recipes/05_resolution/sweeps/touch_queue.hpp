@@ -4,11 +4,13 @@
 /// \brief The touches of a step to come, the earliest first.
 
 #include "05_resolution/sweeps/next_touch.hpp"
+#include "05_resolution/sweeps/too_deep.hpp"
 
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <queue>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -24,15 +26,16 @@ inline constexpr int most_hits_a_step = 512;
 class TouchQueue
 {
 public:
-  /// Of these courses, which may change.
-  explicit TouchQueue(const StepCourses& step)
+  /// Of these courses, and bodies where they end, which both may change.
+  TouchQueue(const StepCourses& step, std::span<const RigidBody> ends)
       : step_(step),
+        ends_(ends),
         versions_(step.courses.size(), 0),
         hits_(step.courses.size(), 0),
         leaf_(step.courses.size(), -1)
   {
     int leaf = 0;
-    for (const Bounds& one : step.tree.leaves())
+    for (const Bounds& one : step.tree->leaves())
     {
       leaf_[place_of(one.body)] = leaf++;
     }
@@ -42,7 +45,7 @@ public:
   void look_for(int i, int j, double time)
   {
     const std::pair<int, int> pair = std::minmax(i, j);
-    if (is_left(pair) || ignores(step_.scene, pair))
+    if (is_left(pair) || ignores(step_.scene, pair) || end_harmlessly(step_, ends_, pair))
     {
       return;
     }
@@ -61,11 +64,11 @@ public:
     const Eigen::AlignedBox<double, 3> way = bounds_on_way(step_, i, end);
     if (leaf_[place_of(i)] >= 0)
     {
-      step_.tree.widen(place_of(leaf_[place_of(i)]), way);
+      step_.tree->widen(place_of(leaf_[place_of(i)]), way);
     }
     const auto watched = [&](int one)
     { return is_ball(step_.scene, one) || is_swept_box(step_, one); };
-    step_.tree.each_that(
+    step_.tree->each_that(
         [&](const Eigen::AlignedBox<double, 3>& box) { return box.intersects(way); },
         [&](int j)
         {
@@ -126,6 +129,7 @@ private:
   }
 
   const StepCourses& step_;
+  std::span<const RigidBody> ends_;
   std::vector<int> versions_; // how often each course has changed
   std::vector<int> hits_;     // how often each body has been hit, up to the most that counts
   std::vector<int> leaf_;     // each body's place among the leaves of the tree; -1 if it has none
