@@ -59,7 +59,7 @@ inline bool end_harmlessly(
          depth_of(step.scene, ends, pair) <= harmless_depth(thin);
 }
 
-/// Marks the boxes that a step has taken deeper into something than a fifteenth of the smaller size
+/// Marks the boxes that a step has taken deeper into something than 7.5 % of the smaller size
 /// of the two, and by more than gravity alone does in a step, and says whether there are any. Only
 /// bodies are asked that were near each other.
 inline bool find_too_deep(
@@ -80,7 +80,7 @@ inline bool find_too_deep(
       continue;
     }
     const double end = depth_of(step.scene, ends, {i, j});
-    if (end > harmless * 4 / 3 &&
+    if (end > harmless * 3 / 2 &&
         end > depth_of(step.scene, starts, {i, j}) + std::max(harmless / 10, fall))
     {
       any = true;
