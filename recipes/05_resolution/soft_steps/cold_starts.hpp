@@ -75,11 +75,10 @@ inline void start_cold(std::span<IslandPoint> points, const RigidBody& body)
 
 /// Gives points what the step before has ended with. A body that turns noticeably is pushed at arms
 /// where it no longer is: where that would give it energy, its points start from nothing.
-inline void warm_start(
-    IslandView world, const Island& island, double small, std::span<IslandPoint> points,
-    std::vector<TurningBody>& turning)
+inline void
+warm_start(IslandView world, const Island& island, double small, std::span<IslandPoint> points)
 {
-  turning.clear();
+  std::vector<TurningBody> turning;
   add_turning(world, island, small, turning);
   for (const IslandPoint& point : points)
   {

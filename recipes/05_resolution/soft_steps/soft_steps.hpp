@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 namespace cookbook
 {
@@ -99,7 +98,6 @@ soft_steps(IslandView world, const Island& island, double step, const SoftSettin
   const double small = step / settings.substeps;
   const Softness<double> spring = spring_for(small, settings);
   const double correction_speed = speed_of_correction(world, island, step, settings);
-  std::vector<TurningBody> turning;
   scale_impulses(points, 1.0 / settings.substeps);
   for (int i = 0; i < settings.substeps; ++i)
   {
@@ -107,7 +105,7 @@ soft_steps(IslandView world, const Island& island, double step, const SoftSettin
     {
       pull(world.bodies[static_cast<std::size_t>(body)], world.gravity, small);
     }
-    warm_start(world, island, small, points, turning);
+    warm_start(world, island, small, points);
     for (IslandPoint& point : points)
     {
       correct<double>(*point.a, *point.b, point, spring, small, correction_speed);

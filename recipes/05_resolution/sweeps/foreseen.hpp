@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 #include <variant>
 
 namespace cookbook
@@ -41,6 +42,15 @@ struct DepthBetween
   }
   double operator()(const PlaneShape&, const PlaneShape&) const { return 0; }
 };
+
+/// The same of two bodies of a scene, in any poses.
+inline double depth_between(
+    const Scene& scene, const std::pair<int, int>& pair, const RigidBody& a, const RigidBody& b)
+{
+  return std::visit(
+      DepthBetween{a, b}, scene.bodies[place_of(pair.first)].shape,
+      scene.bodies[place_of(pair.second)].shape);
+}
 // [depth_between]
 
 // [foreseen]
@@ -138,10 +148,8 @@ inline double foreseen_reach(
   {
     return margin;
   }
-  const auto depth = [&](const RigidBody& one, const RigidBody& other)
-  {
-    return std::visit(
-        DepthBetween{one, other}, scene.bodies[place_of(i)].shape, scene.bodies[place_of(j)].shape);
+  const auto depth = [&](const RigidBody& one, const RigidBody& other) {
+    return depth_between(scene, {i, j}, one, other);
   };
   const auto end_of = [&](double share)
   { return depth(going_on(scene, a, share), going_on(scene, b, share)); };

@@ -69,7 +69,7 @@ inline void take_along(StepCourses& step, int first, int other)
 /// How deep [m] bodies may lie in each other that rest on each other in the middle of a step.
 inline double rest_depth(const Scene& scene, int i, int j)
 {
-  return std::min(thinness(scene, i), thinness(scene, j)) / 20;
+  return harmless_depth(scene, {i, j}) / 2;
 }
 
 /// When a body first touches another from a time [s] to the end of the step, as a share of it.
@@ -90,7 +90,7 @@ next_touch(const StepCourses& step, int first, int other, double time, double de
     const BallOnCourse ball{course, by, time, scene.step, presses ? thin / 100 : 0};
     return std::visit(ball, shape, of_other);
   }
-  const double slack = presses ? harmless_depth(std::min(thin, thinness(scene, other))) : 0;
+  const double slack = presses ? harmless_depth(scene, {first, other}) : 0;
   return std::visit(
       BoxOnCourse{course, by, time, scene.step, std::max(slack, depth)}, shape, of_other);
 }

@@ -54,12 +54,23 @@ inline double thinness(const Scene& scene, int i)
       [](const auto& shape) { return thinness_of(shape); }, scene.bodies[place_of(i)].shape);
 }
 
-/// True if a body is a box some point of which went by more than half of its smallest size: what
-/// goes by less cannot get behind a surface. Or if it has ended too deep in something.
+/// How deep [m] two bodies may get into each other and nobody minds.
+inline double harmless_depth(const Scene& scene, const std::pair<int, int>& pair)
+{
+  return harmless_depth(std::min(thinness(scene, pair.first), thinness(scene, pair.second)));
+}
+
+/// True if a body is a box some point of which went by more than half of its smallest size. What
+/// goes by less cannot get behind a surface.
+inline bool is_fast_box(const StepCourses& step, int i)
+{
+  return !is_ball(step.scene, i) && step.ways[place_of(i)] > thinness(step.scene, i);
+}
+
+/// True if a box is swept: a fast one, or one that has ended too deep in something.
 inline bool is_swept_box(const StepCourses& step, int i)
 {
-  return !is_ball(step.scene, i) &&
-         (step.ways[place_of(i)] > thinness(step.scene, i) || step.too_deep[place_of(i)]);
+  return is_fast_box(step, i) || step.too_deep[place_of(i)];
 }
 
 /// How far [m] a spin [rad/s] carries any point of a body round its centre in a time [s].
@@ -113,18 +124,18 @@ on_the_way(const StepCourses& step, int i, double time, bool own, const RigidBod
 {
   const Course& course = step.courses[place_of(i)];
   const RigidBody pose = course.pose_at(time);
-  const bool fast = is_swept_box(step, i);
+  const bool swept = is_swept_box(step, i);
   if (own)
   {
     RigidBody body = course.start();
     fly(body, course.acceleration, time - course.since);
     body.motion.center = pose.motion.center;
-    return fast ? turned_like(body, pose) : body;
+    return swept ? turned_like(body, pose) : body;
   }
-  RigidBody body = fast ? turned_like(end, pose) : pose;
+  RigidBody body = swept ? turned_like(end, pose) : pose;
   body.motion.center = pose.motion.center;
   body.motion.velocity = end.motion.velocity;
-  if (!fast)
+  if (!swept)
   {
     body.motion.angular_velocity = end.motion.angular_velocity;
   }

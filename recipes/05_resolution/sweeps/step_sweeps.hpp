@@ -183,7 +183,7 @@ private:
     }
     forget_forces(end);
     note_way(step_, i, end, touch.time);
-    touches_.look_around(i, touch.time, end);
+    touches_.look_around(i, touch.time);
   }
 
   StepCourses& step_;

@@ -37,26 +37,16 @@ inline void find_rough_ways(
   }
 }
 
-/// How deep [m] two bodies of a scene are in each other.
-inline double
-depth_of(const Scene& scene, std::span<const RigidBody> bodies, const std::pair<int, int>& pair)
-{
-  const std::size_t i = place_of(pair.first), j = place_of(pair.second);
-  return std::visit(
-      DepthBetween{bodies[i], bodies[j]}, scene.bodies[i].shape, scene.bodies[j].shape);
-}
-
 /// Whether two bodies end no deeper in each other than does harm, and nothing has to be known of
 /// their ways: boxes that go by less than half of their size cannot get behind each other.
 inline bool end_harmlessly(
     const StepCourses& step, std::span<const RigidBody> ends, const std::pair<int, int>& pair)
 {
-  const auto is_slow_box = [&](int i)
-  { return !is_ball(step.scene, i) && step.ways[place_of(i)] <= thinness(step.scene, i); };
+  const auto is_slow_box = [&](int i) { return !is_ball(step.scene, i) && !is_fast_box(step, i); };
   const auto [i, j] = pair;
-  const double thin = std::min(thinness(step.scene, i), thinness(step.scene, j));
   return is_slow_box(i) && is_slow_box(j) &&
-         depth_of(step.scene, ends, pair) <= harmless_depth(thin);
+         depth_between(step.scene, pair, ends[place_of(i)], ends[place_of(j)]) <=
+             harmless_depth(step.scene, pair);
 }
 
 /// Marks the boxes that a step has taken deeper into something than 7.5 % of the smaller size
@@ -79,13 +69,17 @@ inline bool find_too_deep(
     {
       continue;
     }
-    const double end = depth_of(step.scene, ends, {i, j});
-    if (end > harmless * 3 / 2 &&
-        end > depth_of(step.scene, starts, {i, j}) + std::max(harmless / 10, fall))
+    const auto depth = [&](std::span<const RigidBody> bodies, int a, int b) {
+      return depth_between(step.scene, {a, b}, bodies[place_of(a)], bodies[place_of(b)]);
+    };
+    const double end = depth(ends, i, j);
+    if (end > harmless * 3 / 2 && end > depth(starts, i, j) + std::max(harmless / 10, fall))
     {
       any = true;
-      step.too_deep[place_of(i)] = step.too_deep[place_of(i)] || moved_box(i);
-      step.too_deep[place_of(j)] = step.too_deep[place_of(j)] || moved_box(j);
+      for (const int one : {i, j})
+      {
+        step.too_deep[place_of(one)] = step.too_deep[place_of(one)] || moved_box(one);
+      }
     }
   }
   return any;
@@ -94,10 +88,9 @@ inline bool find_too_deep(
 /// Whether any box may have gone by more than half of its smallest size.
 inline bool may_have_fast_boxes(const StepCourses& step)
 {
-  for (std::size_t i = 0; i < step.ways.size(); ++i)
+  for (int i = 0; i < static_cast<int>(step.ways.size()); ++i)
   {
-    const int body = static_cast<int>(i);
-    if (!is_ball(step.scene, body) && step.ways[i] > thinness(step.scene, body))
+    if (is_fast_box(step, i))
     {
       return true;
     }

@@ -58,10 +58,10 @@ public:
   }
 
   /// Looks anew for what a body touches whose course has changed at a time [s], to another end.
-  void look_around(int i, double time, const RigidBody& end)
+  void look_around(int i, double time)
   {
     ++versions_[place_of(i)];
-    const Eigen::AlignedBox<double, 3> way = bounds_on_way(step_, i, end);
+    const Eigen::AlignedBox<double, 3> way = bounds_on_way(step_, i, ends_[place_of(i)]);
     if (leaf_[place_of(i)] >= 0)
     {
       step_.tree->widen(place_of(leaf_[place_of(i)]), way);

@@ -79,7 +79,6 @@ inline void warm_start(IslandView world, double small, WideContacts& lanes)
   lanes.islands.for_each_body([&](int i) { put_motion(world.bodies[place_of(i)], lanes.body(i)); });
   lanes.warm_start();
 }
-
 // [wide_turning]
 
 // [wide_steps]

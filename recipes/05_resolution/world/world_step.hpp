@@ -5,6 +5,7 @@
 
 #include "05_resolution/contacts/contact_cache.hpp"
 #include "05_resolution/damping/damping.hpp"
+#include "05_resolution/sweeps/foreseen.hpp"
 #include "05_resolution/sweeps/free_flight.hpp"
 #include "05_resolution/sweeps/simultaneous_impacts.hpp"
 #include "05_resolution/sweeps/step_sweeps.hpp"
