@@ -167,6 +167,29 @@ TEST_CASE("an edge is not kept where a face has come to lie on a face", "[O17][c
   }
 }
 
+TEST_CASE("edges give way to a face that overlaps by half the margin more, and no further", "[O17]")
+{
+  // A beam tilts on its edge, about the middle of it: its lower end goes down by 0.8 sin φ.
+  int of_face = 0, of_edges = 0;
+  for (double angle = 0.0001; angle < 0.02; angle += 0.0002)
+  {
+    const Matrix3<double> askew = turned(0.4, {0, 1, 0}) * turned(angle, {1, 0, 0});
+    const double up = 0.2 * (std::cos(0.6) + std::sin(0.6));
+    const Obb<double> beam{{0, 0.499 + up, 0}, askew * turned(0.6, {0, 0, 1}), {0.2, 0.2, 0.8}};
+    const double face_depth = 0.001 - up + up * std::cos(angle) + 0.8 * std::sin(angle);
+    const double depth = separating_axes(cube, beam)->depth;
+    const double margin = 0.01 * 0.4 + 0.1 * depth;
+    for (const int before : {6, 8, 12, 14})
+    {
+      const int axis = axis_of(next_frame(frame_on(before, cube, beam), cube, beam).manifold);
+      const bool near = face_depth <= depth + margin / 2;
+      CHECK((axis == a1) == near);
+      (near ? of_face : of_edges) += 1;
+    }
+  }
+  CHECK((of_face > 50 && of_edges > 50));
+}
+
 TEST_CASE("boxes that part forget, and begin anew without a memory", "[O17]")
 {
   const Obb<double> near = on_top(0.001, 0), far = on_top(-0.1, 0);
@@ -238,6 +261,24 @@ TEST_CASE("the same in float", "[case:G10]")
 }
 // [flips]
 
+// [beam]
+TEST_CASE(
+    "a beam that jitters on its edge: the one point of box_box() jumps from end to end in hundreds "
+    "of frames, with memory two stay for good",
+    "[case:G20]")
+{
+  using Place = std::optional<Vector3<double>>;
+  const Frames frames = jittered_beam();
+  const Persistence without = persistence(frames, false, carried_by_id<double, Place>);
+  CHECK(without.points == 999);
+  CHECK(without.wrong > 400);
+  const Persistence remembered = persistence(frames, true, carried_by_id<double, Place>);
+  CHECK(remembered.points == 2 * 999);
+  CHECK(remembered.right == 2 * 998); // in the first frame there was one
+  CHECK(remembered.wrong == 0);
+}
+// [beam]
+
 // [persistence]
 TEST_CASE(
     "a cube that slides for 5 s: with memory 95 % of the ids persist and none is wrong, matching "
@@ -275,7 +316,10 @@ TEST_CASE(
         {"separating_axes", "edge_clipping", "face_clipping", "box_box, by index", "box_box",
          "next_frame, by index", "next_frame"},
         no_axis},
-       {"G20", {"next_frame"}, no_points}});
+       {"G20", {"next_frame"}, no_points},
+       {"a beam lies on its edge across a cube and jitters: its points",
+        {"edge_clipping", "next_frame, by index", "next_frame"},
+        no_points}});
 }
 
 TEST_CASE("an axis may change once, 95 % of the points must be known and none mistaken", "[O17]")

@@ -10,6 +10,7 @@
 #include "05_resolution/world/world_inputs.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/random_inputs.hpp"
 #include "tests/verdicts.hpp"
 
 #include <algorithm>
@@ -89,6 +90,30 @@ TEST_CASE("a cube with e = 1 that lands flat comes up as fast, and does not turn
   CHECK(run.frames.back().bodies.back().angular_velocity.norm() <= 1e-6);
 }
 // [bounce]
+
+// [rest]
+TEST_CASE("heaps rest within 20 s: no box of them moves by 0.05 mm/s", "[long]")
+{
+  for (const char* const solver : {"soft_steps", "wide_steps"})
+  {
+    for (const int boxes : inputs<std::vector<int>>({60, 80, 120, 160, 200}, {80}))
+    {
+      World world(named_scene("pile_" + std::to_string(boxes)), solver_named(solver, 4));
+      for (int frame = 0; frame < 20 * 60; ++frame)
+      {
+        world.step();
+      }
+      double fastest = 0;
+      for (const RigidBody& body : world.bodies())
+      {
+        fastest = std::max(fastest, body.motion.velocity.norm());
+      }
+      INFO(solver << ", " << boxes);
+      CHECK(fastest < 5e-5);
+    }
+  }
+}
+// [rest]
 
 // [passive]
 TEST_CASE("towers, slopes, dominoes and heaps never gain energy", "[R4][long]")

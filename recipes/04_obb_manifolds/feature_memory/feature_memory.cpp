@@ -3,6 +3,7 @@
 
 #include "04_obb_manifolds/feature_memory/feature_memory.hpp"
 #include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
+#include "04_obb_manifolds/feature_memory/trial/feature_memory_figures.hpp"
 #include "04_obb_manifolds/feature_memory/trial/feature_memory_scenes.hpp"
 #include "04_obb_manifolds/feature_memory/trial/feature_memory_verdicts.hpp"
 #include "common/plot/charts/chart.hpp"
@@ -10,6 +11,7 @@
 #include "common/program/table.hpp"
 
 #include <iostream>
+#include <string>
 
 namespace
 {
@@ -33,10 +35,9 @@ void print_flips()
 // [print_flips]
 
 // [print_persistence]
-void print_persistence()
+void print_persistence(const std::string& title, const Frames& frames)
 {
   using Place = std::optional<Vector3<double>>;
-  const Frames frames = sliding_cube();
   Table table({"axis", "points are known by", "points", "given theirs", "given another's"});
   const auto add = [&](bool with_memory, const std::string& known_by, const auto& match)
   {
@@ -50,7 +51,7 @@ void print_persistence()
     add(with_memory, "their index", carried_by_index<double, Place>);
     add(with_memory, "their feature", carried_by_id<double, Place>);
   }
-  std::cout << "\nA cube slides for 5 s\n" << table.text();
+  std::cout << '\n' << title << '\n' << table.text();
 }
 // [print_persistence]
 
@@ -94,8 +95,10 @@ int main(int argc, char** argv)
       [](const Arguments& given)
       {
         print_flips();
-        print_persistence();
+        print_persistence("A cube slides for 5 s", sliding_cube());
+        print_persistence("A beam lies on its edge across a cube", jittered_beam());
         draw(given);
+        save_figure(given, "feature_memory_beam.svg", beam_figure().svg());
         save_figure(
             given, "feature_memory_verdicts.html",
             verdict_table("From frame to frame", names_of(frame_methods()), frame_verdicts()));

@@ -77,25 +77,49 @@ Real axis_margin(const Obb<Real>& a, const Obb<Real>& b, Real depth)
   return Real(0.01) * smaller + Real(0.1) * depth;
 }
 
+/// The face, 0 … 5, along which two boxes overlap least, and by how much [m].
+template <class Real>
+std::pair<int, Real> least_face_axis(const Obb<Real>& a, const Obb<Real>& b)
+{
+  const RelativeBoxes<Real> boxes = relative_boxes(a, b);
+  std::pair<int, Real> least{0, axis_overlap(boxes, 0).overlap};
+  for (int axis = 1; axis < 6; ++axis)
+  {
+    const Real overlap = axis_overlap(boxes, axis).overlap;
+    if (overlap < least.second)
+    {
+      least = {axis, overlap};
+    }
+  }
+  return least;
+}
+
 /// The axis, 0 … 14, on which the manifold of this frame is built, and the overlap [m] along it:
 /// those of the frame before, −1 if there was none, or those that were found now; O17.
 ///
-/// A face is kept against faces and edges; a pair of edges only against other pairs of edges, for
-/// its one point shall not stay where a face has come to lie on a face.
+/// A pair of edges gives way to a face that overlaps by no more than half the margin more: where an
+/// edge lies along a face, its one point would be now at this end of it, now at that.
 template <class Real>
 std::pair<int, Real>
 steady_axis(int before, const Obb<Real>& a, const Obb<Real>& b, const std::pair<int, Real>& found)
 {
   const auto [now, depth] = found;
-  const bool edge_for_face =
-      before >= 0 && axis_kind(before) == AxisKind::edges && axis_kind(now) != AxisKind::edges;
-  if (before < 0 || before == now || edge_for_face)
+  const Real margin = axis_margin(a, b, depth);
+  std::pair<int, Real> steady = found;
+  if (before >= 0 && before != now)
   {
-    return found;
+    const std::optional<Real> overlap = overlap_on(a, b, before);
+    if (overlap && *overlap >= Real(0) && *overlap <= depth + margin)
+    {
+      steady = {before, *overlap};
+    }
   }
-  const std::optional<Real> overlap = overlap_on(a, b, before);
-  const bool kept = overlap && *overlap >= Real(0) && *overlap <= depth + axis_margin(a, b, depth);
-  return kept ? std::pair(before, *overlap) : found;
+  if (axis_kind(steady.first) == AxisKind::edges)
+  {
+    const std::pair<int, Real> face = least_face_axis(a, b);
+    steady = face.second <= depth + margin / Real(2) ? face : steady;
+  }
+  return steady;
 }
 // [keeps_axis]
 
@@ -123,9 +147,9 @@ next_frame_in(const ContactMemory<Real, Warm>& before, const Obb<Real>& a, const
 
 /// The contact of two boxes in this frame, from that in the frame before; O17.
 ///
-/// As box_box(), but on the axis of the frame before unless another has less overlap by more than
-/// axis_margin(). Points whose features were there before keep what was known of them. A memory
-/// without a manifold is how to begin; boxes that part forget everything.
+/// As box_box(), but on the axis that steady_axis() says. Points whose features were there before
+/// keep what was known of them. A memory without a manifold is how to begin, with what box_box()
+/// answers; boxes that part forget everything.
 template <class Real, class Warm>
 ContactMemory<Real, Warm>
 next_frame(const ContactMemory<Real, Warm>& before, const Obb<Real>& a, const Obb<Real>& b)

@@ -40,7 +40,23 @@ inline Frames jittered_stack(double angle)
   return frames;
 }
 
-/// The same cube, turned by 0.3 rad, sliding at 0.1 m/s over the edge of a plate; 5 s at 60 Hz.
+/// A beam on one of its edges, leaning by 0.6 rad, which lies across the same cube and is longer.
+inline Frames jittered_beam()
+{
+  const Obb<double> below = upright({0, 0, 0}, {0.5, 0.5, 0.5});
+  const Matrix3<double> askew = turned(0.4, {0, 1, 0}) * turned(0.6, {0, 0, 1});
+  const double up = 0.2 * (std::cos(0.6) + std::sin(0.6));
+  const Obb<double> beam{{0, 0.499 + up, 0}, askew, {0.2, 0.2, 0.8}};
+  BoxDraw draw(3);
+  Frames frames;
+  for (int frame = 0; frame < 1000; ++frame)
+  {
+    frames.push_back({below, jittered(beam, draw)});
+  }
+  return frames;
+}
+
+/// The cube, flat, turned by 0.3 rad, sliding at 0.1 m/s over the edge of a plate; 5 s at 60 Hz.
 inline Frames sliding_cube()
 {
   const Obb<double> plate = upright({0, 0, 0}, {1, 0.1, 1});

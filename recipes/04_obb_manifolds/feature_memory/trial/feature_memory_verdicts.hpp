@@ -127,7 +127,8 @@ inline std::vector<VerdictRow> frame_verdicts()
       {"G10", "a stack tilted by 1e-4 jitters for 1,000 frames: its axis", {}},
       {"", "the same, tilted by 1e-8", {}},
       {"", "the same, tilted by 1e-2", {}},
-      {"G20", "a cube slides for 5 s: its points", {}}};
+      {"G20", "a cube slides for 5 s: its points", {}},
+      {"", "a beam lies on its edge across a cube and jitters: its points", {}}};
   const Frames tilted[] = {jittered_stack(1e-4), jittered_stack(1e-8), jittered_stack(1e-2)};
   for (const FrameMethod& method : frame_methods())
   {
@@ -136,6 +137,7 @@ inline std::vector<VerdictRow> frame_verdicts()
       rows[i].verdicts.push_back(verdict_on_axes(method, tilted[i]));
     }
     rows[3].verdicts.push_back(verdict_on_points(method, sliding_cube()));
+    rows[4].verdicts.push_back(verdict_on_points(method, jittered_beam()));
   }
   return rows;
 }
