@@ -371,7 +371,7 @@ TEST_CASE("who has fallen after 8 s, and who has sunk as his springs say", "[cas
       {"soft, 16", "soft_steps", 16},  {"direct", "direct"}};
   const std::map<std::string, Names> falling{
       {"tower", {"cold", "warm"}},
-      {"tower_20", {"cold", "warm", "soft, 4"}},
+      {"tower_20", {"cold", "warm"}},
       {"pyramid", {"cold"}},
       {"heavy_on_light_100", {"cold", "warm"}},
       {"plates", {"warm"}}};

@@ -496,7 +496,7 @@ TEST_CASE(
   // Direct, soft steps, warm and cold impulses, positions.
   check_verdicts(
       world_verdicts(), solver_names(),
-      {{"S3", {"direct", "wide_steps", "position_based"}},
+      {{"S3", {"direct", "soft_steps", "wide_steps", "position_based"}},
        {"S6", {"direct"}},
        {"S7", {"direct", "position_based"}},
        {"S8", {"direct"}},

@@ -20,6 +20,7 @@ struct RigidBody : Body<double>
   Vector3<double> moments;        ///< [kg m²], along the body's axes; 0 where it is fixed
   Matrix3<double> axes;           ///< [1], the orientation as a matrix; a ball's stay the world's
   bool round;                     ///< a ball: where it touches does not turn with it
+  Quaternion<double> arms_at;     ///< as it was turned when a solver took its arms, kept_arms()
   Vector3<double> acceleration = Vector3<double>::Zero(); ///< [m/s²], world, by this step's forces
   Vector3<double> angular_acceleration = Vector3<double>::Zero(); ///< [rad/s²], world, by the same
 };
@@ -125,7 +126,8 @@ inline RigidBody rigid_body(const SceneBody& body)
   const MassProperties<double> mass = mass_properties(body);
   const Body<double> pushed =
       fixed ? Body<double>{motion, 0, Matrix3<double>::Zero()} : movable(motion, mass, axes);
-  RigidBody made{pushed, body.orientation.normalized(), mass.moments, axes, round};
+  const Quaternion<double> orientation = body.orientation.normalized();
+  RigidBody made{pushed, orientation, mass.moments, axes, round, orientation};
   update_axes(made);
   return made;
 }

@@ -65,28 +65,34 @@ inline void find_masses(IslandPoint& point)
   find_masses<double>(point, *point.a, *point.b, point.normal.unitOrthogonal());
 }
 
+/// Says at which arms [m] two bodies are pushed at a point.
+using FindArms = Arms<double>(const RigidBody&, const RigidBody&, const WorldPoint&);
+
 /// A contact point of two bodies as they are, without its masses; friction of the frame before is
 /// turned into the plane of the contact as it is now.
 inline ContactConstraint<double> constraint_of(
-    const RigidBody& a, const RigidBody& b, const WorldContact& contact, const WorldPoint& of)
+    const RigidBody& a, const RigidBody& b, const WorldContact& contact, const WorldPoint& of,
+    FindArms& find_arms = arms_of)
 {
   const Vector3<double>& normal = contact.normal;
   const Vector3<double> friction = along_surface(of.friction, normal);
   const double apart = gap(a, b, normal, of);
-  return {normal, arms_of(a, b, of), contact.friction, apart, of.impulse, friction, 0, {}};
+  return {normal, find_arms(a, b, of), contact.friction, apart, of.impulse, friction, 0, {}};
 }
 
 /// A contact point of an island.
-inline IslandPoint
-island_point(RigidBody& a, RigidBody& b, const WorldContact& contact, WorldPoint& of)
+inline IslandPoint island_point(
+    RigidBody& a, RigidBody& b, const WorldContact& contact, WorldPoint& of,
+    FindArms& find_arms = arms_of)
 {
-  IslandPoint point{constraint_of(a, b, contact, of), &a, &b, &contact, &of};
+  IslandPoint point{constraint_of(a, b, contact, of, find_arms), &a, &b, &contact, &of};
   find_masses(point);
   return point;
 }
 
 /// The points of an island, contact by contact, in the room that the world has for them.
-inline std::span<IslandPoint> points_of(IslandView world, const Island& island)
+inline std::span<IslandPoint>
+points_of(IslandView world, const Island& island, FindArms& find_arms = arms_of)
 {
   std::vector<IslandPoint>& points = world.room;
   points.clear();
@@ -97,7 +103,7 @@ inline std::span<IslandPoint> points_of(IslandView world, const Island& island)
     RigidBody& b = world.bodies[place_of(contact.b)];
     for (WorldPoint& point : contact.points)
     {
-      points.push_back(island_point(a, b, contact, point));
+      points.push_back(island_point(a, b, contact, point, find_arms));
     }
   }
   return points;

@@ -61,10 +61,29 @@ void print_towers(const Arguments& given)
 }
 // [print_towers]
 
+// [print_kept]
+void print_kept(const Arguments& given)
+{
+  Table table({"aside after 20 s [m]", "arms turn", "arms are kept"});
+  for (const std::string scene : {"tower_14", "tower_20", "tower_30", "tower_shifted_20"})
+  {
+    const auto aside = [&](double kept_turn)
+    {
+      const double way = lean(named_scene(scene), {.substeps = 4, .kept_turn = kept_turn});
+      return way > 1 ? "falls" : number(std::round(way * 100) / 100);
+    };
+    table.row({scene, aside(0), aside(SoftSettings{}.kept_turn)});
+  }
+  std::cout << "\n" << table.text();
+  save_figure(given, "kept_arms.svg", lever_figure().svg());
+}
+// [print_kept]
+
 void run(const Arguments& given)
 {
   print_sinks(given);
   print_towers(given);
+  print_kept(given);
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "05_resolution/islands/island_points.hpp"
 #include "05_resolution/position_correction/position_correction.hpp"
 #include "05_resolution/soft_steps/cold_starts.hpp"
+#include "05_resolution/soft_steps/kept_arms.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,7 @@ struct SoftSettings
   double frequency = 0.125;    ///< [1], of the contacts' springs, as a share of the substeps' rate
   double damping_ratio = 5;    ///< [1], of the springs
   double correction_speed = 1; ///< [m/s], no overlap is taken away faster
+  double kept_turn = 0.07;     ///< [rad], by which bodies turn slowly and keep their arms
 };
 // [soft_settings]
 
@@ -94,7 +96,8 @@ inline void scale_impulses(std::span<IslandPoint> points, double scale)
 inline void
 soft_steps(IslandView world, const Island& island, double step, const SoftSettings& settings)
 {
-  const std::span<IslandPoint> points = points_of(world, island);
+  take_arms(world, island, settings.kept_turn, step);
+  const std::span<IslandPoint> points = points_of(world, island, kept_arms);
   const double small = step / settings.substeps;
   const Softness<double> spring = spring_for(small, settings);
   const double correction_speed = speed_of_correction(world, island, step, settings);

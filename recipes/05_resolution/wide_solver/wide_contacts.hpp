@@ -57,7 +57,7 @@ public:
           {
             const RigidBody& a = world.bodies[place_of(contact.a)];
             const RigidBody& b = world.bodies[place_of(contact.b)];
-            ContactConstraint<double> at = constraint_of(a, b, contact, point);
+            ContactConstraint<double> at = constraint_of(a, b, contact, point, kept_arms);
             at.impulse *= share;
             at.friction *= share;
             numbers_.put(at, place++, lane);

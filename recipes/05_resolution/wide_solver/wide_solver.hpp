@@ -97,6 +97,7 @@ inline void wide_steps(
   {
     if (fits_floats(world, island, step))
     {
+      take_arms(world, island, settings.kept_turn, step);
       lanes.islands.add(island, speed_of_correction(world, island, step, settings));
     }
     else

@@ -39,7 +39,7 @@ class DirectOrSoft
 public:
   /// Soft steps take so many substeps; `watch`, if given, hears of every island and frame.
   explicit DirectOrSoft(int substeps, DirectWatch watch = {})
-      : soft_{.substeps = substeps}, watch_(std::move(watch))
+      : soft_{.substeps = substeps, .kept_turn = 0}, watch_(std::move(watch))
   {
   }
 

@@ -6,7 +6,8 @@
 #include "05_resolution/scenes/trial/world_scenes.hpp"
 #include "05_resolution/soft_steps/soft_steps.hpp"
 #include "05_resolution/soft_steps/tallest_tower.hpp"
-#include "05_resolution/world/trial/world_runs.hpp"
+#include "05_resolution/world/trial/world_measures.hpp"
+#include "05_resolution/world/world.hpp"
 #include "common/plot/charts/chart.hpp"
 #include "common/plot/figures/figure2d.hpp"
 
@@ -34,12 +35,25 @@ inline double tallest_under(int substeps)
   return tallest_tower(1.0, frequency_under(substeps), 9.81);
 }
 
-/// How far [m] any cube of a tower of unit cubes has gone aside after 20 s: the top, while it
-/// stands.
+/// How far [m] any body of a scene has gone aside after 20 s of soft steps: the top of a tower,
+/// while it stands.
+inline double lean(const Scene& scene, const SoftSettings& how)
+{
+  const auto steps = [how](IslandView world, const Island& island, double step)
+  { soft_steps(world, island, step, how); };
+  World world(scene, steps);
+  for (int frame = 0; frame < 20 * 60; ++frame)
+  {
+    world.step();
+  }
+  return farthest_move(world).sideways;
+}
+
+/// The same of a tower of unit cubes whose arms turn with them.
 inline double lean(int cubes, int substeps)
 {
   const Scene scene = named_scene("tower_" + std::to_string(cubes));
-  return run_world(scene, {.solver = "soft_steps", .substeps = substeps, .duration = 20}).drift;
+  return lean(scene, {.substeps = substeps, .kept_turn = 0});
 }
 // [lean]
 
@@ -133,6 +147,29 @@ inline plot::Figure2d joint_figure()
   figure.angle(middle, 0.8, std::numbers::pi / 2 + lean, std::numbers::pi / 2, "θ");
   figure.dimension({-0.5, -0.5}, {0.5, -0.5}, "a", -18);
   figure.label({0.62, 0.68}, "S", plot::Side::right, plot::Ink::overlap);
+  return figure;
+}
+
+/// A cube that leans on another, and the push on it as it is given: at an arm that has turned with
+/// it, or at one that was kept.
+inline plot::Figure2d lever_figure()
+{
+  plot::Figure2d figure("kept_arms", "", {{-1.5, -0.35}, {1.5, 1.95}, 420});
+  figure.describe("A push at an arm that turns with a leaning cube turns it farther.");
+  const double lean = -0.3;
+  const Eigen::Rotation2Dd turned(lean);
+  const Eigen::Vector2d contact(0, 0.5), centre = contact + turned * Eigen::Vector2d(0, 0.5);
+  const Eigen::Vector2d kept = centre - Eigen::Vector2d(0, 0.5), push(0, 0.55);
+  figure.box({0, 0}, 0, {0.5, 0.5}, plot::Ink::a).box(centre, lean, {0.5, 0.5}, plot::Ink::b);
+  figure.arrow(contact - push, contact, plot::Ink::overlap, "push");
+  figure.segment(contact, contact + 2.4 * push, plot::Ink::overlap, plot::Stroke::dotted);
+  figure.segment(centre, contact).segment(centre, kept, plot::Ink::muted, plot::Stroke::dashed);
+  figure.dot(centre, plot::Ink::ink, "centre", plot::Side::right);
+  figure.point(contact, plot::Ink::overlap, "arm turned", plot::Side::left);
+  figure.point(kept, plot::Ink::muted, "arm kept", plot::Side::right);
+  figure.dimension(
+      contact + 2.2 * push,
+      contact + 2.2 * push + (centre - contact).x() * Eigen::Vector2d::UnitX(), "lever", 0);
   return figure;
 }
 
