@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace cookbook
 {
@@ -98,20 +99,24 @@ struct BoxOnCourse
     const Vector3<double> places = box.place_at(from).cwiseAbs() + other.place_at(from).cwiseAbs();
     const double touching = sweep_rounding<double>(places, {step * fastest, 0, 0}, size) +
                             1e-9 * thinness_of(box_shape);
-    const auto look_with = [&](double share, double allowed)
+    double allowed = slack; // and once it is known how deep they are at first, as deep as that
+    bool is_first = true;
+    const auto look = [&](double share)
     {
       const double time = share * step;
       const RigidBody here = box.pose_at(time), there = other.pose_at(time);
       const auto at = placed(here, box_shape);
       const auto shape = placed(there, other_shape);
-      const Vector3<double> n = way_between(at, shape).unit;
+      const Direction<double> way = way_between(at, shape);
+      if (std::exchange(is_first, false))
+      {
+        allowed = std::max({0.0, slack, slack / 25 - way.length});
+      }
       return box_outlook(
-          at, passage(box, here, time), shape, passage(other, there, time), n, allowed, touching);
+          at, passage(box, here, time), shape, passage(other, there, time), way.unit, allowed,
+          touching);
     };
-    const double depth = -look_with(from / step, 0).ahead.length;
-    const double allowed = std::max({0.0, slack, depth + slack / 25});
-    return advance_boxes(
-        from / step, touching, [&](double share) { return look_with(share, allowed); });
+    return advance_boxes(from / step, touching, look);
   }
   /// Only boxes.
   template <class Shape, class Other>
