@@ -183,7 +183,7 @@ TEST_CASE("edges give way to a face that overlaps by half the margin more, and n
     {
       const int axis = axis_of(next_frame(frame_on(before, cube, beam), cube, beam).manifold);
       const bool near = face_depth <= depth + margin / 2;
-      CHECK((axis == a1) == near);
+      CHECK((near ? axis == a1 : axis >= 6));
       (near ? of_face : of_edges) += 1;
     }
   }

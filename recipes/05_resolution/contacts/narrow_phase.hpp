@@ -28,7 +28,7 @@ std::optional<Manifold<double>> meet(int, const A& a, const B& b, double margin)
 }
 
 /// That of two boxes, on the axis of the frame before, −1 if there was none, unless another is
-/// better.
+/// better, or a face nearly as good as a pair of edges.
 ///
 /// The axis is that of the boxes once both have grown by half the margin, for only then do they
 /// overlap; the points are those of the boxes as they are.

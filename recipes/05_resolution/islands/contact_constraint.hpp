@@ -15,7 +15,7 @@ template <class Real>
 struct ContactConstraint
 {
   Vector3<Real> normal;      ///< [1], world, from A to B
-  Arms<Real> arms;           ///< [m], world, at the start of the frame
+  Arms<Real> arms;           ///< [m], world, as a solver has taken them
   Real coefficient;          ///< [1], of friction
   Real apart;                ///< [m], the gap; solvers with small steps carry it on
   Real impulse;              ///< [N s], given along the normal so far, zero or more

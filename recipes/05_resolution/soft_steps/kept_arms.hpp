@@ -9,27 +9,32 @@ namespace cookbook
 {
 
 // [kept_arms]
-/// A body that turns by more than this [rad] in a step has its arms taken anew.
-inline constexpr double slow_turn = 0.001;
+/// A body that spins faster than this [rad/s] has its arms taken anew.
+inline constexpr double slow_spin = 0.06;
 
-/// Takes the arms at which a body is pushed as it is turned now: if it does not turn slowly in a
-/// step [s], or has turned by more than a limit [rad] since they were taken.
-inline void take_arms(RigidBody& body, double limit, double step)
+/// Takes the arms at which a body is pushed as it is turned now: unless it spins slowly, and has
+/// turned by no more than a limit since they were taken. That is so much [rad] for a cube, and as
+/// much less for other boxes as their smallest size is less than their largest.
+inline void take_arms(RigidBody& body, double limit)
 {
-  const Quaternion<double> since = body.orientation * body.arms_at.conjugate();
-  const bool slow = step * body.motion.angular_velocity.norm() <= slow_turn;
-  if (!slow || 2 * since.vec().norm() > limit)
+  const Vector3<double> since = 2 * (body.orientation * body.arms_at.conjugate()).vec();
+  // The square of a size is as the sum of all moments less twice that about its own axis.
+  const double sum = body.moments.sum();
+  const double smallest = sum - 2 * body.moments.maxCoeff();
+  const double largest = sum - 2 * body.moments.minCoeff();
+  const bool slow = body.motion.angular_velocity.norm() <= slow_spin;
+  if (!(slow && since.squaredNorm() * largest <= limit * limit * smallest))
   {
     body.arms_at = body.orientation;
   }
 }
 
 /// The same of all bodies of an island.
-inline void take_arms(IslandView world, const Island& island, double limit, double step)
+inline void take_arms(IslandView world, const Island& island, double limit)
 {
   for (const int i : island.bodies)
   {
-    take_arms(world.bodies[place_of(i)], limit, step);
+    take_arms(world.bodies[place_of(i)], limit);
   }
 }
 

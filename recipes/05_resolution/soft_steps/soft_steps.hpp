@@ -25,7 +25,7 @@ struct SoftSettings
   double frequency = 0.125;    ///< [1], of the contacts' springs, as a share of the substeps' rate
   double damping_ratio = 5;    ///< [1], of the springs
   double correction_speed = 1; ///< [m/s], no overlap is taken away faster
-  double kept_turn = 0.07;     ///< [rad], by which bodies turn slowly and keep their arms
+  double kept_turn = 0.07;     ///< [rad], by which a cube may turn slowly and keep its arms
 };
 // [soft_settings]
 
@@ -96,7 +96,7 @@ inline void scale_impulses(std::span<IslandPoint> points, double scale)
 inline void
 soft_steps(IslandView world, const Island& island, double step, const SoftSettings& settings)
 {
-  take_arms(world, island, settings.kept_turn, step);
+  take_arms(world, island, settings.kept_turn);
   const std::span<IslandPoint> points = points_of(world, island, kept_arms);
   const double small = step / settings.substeps;
   const Softness<double> spring = spring_for(small, settings);

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
-#include <utility>
 
 namespace cookbook
 {
@@ -99,8 +98,7 @@ struct BoxOnCourse
     const Vector3<double> places = box.place_at(from).cwiseAbs() + other.place_at(from).cwiseAbs();
     const double touching = sweep_rounding<double>(places, {step * fastest, 0, 0}, size) +
                             1e-9 * thinness_of(box_shape);
-    double allowed = slack; // and once it is known how deep they are at first, as deep as that
-    bool is_first = true;
+    std::optional<double> allowed; // by how deep they are at the first look
     const auto look = [&](double share)
     {
       const double time = share * step;
@@ -108,12 +106,12 @@ struct BoxOnCourse
       const auto at = placed(here, box_shape);
       const auto shape = placed(there, other_shape);
       const Direction<double> way = way_between(at, shape);
-      if (std::exchange(is_first, false))
+      if (!allowed)
       {
         allowed = std::max({0.0, slack, slack / 25 - way.length});
       }
       return box_outlook(
-          at, passage(box, here, time), shape, passage(other, there, time), way.unit, allowed,
+          at, passage(box, here, time), shape, passage(other, there, time), way.unit, *allowed,
           touching);
     };
     return advance_boxes(from / step, touching, look);

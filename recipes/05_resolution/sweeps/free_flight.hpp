@@ -18,6 +18,7 @@ inline void fly(RigidBody& body, const Vector3<double>& gravity, double time)
   body.motion.center += time * (body.motion.velocity + time / 2 * pull_on(body, gravity));
   pull(body, gravity, time);
   spin(body, time);
+  body.arms_at = body.orientation; // nothing pushes it at any
 }
 // [fly]
 

@@ -97,7 +97,7 @@ inline void wide_steps(
   {
     if (fits_floats(world, island, step))
     {
-      take_arms(world, island, settings.kept_turn, step);
+      take_arms(world, island, settings.kept_turn);
       lanes.islands.add(island, speed_of_correction(world, island, step, settings));
     }
     else
