@@ -305,10 +305,7 @@ TEST_CASE(
     cube.orientation = {std::cos(angle / 2), 0, 0, std::sin(angle / 2)};
     cube.position = {0, (std::sin(angle) + std::cos(angle)) / 2, 0};
     const Scene scene{.bodies = {{.name = "ground", .shape = PlaneShape{{0, 1, 0}, 0}}, cube}};
-    const SoftSettings how{.substeps = 4, .kept_turn = kept_turn};
-    World world(
-        scene, [how](IslandView view, const Island& island, double step)
-        { soft_steps(view, island, step, how); });
+    World world(scene, soft_solver({.substeps = 4, .kept_turn = kept_turn}));
     while (world.bodies()[1].motion.center.y() > 0.51 && world.time() < 10)
     {
       world.step();

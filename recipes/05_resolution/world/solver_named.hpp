@@ -17,6 +17,11 @@ namespace cookbook
 {
 
 // [solvers]
+COOKBOOK_WORLD_INLINE WorldSolver soft_solver(const SoftSettings& how)
+{
+  return one_by_one([how](IslandView w, const Island& i, double h) { soft_steps(w, i, h, how); });
+}
+
 COOKBOOK_WORLD_INLINE WorldSolver solver_named(const std::string& name, int substeps)
 {
   if (substeps < 0)
@@ -30,8 +35,7 @@ COOKBOOK_WORLD_INLINE WorldSolver solver_named(const std::string& name, int subs
   }
   if (name == "soft_steps")
   {
-    const SoftSettings how{.substeps = or_else(4)};
-    return one_by_one([how](IslandView w, const Island& i, double h) { soft_steps(w, i, h, how); });
+    return soft_solver({.substeps = or_else(4)});
   }
   if (name == "wide_steps")
   {

@@ -23,4 +23,9 @@ inline std::vector<std::string> solver_names()
 /// std::invalid_argument if there is no such name, or the substeps are negative.
 COOKBOOK_WORLD_INLINE WorldSolver solver_named(const std::string& name, int substeps = 0);
 
+struct SoftSettings;
+
+/// Soft steps with settings of one's own.
+COOKBOOK_WORLD_INLINE WorldSolver soft_solver(const SoftSettings& how);
+
 } // namespace cookbook

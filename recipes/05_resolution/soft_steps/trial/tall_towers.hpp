@@ -6,8 +6,8 @@
 #include "05_resolution/scenes/trial/world_scenes.hpp"
 #include "05_resolution/soft_steps/soft_steps.hpp"
 #include "05_resolution/soft_steps/tallest_tower.hpp"
+#include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/world_measures.hpp"
-#include "05_resolution/world/world.hpp"
 #include "common/plot/charts/chart.hpp"
 #include "common/plot/figures/figure2d.hpp"
 
@@ -39,9 +39,7 @@ inline double tallest_under(int substeps)
 /// while it stands.
 inline double lean(const Scene& scene, const SoftSettings& how)
 {
-  const auto steps = [how](IslandView world, const Island& island, double step)
-  { soft_steps(world, island, step, how); };
-  World world(scene, steps);
+  World world(scene, soft_solver(how));
   for (int frame = 0; frame < 20 * 60; ++frame)
   {
     world.step();
