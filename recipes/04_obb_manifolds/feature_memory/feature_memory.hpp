@@ -7,6 +7,7 @@
 #include "02_primitives/boxes_overlap/box_axes.hpp"
 #include "04_obb_manifolds/box_box/box_box.hpp"
 #include "04_obb_manifolds/feature_memory/contact_memory.hpp"
+#include "04_obb_manifolds/separating_axes/separating_axes.hpp"
 
 #include <cmath>
 #include <utility>
@@ -77,23 +78,6 @@ Real axis_margin(const Obb<Real>& a, const Obb<Real>& b, Real depth)
   return Real(0.01) * smaller + Real(0.1) * depth;
 }
 
-/// The face, 0 … 5, along which two boxes overlap least, and by how much [m].
-template <class Real>
-std::pair<int, Real> least_face_axis(const Obb<Real>& a, const Obb<Real>& b)
-{
-  const RelativeBoxes<Real> boxes = relative_boxes(a, b);
-  std::pair<int, Real> least{0, axis_overlap(boxes, 0).overlap};
-  for (int axis = 1; axis < 6; ++axis)
-  {
-    const Real overlap = axis_overlap(boxes, axis).overlap;
-    if (overlap < least.second)
-    {
-      least = {axis, overlap};
-    }
-  }
-  return least;
-}
-
 /// The axis, 0 … 14, on which the manifold of this frame is built, and the overlap [m] along it:
 /// those of the frame before, −1 if there was none, or those that were found now; O17.
 ///
@@ -116,8 +100,11 @@ steady_axis(int before, const Obb<Real>& a, const Obb<Real>& b, const std::pair<
   }
   if (axis_kind(steady.first) == AxisKind::edges)
   {
-    const std::pair<int, Real> face = least_face_axis(a, b);
-    steady = face.second <= depth + margin / Real(2) ? face : steady;
+    const std::optional<LeastOverlap<Real>> face = least_overlap(a, b, 6);
+    if (face && face->depth <= depth + margin / Real(2))
+    {
+      steady = {face->axis, face->depth};
+    }
   }
   return steady;
 }
