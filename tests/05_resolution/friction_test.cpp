@@ -2,6 +2,7 @@
 /// What holds for friction at a contact point: formulas R6, R27, R28 and R29, and the rules that
 /// fail.
 
+#include "05_resolution/friction/corner_friction.hpp"
 #include "05_resolution/friction/friction.hpp"
 #include "05_resolution/friction/trial/friction_pitfalls.hpp"
 #include "05_resolution/friction/trial/friction_scenes.hpp"
@@ -270,6 +271,35 @@ TEST_CASE("nothing rubs where nothing moves, and where no push moves it", "[R6]"
   CHECK(friction_impulse<double>({1, 0, 0}, felt, {0, 0, 0}, 1) == V(0, 0, 0));
 }
 // [R6]
+
+// [hold_turn]
+TEST_CASE("two bodies that turn against each other turn together, if the impulse may be so large")
+{
+  RandomMeetings random;
+  for (int i = 0; i < 100; ++i)
+  {
+    const RandomMeeting meeting = random.next();
+    const BodyPair<double> before{rounded(meeting.bodies.a), rounded(meeting.bodies.b)};
+    const auto spin = [](const Body<double>& body) -> V { return body.motion.angular_velocity; };
+    const V gap = spin(before.b) - spin(before.a);
+    BodyPair<double> held = before;
+    hold_turn<double>(held.a, held.b, 1e9);
+    CHECK((spin(held.b) - spin(held.a)).norm() <= 1e-12 * (1 + gap.norm()));
+    // What one has gained the other has lost, and half of it takes away half of the turning.
+    const V impulse = before.b.inverse_inertia.inverse() * (spin(held.b) - spin(before.b));
+    const V other = before.a.inverse_inertia.inverse() * (spin(held.a) - spin(before.a));
+    CHECK((impulse + other).norm() <= 1e-10 * (1 + impulse.norm()));
+    BodyPair<double> half = before;
+    hold_turn<double>(half.a, half.b, impulse.norm() / 2);
+    CHECK((spin(half.b) - spin(half.a) - gap / 2).norm() <= 1e-10 * (1 + gap.norm()));
+    CHECK(energy(half.a) + energy(half.b) <= energy(before.a) + energy(before.b) + 1e-12);
+    CHECK(half.a.motion.velocity == before.a.motion.velocity);
+    BodyPair<double> free = before;
+    hold_turn<double>(free.a, free.b, 0);
+    CHECK(spin(free.a) == spin(before.a));
+  }
+}
+// [hold_turn]
 
 // [R27]
 TEST_CASE("a ball at 7 m/s, μ = 0.2, slides for 1.0194 s, then rolls at 5 m/s", "[R27][case:S28]")

@@ -380,3 +380,54 @@ TEST_CASE(
   CHECK(arms_of(turned, ball, point).a != arms.a);
 }
 // [taken_arms]
+
+// [hold_corners]
+TEST_CASE("a cube that spins on its corner slows down as the corner's radius says, to 3 %")
+{
+  Scene scene{.bodies = {ground(), cube_body("cube", {0, std::sqrt(0.75), 0})}};
+  scene.bodies[1].orientation.setFromTwoVectors(Vector3<double>(1, 1, 1), Vector3<double>(0, 1, 0));
+  scene.bodies[1].angular_velocity = {0, 0.05, 0};
+  // A moment μ m g r slows a moment of inertia of m / 6 down.
+  const double slower = 6 * 0.6 * 9.81 * SoftSettings{}.worn_corner * std::sqrt(0.75);
+  for (const char* const solver : {"soft_steps", "wide_steps"})
+  {
+    World world(scene, solver_named(solver, 4));
+    while (world.body(1).motion.angular_velocity.norm() > 1e-6)
+    {
+      world.step();
+      REQUIRE(world.time() < 2);
+    }
+    CHECK(world.time() == Catch::Approx(0.05 / slower).epsilon(0.03));
+  }
+  World sharp(scene, soft_solver({.substeps = 4, .worn_corner = 0}));
+  while (sharp.time() < 2)
+  {
+    sharp.step();
+  }
+  CHECK(sharp.body(1).motion.angular_velocity.y() == Catch::Approx(0.05).epsilon(1e-3));
+}
+
+TEST_CASE("corners hold a turn where one point presses, and no ball is in it")
+{
+  const auto spin_after = [](const SceneBody& body, std::vector<double> impulses)
+  {
+    std::vector<RigidBody> bodies{rigid_body(ground()), rigid_body(body)};
+    bodies[1].motion.angular_velocity = {0, 1, 0};
+    WorldContact contact{0, 1, 0.5, 0, {0, 1, 0}, {}};
+    for (const double impulse : impulses)
+    {
+      contact.points.push_back({.on_b = {0, -0.5, 0}, .impulse = impulse});
+    }
+    hold_corner(bodies, contact, 0.01);
+    return bodies[1].motion.angular_velocity.y();
+  };
+  const SceneBody cube = cube_body("cube", {0, 0.5, 0});
+  // 0.5 · 2 N s · 0.01 · 0.5 m against 1/6 kg m²
+  CHECK(spin_after(cube, {2}) == Catch::Approx(1 - 0.005 * 6).epsilon(1e-12));
+  CHECK(spin_after(cube, {0, 2, 0}) == Catch::Approx(1 - 0.005 * 6).epsilon(1e-12));
+  CHECK(spin_after(cube, {2, 1e-9}) == 1);
+  CHECK(spin_after(cube, {0, 0}) == 1);
+  CHECK(spin_after(cube, {}) == 1);
+  CHECK(spin_after(ball_body("ball", 0.5, {0, 0.5, 0}), {2}) == 1);
+}
+// [hold_corners]

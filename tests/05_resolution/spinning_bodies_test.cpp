@@ -1,6 +1,7 @@
 /// \file
 /// What holds for a body that spins freely: formulas R24 and R25, and where ways to step it fail.
 
+#include "05_resolution/spinning_bodies/mean_spin.hpp"
 #include "05_resolution/spinning_bodies/spinning_bodies.hpp"
 #include "05_resolution/spinning_bodies/trial/spinning_bodies_cases.hpp"
 #include "05_resolution/spinning_bodies/trial/steady_spin_cases.hpp"
@@ -240,6 +241,85 @@ TEST_CASE("a step back undoes a step, for 100 bodies", "[R24]")
   }
 }
 // [R24]
+
+// [mean_spin]
+/// A body that turns by a share of what is little, about a direction, in a step of one.
+Spinning<double>
+little_turning(const Vector3<double>& moments, const Vector3<double>& way, double share)
+{
+  const double most = little_turn * moments.minCoeff() / moments.maxCoeff();
+  return {Quaternion<double>(0.5, -0.5, 0.5, 0.5), way.normalized() * (share * most)};
+}
+
+TEST_CASE("about the mean: angular momentum and energy stay to rounding, up to the largest turn")
+{
+  Whole whole;
+  for (int i = 0; i < 200; ++i)
+  {
+    const Vector3<double> moments = whole.positive<double>();
+    const Vector3<double> way = whole.vector<double>() + Vector3<double>(0.5, 0, 0);
+    for (const double share : {0.999, 0.3, 1e-3, 1e-9})
+    {
+      Spinning<double> body = little_turning(moments, way, share);
+      const double spin = body.angular_velocity.norm();
+      REQUIRE(turns_little(moments, spin));
+      const double energy = doubled_energy(body, moments);
+      const Vector3<double> momentum = angular_momentum(body, moments);
+      body = turned_about_mean<double>(body, moments, 1);
+      CHECK(std::abs(doubled_energy(body, moments) - energy) <= 30 * rounding * energy);
+      CHECK((angular_momentum(body, moments) - momentum).norm() <= 30 * rounding * momentum.norm());
+      CHECK(std::abs(body.orientation.norm() - 1) <= rounding);
+    }
+  }
+}
+
+TEST_CASE("about the mean: a step back undoes a step; half the step, a quarter of the error")
+{
+  const Vector3<double> moments(1, 2, 3);
+  const Spinning<double> start = little_turning(moments, {1, 2, 0.5}, 0.9);
+  const Spinning<double> there = turned_about_mean<double>(start, moments, 1);
+  const Spinning<double> back = turned_about_mean<double>(there, moments, -1);
+  CHECK(angle_between(back.orientation, start.orientation) <= 10 * rounding);
+  CHECK((back.angular_velocity - start.angular_velocity).norm() <= 10 * rounding);
+  const auto off = [&](int steps)
+  {
+    Spinning<double> mean = start, fine = start;
+    for (int i = 0; i < 8 * steps; ++i)
+    {
+      mean = turned_about_mean<double>(mean, moments, 1.0 / steps);
+    }
+    for (int i = 0; i < 800; ++i)
+    {
+      fine = turned_finely<double>(fine, moments, 0.01);
+    }
+    return angle_between(mean.orientation, fine.orientation);
+  };
+  CHECK(off(1) > 1e-6); // not rounding
+  CHECK(off(1) / off(2) == Catch::Approx(4).margin(0.1));
+}
+
+TEST_CASE("about the mean: a cube turns by what rotation_by() says, to a ten-millionth")
+{
+  const Vector3<double> cube(2, 2, 2);
+  const Spinning<double> start = little_turning(cube, {1, -2, 2}, 0.999);
+  const Spinning<double> end = turned_about_mean<double>(start, cube, 1);
+  const Quaternion<double> right = rotation_by<double>(start.angular_velocity) * start.orientation;
+  CHECK(angle_between(end.orientation, right) <= 1e-7 * start.angular_velocity.norm());
+  CHECK((end.angular_velocity - start.angular_velocity).norm() <= rounding);
+}
+
+TEST_CASE(
+    "what turns little: less than a fifth of a radian, needles by as much less as they are thin")
+{
+  CHECK(turns_little<double>({2, 2, 2}, 0.19));
+  CHECK_FALSE(turns_little<double>({2, 2, 2}, 0.2));
+  CHECK(turns_little<double>({100, 1, 100}, 0.0019));
+  CHECK_FALSE(turns_little<double>({100, 1, 100}, 0.0021));
+  CHECK_FALSE(turns_little<double>({0, 0, 0}, 0)); // nothing could be found of its spin
+  const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  CHECK_FALSE(turns_little<double>({1, 2, 3}, not_a_number));
+}
+// [mean_spin]
 
 // [R25]
 TEST_CASE("the Jacobian is the linear part of I(ω − ω₀) + h ω × Iω, exactly", "[R25]")

@@ -170,6 +170,50 @@ TEST_CASE("each lane does to the bit what one contact alone does: masses, pushes
 }
 // [lanes]
 
+// [turn_in_lanes]
+TEST_CASE("bodies turn in lanes of every width as one alone does, to rounding", "[R24]")
+{
+  BoxDraw draw(7);
+  for (const InstructionSet set : instruction_sets())
+  {
+    const WidePasses passes = wide_passes(set);
+    WideTurns turns(passes);
+    for (int count = 0; count <= 17; ++count) // none, lanes left over, more than one pack
+    {
+      std::vector<RigidBody> bodies;
+      std::vector<int> numbers;
+      for (int i = 0; i < count; ++i)
+      {
+        SceneBody drawn = cube_body("box", {0, 0, 0});
+        const double x = draw.between(0.2, 1), y = draw.between(0.2, 1);
+        drawn.shape = BoxShape{{x, y, draw.between(0.2, 1)}};
+        const double fast = i % 5 == 0 ? 50 : 1; // some turn too far for lanes
+        const double wx = draw.between(-1, 1), wy = draw.between(-1, 1);
+        drawn.angular_velocity = fast * Vector3<double>(wx, wy, draw.between(-1, 1));
+        drawn.velocity = {1, 2, 3};
+        bodies.push_back(rigid_body(drawn));
+        numbers.push_back(i);
+      }
+      std::vector<RigidBody> alone = bodies;
+      IslandsTogether islands;
+      islands.add({numbers, {}}, 1);
+      turns.move(bodies, islands, 1.0 / 240);
+      for (std::size_t i = 0; i < bodies.size(); ++i)
+      {
+        move(alone[i], 1.0 / 240);
+        const double spin = alone[i].motion.angular_velocity.norm();
+        CAPTURE(count, i);
+        CHECK(bodies[i].motion.center == alone[i].motion.center);
+        CHECK((bodies[i].orientation.coeffs() - alone[i].orientation.coeffs()).norm() <= 1e-15);
+        CHECK(
+            (bodies[i].motion.angular_velocity - alone[i].motion.angular_velocity).norm() <=
+            4e-15 * spin);
+      }
+    }
+  }
+}
+// [turn_in_lanes]
+
 // [instruction_sets]
 TEST_CASE("whatever the width of the registers, a scene comes out to the bit", "[long]")
 {
@@ -239,7 +283,7 @@ TEST_CASE(
 }
 
 /// Arms that turn: those that are kept are taken anew a step sooner or later, by a rounding.
-constexpr SoftSettings turning_arms{.substeps = 8, .kept_turn = 0};
+constexpr SoftSettings turning_arms{.substeps = 8, .kept_turn = 0, .worn_corner = 0};
 
 /// Soft steps in double that go through the contacts colour by colour.
 void colored_soft_steps(IslandView world, const Island& island, double step)

@@ -5,6 +5,7 @@
 
 #include "01_math/turning/rotation_by.hpp"
 #include "05_resolution/contacts/rigid_body.hpp"
+#include "05_resolution/spinning_bodies/mean_spin.hpp"
 #include "05_resolution/spinning_bodies/spin_with_energy.hpp"
 
 #include <algorithm>
@@ -37,6 +38,19 @@ inline bool is_even(const RigidBody& body)
   return (body.moments.array() == body.moments.x()).all();
 }
 
+/// How a body is turned, and how it spins.
+inline Spinning<double> spinning(const RigidBody& body)
+{
+  return {body.orientation, body.motion.angular_velocity};
+}
+
+/// Turns a body, and has it spin, like another.
+inline void take_spin(const Spinning<double>& from, RigidBody& to)
+{
+  to.orientation = from.orientation;
+  to.motion.angular_velocity = from.angular_velocity;
+}
+
 /// Turns a body freely for a time [s]: its angular momentum and its energy stay as they are; R24.
 /// Its matrices are left for update_axes().
 ///
@@ -57,13 +71,12 @@ inline void spin_pose(RigidBody& body, double time)
   };
   const double before = too_fast ? energy() : 0;
   const double pieces = std::clamp(std::ceil(turn / largest_piece), 1.0, most_pieces);
-  Spinning<double> spun{body.orientation, body.motion.angular_velocity};
+  Spinning<double> spun = spinning(body);
   for (double piece = 0; piece < pieces; ++piece)
   {
     spun = turned_with_energy<double>(spun, body.moments, time / pieces);
   }
-  body.orientation = spun.orientation;
-  body.motion.angular_velocity = spun.angular_velocity;
+  take_spin(spun, body);
   if (too_fast && energy() > before)
   {
     body.motion.angular_velocity *= std::sqrt(before / kinetic_energy(body));
@@ -77,29 +90,30 @@ inline void spin(RigidBody& body, double time)
   update_axes(body);
 }
 
-/// A turn [rad] in which the spin of a body that is touched hardly changes by itself: by no more
-/// than this share, times that of its moments.
-inline constexpr double steady_turn = 1e-5;
-
-/// Moves a body that is touched with its velocities for a time [s]; its matrices are left for
-/// update_axes().
-inline void move_pose(RigidBody& body, double time)
+/// Whether a body turns little in a time [s], for turned_about_mean().
+inline bool turns_little(const RigidBody& body, double time)
 {
-  body.motion.center += time * body.motion.velocity;
-  if (time * body.motion.angular_velocity.norm() <= steady_turn)
-  {
-    body.orientation = turned_by(body, time * body.motion.angular_velocity);
-  }
-  else
+  return turns_little<double>(body.moments, time * body.motion.angular_velocity.norm());
+}
+
+/// Turns a body that is touched for a time [s]; its matrices are left for update_axes().
+inline void turn_pose(RigidBody& body, double time)
+{
+  if (is_even(body) || !turns_little(body, time))
   {
     spin_pose(body, time);
   }
+  else
+  {
+    take_spin(turned_about_mean<double>(spinning(body), body.moments, time), body);
+  }
 }
 
-/// Moves a body that is touched for a time [s], and its matrices with it.
+/// Moves a body that is touched with its velocities for a time [s], and its matrices with it.
 inline void move(RigidBody& body, double time)
 {
-  move_pose(body, time);
+  body.motion.center += time * body.motion.velocity;
+  turn_pose(body, time);
   update_axes(body);
 }
 // [moved_body]

@@ -4,6 +4,7 @@
 /// \brief Many contacts by small steps: each contact a stiff damped spring, corrected in turn.
 
 #include "05_resolution/contacts/moved_body.hpp"
+#include "05_resolution/islands/hold_corners.hpp"
 #include "05_resolution/islands/island_points.hpp"
 #include "05_resolution/position_correction/position_correction.hpp"
 #include "05_resolution/soft_steps/cold_starts.hpp"
@@ -26,6 +27,7 @@ struct SoftSettings
   double damping_ratio = 5;    ///< [1], of the springs
   double correction_speed = 1; ///< [m/s], no overlap is taken away faster
   double kept_turn = 0.07;     ///< [rad], by which a cube may turn slowly and keep its arms
+  double worn_corner = 0.002;  ///< [1], the radius of a corner, as a share of its arm
 };
 // [soft_settings]
 
@@ -133,6 +135,7 @@ soft_steps(IslandView world, const Island& island, double step, const SoftSettin
   }
   scale_impulses(points, settings.substeps);
   store(points);
+  hold_corners(world, island, settings.worn_corner);
 }
 // [soft_steps]
 

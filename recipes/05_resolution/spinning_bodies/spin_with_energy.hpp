@@ -46,10 +46,10 @@ turned_with_energy(const Spinning<Real>& body, const Vector3<Real>& moments, Rea
   {
     return turned_evenly(body, step);
   }
-  const Tumbling<Real> now = tumbling(body, axes);
+  const Tumbling<Real> now = tumbling(body, axes.moments);
   const Real twice_energy = now.momentum.cwiseAbs2().cwiseQuotient(axes.moments).sum();
   const Tumbling<Real> once = with_twice_energy(spun(now, axes, step), axes, twice_energy);
-  return spinning(with_twice_energy(once, axes, twice_energy), axes);
+  return spinning(with_twice_energy(once, axes, twice_energy), axes.moments);
 }
 // [turned_with_energy]
 

@@ -151,40 +151,40 @@ bool turns_evenly(const Spinning<Real>& body, const SpinAxes<Real>& axes, Real s
 template <class Real>
 Spinning<Real> turned_evenly(const Spinning<Real>& body, Real step)
 {
-  const Vector3<Real> turn = step * body.angular_velocity;
-  return {(rotation_by(turn) * body.orientation).normalized(), body.angular_velocity};
+  const Quaternion<Real> turn = rotation_by<Real>(step * body.angular_velocity);
+  return {(turn * body.orientation).normalized(), body.angular_velocity};
 }
-/// A body as seen along its own axes.
+/// A body as seen along its own axes; moments in units of the largest.
 template <class Real>
-Tumbling<Real> tumbling(const Spinning<Real>& body, const SpinAxes<Real>& axes)
+Tumbling<Real> tumbling(const Spinning<Real>& body, const Vector3<Real>& moments)
 {
   const Vector3<Real> spin = body.orientation.conjugate() * body.angular_velocity;
-  return {body.orientation, axes.moments.cwiseProduct(spin)};
+  return {body.orientation, moments.cwiseProduct(spin)};
 }
 /// The same body as seen in the world.
 template <class Real>
-Spinning<Real> spinning(const Tumbling<Real>& body, const SpinAxes<Real>& axes)
+Spinning<Real> spinning(const Tumbling<Real>& body, const Vector3<Real>& moments)
 {
-  return {body.orientation, body.orientation * body.momentum.cwiseQuotient(axes.moments)};
+  return {body.orientation, body.orientation * body.momentum.cwiseQuotient(moments)};
 }
 
 /// A body of these moments [kg m²] after it has spun freely for a step [s]; R24.
 ///
 /// Its angular momentum stays as it is to rounding, whatever the step. Exact where two moments are
-/// equal; elsewhere of second order. A body that swings too fast for 16 parts of a step turns as if
-/// its closest two moments were equal. A turn of 1/ε or more is none.
+/// equal; elsewhere of second order. One that swings too fast for 16 parts of a step turns as if
+/// two moments were equal, the closest. A turn of 1/ε or more is none.
 template <class Real>
 Spinning<Real> turned(const Spinning<Real>& body, const Vector3<Real>& moments, Real step)
 {
   const SpinAxes<Real> axes = spin_axes(moments);
-  const bool even = turns_evenly(body, axes, step);
-  return even ? turned_evenly(body, step) : spinning(spun(tumbling(body, axes), axes, step), axes);
+  return turns_evenly(body, axes, step)
+             ? turned_evenly(body, step)
+             : spinning(spun(tumbling(body, axes.moments), axes, step), axes.moments);
 }
 // [turned]
 
 // [turned_finely]
-/// The same as turned() in five shares of the step, the third of them backwards, so that the errors
-/// of second and third order cancel: of fourth order.
+/// As turned(), in five shares of the step, the third of them backwards: of fourth order.
 template <class Real>
 Spinning<Real> turned_finely(Spinning<Real> body, const Vector3<Real>& moments, Real step)
 {

@@ -3,10 +3,11 @@
 /// \file
 /// \brief The numbers of contacts in groups, as they lie in memory.
 
-#include "05_resolution/wide_solver/line_allocator.hpp"
+#include "05_resolution/lanes/line_allocator.hpp"
 #include "05_resolution/wide_solver/wide_contact.hpp"
 #include "05_resolution/wide_solver/wide_groups.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -15,12 +16,15 @@ namespace cookbook
 {
 
 // [lane_numbers]
+/// A gap [m] that nothing closes in a step.
+inline constexpr float far_apart = 1e20f;
+
 /// What a view shows, but for the bodies: put in and taken out lane by lane.
 class LaneNumbers
 {
 public:
-  /// Room for contacts in groups of so many lanes: all are between nobody and nobody, with no
-  /// points.
+  /// Room for contacts in groups of so many lanes: all are between nobody and nobody, and have no
+  /// points but such as are too far apart to meet.
   void clear(const WideGroups& groups, std::size_t lanes, int nobody)
   {
     const auto clear = [](auto& list, std::size_t count, auto same)
@@ -35,6 +39,10 @@ public:
     clear(b_, count, nobody);
     clear(contacts_, count * contact_numbers, 0.0f);
     clear(points_, groups.points() * lanes * point_numbers, 0.0f);
+    for (std::size_t place = 0; place < groups.points(); ++place)
+    {
+      std::fill_n(point(place, 0), lanes, far_apart); // the first of a point's numbers
+    }
   }
 
   /// Puts a contact into a lane of all, but for its points, and how fast [m/s] its overlap is taken
@@ -44,19 +52,21 @@ public:
     a_[lane] = contact.a;
     b_[lane] = contact.b;
     WideContact<double> of;
+    of.normal = contact.normal;
     of.across = contact.normal.unitOrthogonal();
+    of.coefficient = contact.friction;
     of.correction_speed = correction_speed;
     const std::size_t numbers = lane / lanes_ * contact_numbers + contact_masses;
-    WriteLane write{&contacts_[numbers * lanes_ + lane % lanes_], lanes_};
+    WriteLane<float> write{&contacts_[numbers * lanes_ + lane % lanes_], lanes_};
     each_given(of, write);
   }
 
   /// Puts a point at a place into a lane of all, but for its masses.
   void put(ContactConstraint<double>& at, std::size_t place, std::size_t lane)
   {
-    WriteLane pushed{point(place, lane), lanes_};
+    WriteLane<float> pushed{point(place, lane), lanes_};
     each_pushed(at, pushed);
-    WriteLane given{pushed.to + point_masses * lanes_, lanes_};
+    WriteLane<float> given{pushed.to + point_masses * lanes_, lanes_};
     each_given(at, given);
   }
 
@@ -64,7 +74,7 @@ public:
   ContactConstraint<float> pushed(std::size_t place, std::size_t lane)
   {
     ContactConstraint<float> at;
-    ReadLane read{point(place, lane), lanes_};
+    ReadLane<float> read{point(place, lane), lanes_};
     each_pushed(at, read);
     return at;
   }
@@ -75,7 +85,7 @@ public:
     ContactConstraint<float> at = pushed(place, lane);
     at.impulse = 0;
     at.friction.setZero();
-    WriteLane write{point(place, lane), lanes_};
+    WriteLane<float> write{point(place, lane), lanes_};
     each_pushed(at, write);
   }
 

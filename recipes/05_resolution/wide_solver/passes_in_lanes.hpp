@@ -3,8 +3,9 @@
 /// \file
 /// \brief What one contact teaches, done to as many at once as a pack has lanes.
 
+#include "05_resolution/lanes/either_in_lanes.hpp"
+#include "05_resolution/lanes/turn_in_lanes.hpp"
 #include "05_resolution/soft_steps/soft_steps.hpp"
-#include "05_resolution/wide_solver/either_in_lanes.hpp"
 #include "05_resolution/wide_solver/gather.hpp"
 #include "05_resolution/wide_solver/wide_contact.hpp"
 #include "05_resolution/wide_solver/wide_view.hpp"
@@ -36,6 +37,8 @@ void look_at_each(const WideView& all, bool pushes, const Look& look)
     {
       float* const numbers = all.points + place * lanes * point_numbers;
       ContactConstraint<Lanes> at;
+      at.normal = of.normal;
+      at.coefficient = of.coefficient;
       ReadLanes<Lanes> read_point{numbers};
       each_pushed(at, read_point);
       each_mass(at, read_point);
@@ -120,7 +123,8 @@ template <class Lanes>
 constexpr WidePasses passes_in_lanes()
 {
   using Passes = PassesInLanes<Lanes>;
-  return {lanes_of<Lanes>, Passes::find_masses, Passes::warm_start, Passes::correct, Passes::part};
+  return {lanes_of<Lanes>, Passes::find_masses, Passes::warm_start,
+          Passes::correct, Passes::part,        turn_in_lanes<Doubles<Lanes>>};
 }
 // [passes_in_lanes]
 

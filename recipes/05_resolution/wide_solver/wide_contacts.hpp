@@ -6,6 +6,7 @@
 #include "05_resolution/wide_solver/islands_together.hpp"
 #include "05_resolution/wide_solver/lane_numbers.hpp"
 #include "05_resolution/wide_solver/passes_in_lanes.hpp"
+#include "05_resolution/wide_solver/wide_turns.hpp"
 #include "common/simd/lanes.hpp"
 
 #include <algorithm>
@@ -35,10 +36,12 @@ class WideContacts
 {
 public:
   /// Lanes for these passes.
-  explicit WideContacts(const WidePasses& passes = widest_passes()) : passes_(passes) {}
+  explicit WideContacts(const WidePasses& passes = widest_passes()) : turns(passes), passes_(passes)
+  {
+  }
 
-  /// The islands whose contacts are taken.
-  IslandsTogether islands;
+  IslandsTogether islands; ///< those whose contacts are taken
+  WideTurns turns;         ///< how their bodies move on
 
   /// Takes the contacts of all islands, their impulses as they are for one of so many small steps.
   void take(IslandView world, int substeps)

@@ -121,13 +121,9 @@ inline void wide_steps(
         });
     warm_start(world, small, lanes);
     lanes.correct(spring_for(small, settings), small);
-    each_body(
-        [&](RigidBody& body, LaneBody& lane)
-        {
-          take_motion(lane, body);
-          move_pose(body, small);
-          put_motion(body, lane);
-        });
+    each_body([](RigidBody& body, LaneBody& lane) { take_motion(lane, body); });
+    lanes.turns.move(world.bodies, lanes.islands, small);
+    each_body([](RigidBody& body, LaneBody& lane) { put_motion(body, lane); });
     lanes.part(small);
     take_turned(world, small, lanes);
     lanes.correct(rigid<double>(), small);
@@ -139,6 +135,10 @@ inline void wide_steps(
         update_axes(body);
       });
   lanes.store(world, settings.substeps);
+  for (const Island& island : lanes.islands.all())
+  {
+    hold_corners(world, island, settings.worn_corner);
+  }
 }
 // [wide_steps]
 

@@ -45,6 +45,8 @@ struct WidePasses
   void (*correct)(const WideView& all, const Softness<float>& spring, float small);
   /// Carries gaps on by the speeds at which surfaces part, for a small step [s].
   void (*part)(const WideView& all, float small);
+  /// Turns as many bodies as a register has doubles, each a TurningLane, for a time [s].
+  void (*turn)(double* numbers, double time);
 };
 // [wide_view]
 

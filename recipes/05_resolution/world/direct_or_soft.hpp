@@ -37,10 +37,10 @@ using DirectWatch = std::function<void(const Island&, DirectAnswer)>;
 class DirectOrSoft
 {
 public:
-  /// Soft steps take so many substeps, and arms turn, as in the frames that are solved; `watch`, if
-  /// given, hears of every island and frame.
+  /// Soft steps take so many substeps; arms turn and corners are sharp, as in the frames that are
+  /// solved. `watch`, if given, hears of every island and frame.
   explicit DirectOrSoft(int substeps, DirectWatch watch = {})
-      : soft_{.substeps = substeps, .kept_turn = 0}, watch_(std::move(watch))
+      : soft_{.substeps = substeps, .kept_turn = 0, .worn_corner = 0}, watch_(std::move(watch))
   {
   }
 

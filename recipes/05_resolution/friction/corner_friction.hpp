@@ -1,0 +1,26 @@
+#pragma once
+
+/// \file
+/// \brief Friction where two bodies press on each other at a single point: against turning there.
+
+#include "05_resolution/friction/friction.hpp"
+
+namespace cookbook
+{
+
+// [hold_turn]
+/// Takes away what two bodies turn against each other, by an impulse [N m s] no larger than `most`.
+///
+/// One of them has to be movable.
+template <class Real>
+void hold_turn(Body<Real>& a, Body<Real>& b, const Real& most)
+{
+  const Matrix3<Real> inverse_mass = a.inverse_inertia + b.inverse_inertia;
+  const Vector3<Real> turning = b.motion.angular_velocity - a.motion.angular_velocity;
+  const Vector3<Real> impulse = within_cone<Real>(-inverse_mass.inverse() * turning, most);
+  a.motion.angular_velocity -= a.inverse_inertia * impulse;
+  b.motion.angular_velocity += b.inverse_inertia * impulse;
+}
+// [hold_turn]
+
+} // namespace cookbook
