@@ -2,6 +2,7 @@
 /// \brief Lets towers stand on soft contacts, and asks how far they sink.
 
 #include "05_resolution/soft_steps/soft_steps.hpp"
+#include "05_resolution/soft_steps/trial/corner_spin.hpp"
 #include "05_resolution/soft_steps/trial/soft_steps_figures.hpp"
 #include "05_resolution/soft_steps/trial/tall_towers.hpp"
 #include "common/program/program.hpp"
@@ -79,11 +80,28 @@ void print_kept(const Arguments& given)
 }
 // [print_kept]
 
+// [print_corners]
+void print_corners()
+{
+  Table table({"a corner's radius [arms]", "rests after [s]", "by the moment it bears [s]"});
+  for (const double worn : {0.001, 0.002, 0.004})
+  {
+    const auto seconds = [](double time) { return number(std::round(time * 100) / 100); };
+    const WorldSolver solver = soft_solver({.substeps = 4, .worn_corner = worn});
+    table.row(
+        {number(worn), seconds(rests_after(cube_on_corner(), solver)),
+         seconds(rests_by_formula(worn))});
+  }
+  std::cout << "\n" << table.text();
+}
+// [print_corners]
+
 void run(const Arguments& given)
 {
   print_sinks(given);
   print_towers(given);
   print_kept(given);
+  print_corners();
 }
 
 } // namespace
