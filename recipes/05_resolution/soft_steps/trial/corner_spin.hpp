@@ -4,8 +4,7 @@
 /// \brief A cube that spins on its corner, and what stops it.
 
 #include "05_resolution/scenes/trial/world_scenes.hpp"
-#include "05_resolution/world/solver_named.hpp"
-#include "05_resolution/world/world.hpp"
+#include "05_resolution/world/solvers.hpp"
 
 #include <cmath>
 
