@@ -5,6 +5,7 @@
 
 #include "05_resolution/direct_solver/direct_advance.hpp"
 #include "05_resolution/direct_solver/direct_residual.hpp"
+#include "05_resolution/direct_solver/factored_points.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -91,7 +92,9 @@ inline void scatter(
 
 // [direct_solver]
 /// Finds the velocities of islands after a step. It remembers how the last island was laid out, and
-/// is quicker if the next one hangs together in the same way.
+/// is quicker if the next one hangs together in the same way. So it is if the same points push as
+/// in the step before, where they did: then the matrix need not be factored again. What is found
+/// with it counts only if nothing is missing.
 class DirectSolver
 {
 public:
@@ -107,19 +110,21 @@ public:
     }
     find_missing(system_);
     const bool guessed = guess(system_, 2 * step * world.gravity.norm());
+    bool fresh = false; // whether the matrix was factored in this step
     for (int i = 0; i < settings.iterations; ++i)
     {
-      assemble(system_, matrix_);
-      if (!matrix_.factor())
+      const bool at_hand = (i == 0 || fresh) && factored_.are_those_of(system_.points);
+      if (!at_hand && !factor())
       {
         return false;
       }
+      fresh = fresh || !at_hand;
       change_ = system_.missing;
       matrix_.solve(change_);
       const Advance gone = advance(system_, change_);
       const double most = largest_impulse(system_);
       const double small = std::max(settings.tolerance * most, rounding_of(system_));
-      const bool exact = gone.exact && (i > 0 || !guessed);
+      const bool exact = gone.exact && fresh && (i > 0 || !guessed);
       const bool found = exact || size_of_missing(system_) <= small;
       const bool stiff = settings.give == 0;
       missing_ = system_.missing; // before the bounds move
@@ -136,6 +141,19 @@ public:
   }
 
 private:
+  /// Factors the matrix of the system; false if it has none.
+  bool factor()
+  {
+    assemble(system_, matrix_);
+    factored_.clear();
+    const bool found = matrix_.factor();
+    if (found)
+    {
+      factored_.take(system_.points);
+    }
+    return found;
+  }
+
   /// Lays the matrix out, if it is not; false if it takes too many products of blocks.
   bool lay_out(std::size_t products)
   {
@@ -151,12 +169,14 @@ private:
     {
       matrix_.lay_out(static_cast<int>(system_.bodies.size()), coupled_, products);
       laid_out_ = coupled_;
+      factored_.clear();
     }
     return matrix_.products() <= products;
   }
 
   DirectSystem system_;
   BlockCholesky matrix_;
+  FactoredPoints factored_;
   std::vector<Vector6> change_, missing_;
   std::vector<std::pair<int, int>> coupled_, laid_out_;
 };
