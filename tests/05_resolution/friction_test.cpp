@@ -299,6 +299,27 @@ TEST_CASE("two bodies that turn against each other turn together, if the impulse
     CHECK(spin(free.a) == spin(before.a));
   }
 }
+
+TEST_CASE("nothing is held that cannot be turned, and nothing ceases to be a number")
+{
+  for (const V& inverse : {V(0, 0, 0), V(1, 0, 1), V(1e150, 1e150, 1e-150)})
+  {
+    CAPTURE(inverse);
+    BodyPair<double> bodies{immovable<double>({0, 0, 0}), immovable<double>({0, 1, 0})};
+    bodies.b.inverse_inertia = inverse.asDiagonal();
+    bodies.b.motion.angular_velocity = {1, 2, 3};
+    hold_turn<double>(bodies.a, bodies.b, 1);
+    CHECK(bodies.b.motion.angular_velocity == V(1, 2, 3));
+  }
+  for (const double inverse : {1e-150, 1.0, 1e150})
+  {
+    BodyPair<double> bodies{immovable<double>({0, 0, 0}), immovable<double>({0, 1, 0})};
+    bodies.b.inverse_inertia = inverse * Matrix3<double>::Identity();
+    bodies.b.motion.angular_velocity = {1, 2, 3};
+    hold_turn<double>(bodies.a, bodies.b, 4 / inverse);
+    CHECK(bodies.b.motion.angular_velocity.norm() <= rounding);
+  }
+}
 // [hold_turn]
 
 // [R27]

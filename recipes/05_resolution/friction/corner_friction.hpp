@@ -5,19 +5,28 @@
 
 #include "05_resolution/friction/friction.hpp"
 
+#include <limits>
+
 namespace cookbook
 {
 
 // [hold_turn]
 /// Takes away what two bodies turn against each other, by an impulse [N m s] no larger than `most`.
 ///
-/// One of them has to be movable.
+/// Nothing changes where there is a direction about which, to rounding, neither can be turned.
 template <class Real>
 void hold_turn(Body<Real>& a, Body<Real>& b, const Real& most)
 {
   const Matrix3<Real> inverse_mass = a.inverse_inertia + b.inverse_inertia;
+  const Real scale = inverse_mass.cwiseAbs().maxCoeff();
+  const Matrix3<Real> relative = inverse_mass / scale;
+  if (!(relative.determinant() > std::numeric_limits<Real>::epsilon()))
+  {
+    return;
+  }
   const Vector3<Real> turning = b.motion.angular_velocity - a.motion.angular_velocity;
-  const Vector3<Real> impulse = within_cone<Real>(-inverse_mass.inverse() * turning, most);
+  const Vector3<Real> ending = -relative.inverse() * turning / scale;
+  const Vector3<Real> impulse = within_cone<Real>(ending, most);
   a.motion.angular_velocity -= a.inverse_inertia * impulse;
   b.motion.angular_velocity += b.inverse_inertia * impulse;
 }

@@ -9,7 +9,6 @@
 namespace cookbook
 {
 
-inline long calls_, rounds_, hist_[20];
 // [turns_little]
 /// The largest turn [rad] that is little for a ball. For another body it is less, by as much as
 /// its least moment is less than its largest.
