@@ -171,7 +171,7 @@ TEST_CASE("each lane does to the bit what one contact alone does: masses, pushes
 // [lanes]
 
 // [turn_in_lanes]
-TEST_CASE("bodies turn in lanes of every width as one alone does, to rounding", "[R24]")
+TEST_CASE("bodies turn in lanes of every width as one alone does: uneven ones to rounding", "[R24]")
 {
   BoxDraw draw(7);
   for (const InstructionSet set : instruction_sets())
@@ -186,7 +186,8 @@ TEST_CASE("bodies turn in lanes of every width as one alone does, to rounding", 
       {
         SceneBody drawn = cube_body("box", {0, 0, 0});
         const double x = draw.between(0.2, 1), y = draw.between(0.2, 1);
-        drawn.shape = BoxShape{{x, y, draw.between(0.2, 1)}};
+        const double z = draw.between(0.2, 1);
+        drawn.shape = i % 7 == 3 ? BoxShape{{x, x, x}} : BoxShape{{x, y, z}};
         const double fast = i % 5 == 0 ? 50 : 1; // some turn too far for lanes
         const double wx = draw.between(-1, 1), wy = draw.between(-1, 1);
         drawn.angular_velocity = fast * Vector3<double>(wx, wy, draw.between(-1, 1));
@@ -204,7 +205,8 @@ TEST_CASE("bodies turn in lanes of every width as one alone does, to rounding", 
         const double spin = alone[i].motion.angular_velocity.norm();
         CAPTURE(count, i);
         CHECK(bodies[i].motion.center == alone[i].motion.center);
-        CHECK((bodies[i].orientation.coeffs() - alone[i].orientation.coeffs()).norm() <= 1e-15);
+        const double allowed = is_even(alone[i]) ? 1e-7 * spin / 240 : 1e-15; // see WideTurns
+        CHECK((bodies[i].orientation.coeffs() - alone[i].orientation.coeffs()).norm() <= allowed);
         CHECK(
             (bodies[i].motion.angular_velocity - alone[i].motion.angular_velocity).norm() <=
             4e-15 * spin);
@@ -283,6 +285,7 @@ TEST_CASE(
 }
 
 /// Arms that turn: those that are kept are taken anew a step sooner or later, by a rounding.
+/// Corners are sharp: at a worn one it matters which point presses.
 constexpr SoftSettings turning_arms{.substeps = 8, .kept_turn = 0, .worn_corner = 0};
 
 /// Soft steps in double that go through the contacts colour by colour.

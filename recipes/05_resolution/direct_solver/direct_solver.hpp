@@ -110,10 +110,11 @@ public:
     }
     find_missing(system_);
     const bool guessed = guess(system_, 2 * step * world.gravity.norm());
+    const bool stiff = settings.give == 0;
     bool fresh = false; // whether the matrix was factored in this step
     for (int i = 0; i < settings.iterations; ++i)
     {
-      const bool at_hand = (i == 0 || fresh) && factored_.are_those_of(system_.points);
+      const bool at_hand = (i > 0 ? fresh : stiff) && factored_.are_those_of(system_.points);
       if (!at_hand && !factor())
       {
         return false;
@@ -126,7 +127,6 @@ public:
       const double small = std::max(settings.tolerance * most, rounding_of(system_));
       const bool exact = gone.exact && fresh && (i > 0 || !guessed);
       const bool found = exact || size_of_missing(system_) <= small;
-      const bool stiff = settings.give == 0;
       missing_ = system_.missing; // before the bounds move
       const bool follows = found || (stiff && gone.part >= 0.5);
       const bool moved =

@@ -22,8 +22,8 @@ inline double corner_radius(const RigidBody& body, const Vector3<double>& arm, d
 }
 
 /// Has two bodies turn against each other less, by what they press on each other in a step, if it
-/// is at a single point: a corner. Several points hold a turn by the friction of each; balls roll
-/// on.
+/// is at a single point: a corner. Several points rub against each turn but one about their line;
+/// balls roll on.
 inline void hold_corner(std::span<RigidBody> bodies, const WorldContact& contact, double share)
 {
   RigidBody &a = bodies[place_of(contact.a)], &b = bodies[place_of(contact.b)];
