@@ -23,6 +23,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -576,6 +577,45 @@ TEST_CASE(
   {
     CHECK((one.body(i).motion.center - other.body(i).motion.center).norm() < 1e-10);
   }
+}
+
+TEST_CASE("a factor at hand is no answer where a body has become heavier")
+{
+  DirectSolver solver;
+  bool heavier = false;
+  const auto solve = [&](IslandView world, const Island& island, double step)
+  {
+    if (std::exchange(heavier, false))
+    {
+      RigidBody& top = world.bodies.back(); // of 1 kg
+      top.inverse_mass /= 2;
+      top.inverse_inertia /= 2;
+      top.moments *= 2;
+    }
+    REQUIRE(solver.solve(world, island, step));
+    for (const int body : island.bodies)
+    {
+      move(world.bodies[place_of(body)], step);
+    }
+  };
+  World world(named_scene("tower_5"), solve);
+  const auto carried_by_fourth = [&]
+  {
+    double sum = 0;
+    for (const WorldPoint& point : world.contacts().back().points)
+    {
+      sum += point.impulse;
+    }
+    return sum * 60 / 9.81; // [kg]
+  };
+  while (world.time() < 2)
+  {
+    world.step();
+  }
+  REQUIRE(carried_by_fourth() == Catch::Approx(1).epsilon(1e-5));
+  heavier = true;
+  world.step();
+  CHECK(carried_by_fourth() == Catch::Approx(2).epsilon(1e-5));
 }
 // [factored_points]
 
