@@ -546,27 +546,27 @@ TEST_CASE("a factor is at hand if the same points push, in the same way, where t
   CHECK_FALSE(factored.are_those_of(slipping));
 }
 
+/// Goes on by a step of which the answer is found.
+void solve_and_move(DirectSolver& solver, IslandView world, const Island& island, double step)
+{
+  REQUIRE(solver.solve(world, island, step));
+  for (const int body : island.bodies)
+  {
+    move(world.bodies[place_of(body)], step);
+  }
+}
+
 TEST_CASE(
     "with a factor of the step before a tower is where it is with one of each step, to 0.1 nm")
 {
   const auto afresh = [](IslandView world, const Island& island, double step)
   {
     DirectSolver solver;
-    REQUIRE(solver.solve(world, island, step));
-    for (const int body : island.bodies)
-    {
-      move(world.bodies[place_of(body)], step);
-    }
+    solve_and_move(solver, world, island, step);
   };
   const auto kept =
       [solver = DirectSolver()](IslandView world, const Island& island, double step) mutable
-  {
-    REQUIRE(solver.solve(world, island, step));
-    for (const int body : island.bodies)
-    {
-      move(world.bodies[place_of(body)], step);
-    }
-  };
+  { solve_and_move(solver, world, island, step); };
   World one(named_scene("tower_5"), afresh), other(named_scene("tower_5"), kept);
   for (int step = 0; step < 300; ++step)
   {
@@ -592,11 +592,7 @@ TEST_CASE("a factor at hand is no answer where a body has become heavier")
       top.inverse_inertia /= 2;
       top.moments *= 2;
     }
-    REQUIRE(solver.solve(world, island, step));
-    for (const int body : island.bodies)
-    {
-      move(world.bodies[place_of(body)], step);
-    }
+    solve_and_move(solver, world, island, step);
   };
   World world(named_scene("tower_5"), solve);
   const auto carried_by_fourth = [&]

@@ -50,12 +50,16 @@ inline std::pair<int, int> pair_of(const WorldContact& contact)
   return {contact.a, contact.b};
 }
 
+/// Whether two bodies press on each other at a point.
+inline bool is_pressed(const WorldPoint& point)
+{
+  return point.impulse > 0;
+}
+
 /// Whether two bodies press on each other at any point of a contact.
 inline bool presses(const WorldContact& contact)
 {
-  return std::any_of(
-      contact.points.begin(), contact.points.end(),
-      [](const WorldPoint& point) { return point.impulse > 0; });
+  return std::any_of(contact.points.begin(), contact.points.end(), is_pressed);
 }
 
 /// The arms [m], world, of a contact point as its bodies are turned now.

@@ -27,10 +27,9 @@ inline double corner_radius(const RigidBody& body, const Vector3<double>& arm, d
 inline void hold_corner(std::span<RigidBody> bodies, const WorldContact& contact, double share)
 {
   RigidBody &a = bodies[place_of(contact.a)], &b = bodies[place_of(contact.b)];
-  const auto presses = [](const WorldPoint& point) { return point.impulse > 0; };
   const auto begin = contact.points.begin(), end = contact.points.end();
-  const auto point = std::find_if(begin, end, presses);
-  if (a.round || b.round || point == end || std::any_of(point + 1, end, presses))
+  const auto point = std::find_if(begin, end, is_pressed);
+  if (a.round || b.round || point == end || std::any_of(point + 1, end, is_pressed))
   {
     return;
   }
