@@ -87,6 +87,16 @@ TEST_CASE(
   CHECK_FALSE(is_ghost(diamond, cube, -right, 0.001, 0.005));
 }
 
+TEST_CASE("a box that lies on its edge, as high as a tile's top, is a ghost by the tile's axes")
+{
+  const double eighth = std::sqrt(0.5);
+  Matrix3<double> roll;
+  roll << 1, 0, 0, 0, eighth, -eighth, 0, eighth, eighth;
+  const Obb<double> rolled{{-0.01, eighth - 0.001, 0}, roll, {0.5, 0.5, 0.5}};
+  CHECK(is_ghost(rolled, tile(0), right, 0.02, 0.005));
+  CHECK(is_ghost(tile(0), rolled, -right, 0.02, 0.005));
+}
+
 TEST_CASE("thin boxes that meet over their whole width are no ghosts", "[case:S22]")
 {
   const Vector3<double> thin(0.5, 0.001, 0.5);

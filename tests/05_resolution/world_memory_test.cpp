@@ -17,7 +17,7 @@ TEST_CASE("once a tower, a pyramid or a pile has settled, a step allocates nothi
 {
   for (const std::string name : {"tower", "pyramid", "pile_30"})
   {
-    for (const std::string solver : {"soft_steps", "direct"})
+    for (const std::string solver : {"soft_steps", "wide_steps", "direct"})
     {
       for (const bool may_sleep : {false, true})
       {

@@ -21,7 +21,6 @@ inline std::vector<int>
 elimination_order(int count, const std::vector<std::pair<int, int>>& coupled)
 {
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(static_cast<std::size_t>(count) + 2 * coupled.size());
   for (int i = 0; i < count; ++i)
   {
     entries.emplace_back(i, i, 1.0);
@@ -29,7 +28,6 @@ elimination_order(int count, const std::vector<std::pair<int, int>>& coupled)
   for (const auto& [i, j] : coupled)
   {
     entries.emplace_back(i, j, 1.0);
-    entries.emplace_back(j, i, 1.0);
   }
   Eigen::SparseMatrix<double> pattern(count, count);
   pattern.setFromTriplets(entries.begin(), entries.end());

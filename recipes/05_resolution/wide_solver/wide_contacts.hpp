@@ -151,29 +151,18 @@ private:
     }
   }
 
-  /// Bodies have their places in the world; behind them is nobody, whom nothing moves.
+  /// Bodies have their places in the world; behind them is nobody, of whom all numbers are zero, as
+  /// of what is fixed: nothing moves it.
   void take_bodies(IslandView world)
   {
     make_room(bodies_, world.bodies.size() + 1);
-    bodies_.resize(world.bodies.size());
-    bodies_.emplace_back();
-    const auto put = [&](int i)
-    {
-      put_motion(world.bodies[place_of(i)], body(i));
-      put_inverse_masses(world.bodies[place_of(i)], body(i));
-    };
-    islands.for_each_body(put);
-    for (const int number : islands.contacts())
-    {
-      const auto [a, b] = pair_of(world.contacts[place_of(number)]);
-      for (const int i : {a, b})
-      {
-        if (is_fixed(world.bodies[place_of(i)]))
+    bodies_.assign(world.bodies.size() + 1, {});
+    islands.for_each_body(
+        [&](int i)
         {
-          put(i);
-        }
-      }
-    }
+          put_motion(world.bodies[place_of(i)], body(i));
+          put_inverse_masses(world.bodies[place_of(i)], body(i));
+        });
   }
 
   WidePasses passes_;
