@@ -7,6 +7,7 @@
 #include "05_resolution/tunnelling/swept_box.hpp"
 #include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/world_measures.hpp"
+#include "05_resolution/world/world_inputs.hpp"
 
 #include "tests/05_resolution/evenly.hpp"
 #include "tests/catch.hpp"
@@ -385,6 +386,68 @@ TEST_CASE(
   }
 }
 // [flat_landing]
+
+// [pulled_flight]
+TEST_CASE("a box and a ball that a force pulls meet a wall as fast as they are there")
+{
+  const double speed = 60, pull = 600, gap = 0.5, step = 1.0 / 60;
+  const double there = std::sqrt(speed * speed + 2 * pull * gap), time = (there - speed) / pull;
+  const double after = -there + pull * (step - time);
+  for (SceneBody body : {cube_body("cube", {0, 0, 0}), ball_body("ball", 0.5, {0, 0, 0})})
+  {
+    body.velocity.x() = speed;
+    body.restitution = 1;
+    body.mass = 1;
+    Scene scene{.bodies = {body, box_body("wall", {1, 9, 9}, {1.5 + gap, 0, 0}, 0)}};
+    scene.gravity.setZero();
+    for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
+    {
+      World world(scene, solver_named(solver));
+      apply_force(world, 0, {pull, 0, 0});
+      world.step();
+      const Motion<double>& motion = world.bodies()[0].motion;
+      CAPTURE(body.name, solver);
+      CHECK(motion.velocity.x() == Catch::Approx(after).epsilon(1e-6));
+      const double way = gap + (step - time) * (after - there) / 2;
+      CHECK(motion.center.x() == Catch::Approx(way).margin(1e-6));
+    }
+  }
+}
+// [pulled_flight]
+
+// [struck_beam]
+TEST_CASE(
+    "a beam at rest that a ball at 40 m/s strikes near its end moves and spins as J and r say")
+{
+  Scene scene{.bodies = {ground(), box_body("beam", {1, 0.1, 0.1}, {0, 0.1, 0}, 5)}};
+  SceneBody ball = ball_body("ball", 0.05, {0.8, 0.1, -0.3});
+  ball.velocity.z() = 40;
+  ball.mass = 1;
+  for (SceneBody* const body : {&scene.bodies[0], &scene.bodies[1], &ball})
+  {
+    body->friction = 0;
+    body->restitution = 1;
+  }
+  for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    World world(scene, solver_named(solver));
+    while (world.time() < 0.5)
+    {
+      world.step();
+    }
+    const std::size_t struck_by = world.add(ball);
+    world.step();
+    const double inertia = 5 * (1 + 0.01) / 3;
+    const double impulse = 2 * 40 / (1.0 + 1.0 / 5 + 0.8 * 0.8 / inertia);
+    const Motion<double>& beam = world.bodies()[1].motion;
+    CAPTURE(solver);
+    CHECK(beam.velocity.z() == Catch::Approx(impulse / 5).epsilon(1e-3));
+    CHECK(beam.angular_velocity.y() == Catch::Approx(-0.8 * impulse / inertia).epsilon(1e-3));
+    CHECK(
+        world.bodies()[struck_by].motion.velocity.z() == Catch::Approx(40 - impulse).epsilon(1e-3));
+  }
+}
+// [struck_beam]
 
 // [unwritten_cases]
 TEST_CASE("300 boxes of 1 mm to 20 cm thrown into a corner of three planes stay in front of each")

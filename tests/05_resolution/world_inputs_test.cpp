@@ -157,6 +157,23 @@ TEST_CASE("two that ignore each other fall through each other, and rest on all o
   CHECK(world.bodies()[2].motion.center.y() == Catch::Approx(0.5).margin(1e-6));
   CHECK(world.scene().ignored.size() == 1);
 }
+
+TEST_CASE("two that sleep are woken, both of them, when they are told to ignore each other")
+{
+  Scene scene = named_scene("tower_1");
+  scene.bodies.push_back(cube_body("far", {50, 0.5, 0}));
+  scene.bodies.push_back(cube_body("farther", {100, 0.5, 0}));
+  World world(scene, solver_named("direct"), true);
+  while (world.time() < 2)
+  {
+    world.step();
+  }
+  REQUIRE((world.sleeps(1) && world.sleeps(2) && world.sleeps(3)));
+  world.ignore(2, 1);
+  CHECK_FALSE(world.sleeps(1));
+  CHECK_FALSE(world.sleeps(2));
+  CHECK(world.sleeps(3));
+}
 // [ignore]
 
 TEST_CASE("pairs that ignore each other may be named in any order")

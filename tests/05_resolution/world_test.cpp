@@ -264,6 +264,9 @@ TEST_CASE(
   CHECK(reason(crate) == "crate: half_extents.y must be greater than zero, got 0");
   crate.shape = SphereShape{-1};
   CHECK(reason(crate) == "crate: radius must be greater than zero, got -1");
+  crate = {"crate", BoxShape{Vector3<double>::Constant(1e-80)}, 1e-200};
+  CHECK(reason(crate) == "crate: moments.x must be greater than zero, got 0");
+  crate.mass = 1;
   crate.shape = PlaneShape{{0, 1, 0}, 0};
   CHECK(reason(crate) == "crate: mass must be 0 for a plane, got 1");
   crate = {"crate", BoxShape{{1, 1, 1}}, 1};
