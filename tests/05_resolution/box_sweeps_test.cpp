@@ -415,6 +415,27 @@ TEST_CASE("a box and a ball that a force pulls meet a wall as fast as they are t
 }
 // [pulled_flight]
 
+TEST_CASE("a box at rest before a thin wall does not pass it when it is struck, and only then fast")
+{
+  SceneBody heavy = box_body("heavy", {0.1, 0.1, 0.1}, {-0.5, 0, 0}, 10);
+  heavy.velocity.x() = 300;
+  Scene scene{
+      .bodies = {
+          box_body("light", {0.05, 0.05, 0.05}, {0, 0, 0}, 0.1),
+          box_body("wall", {0.005, 9, 9}, {0.075, 0, 0}, 0), heavy}};
+  scene.gravity.setZero();
+  for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    World world(scene, solver_named(solver));
+    for (int i = 0; i < 10; ++i)
+    {
+      world.step();
+      CAPTURE(solver, i);
+      CHECK(world.bodies()[0].motion.center.x() < 0.075);
+    }
+  }
+}
+
 // [struck_beam]
 TEST_CASE(
     "a beam at rest that a ball at 40 m/s strikes near its end moves and spins as J and r say")

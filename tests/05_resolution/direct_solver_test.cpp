@@ -579,6 +579,32 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("one solver has for two islands of three, a tower and a table, what its own would have")
+{
+  Scene scene = named_scene("tower_3");
+  scene.bodies.push_back(box_body("table", {2, 0.5, 1}, {10, 0.5, 0}));
+  scene.bodies.push_back(cube_body("left", {9, 1.5, 0}));
+  scene.bodies.push_back(cube_body("right", {11, 1.5, 0}));
+  const auto afresh = [](IslandView world, const Island& island, double step)
+  {
+    DirectSolver solver;
+    solve_and_move(solver, world, island, step);
+  };
+  DirectSolver solver;
+  const auto by_one = [&solver](IslandView world, const Island& island, double step)
+  { solve_and_move(solver, world, island, step); };
+  World own(scene, afresh), shared(scene, by_one);
+  for (int step = 0; step < 60; ++step)
+  {
+    own.step();
+    shared.step();
+  }
+  for (std::size_t i = 0; i < own.bodies().size(); ++i)
+  {
+    CHECK((own.body(i).motion.center - shared.body(i).motion.center).norm() < 1e-10);
+  }
+}
+
 TEST_CASE("a factor at hand is no answer where a body has become heavier")
 {
   DirectSolver solver;

@@ -11,6 +11,7 @@
 #include "tests/catch.hpp"
 #include "tests/verdicts.hpp"
 
+#include <array>
 #include <cmath>
 #include <random>
 #include <string>
@@ -148,6 +149,29 @@ TEST_CASE("velocities found from two poses are those that led from one to the ot
     CHECK((now.motion.velocity - before.motion.velocity).norm() < 1e-11);
     CHECK((now.motion.angular_velocity - before.motion.angular_velocity).norm() < 1e-11);
   }
+}
+
+TEST_CASE(
+    "friction at a point is within the cone of all passes together: pressed 2, at most 1", "[R6]")
+{
+  std::array<RigidBody, 2> bodies{rigid_body(ground()), rigid_body(cube_body("cube", {0, 0, 0}))};
+  std::array<WorldContact, 1> contacts{WorldContact{0, 1, 0.5, 0, {0, 1, 0}, {WorldPoint{}}}};
+  constexpr std::array<int, 1> movable{1}, contact{0};
+  std::vector<IslandPoint> room;
+  const IslandView view{bodies, contacts, {0, 0, 0}, room};
+  PositionPoint point{points_of(view, {movable, contact})[0], {0, 0, 0}};
+  hold(point);
+  point.pressed = 2;
+  double& x = bodies[1].motion.center.x();
+  x = 3;
+  correct_slip(point);
+  CHECK(x == Catch::Approx(2)); // of 1 kg; from here it sticks anew
+  x += 3;
+  correct_slip(point);
+  CHECK(x == Catch::Approx(5)); // nothing is left of the cone
+  x -= 0.25;
+  correct_slip(point);
+  CHECK(x == Catch::Approx(5));
 }
 
 TEST_CASE(

@@ -1,6 +1,7 @@
 /// \file
 /// Who makes energy out of nothing: random scenes that nothing drives, under every solver.
 
+#include "05_resolution/contacts/moved_body.hpp"
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/world/solver_names.hpp"
 #include "05_resolution/world/solvers.hpp"
@@ -185,6 +186,27 @@ TEST_CASE(
   CHECK(gaining("position_based", Kind::stack) > 0);
 }
 // [passive]
+
+// [fast_spin]
+TEST_CASE(
+    "a free box that turns by 60 to 1,000 rad a step keeps its energy; by 10,000 it gains none")
+{
+  for (const double turn : {60.0, 200.0, 1000.0, 10000.0})
+  {
+    RigidBody box = rigid_body(box_body("box", {0.1, 0.2, 0.4}, {0, 0, 0}));
+    box.motion.angular_velocity = turn * Vector3<double>(1, 0.3, -0.2).normalized();
+    const double at_first = kinetic_energy(box);
+    for (int i = 0; i < 200; ++i)
+    {
+      const double before = kinetic_energy(box);
+      spin(box, 1);
+      CAPTURE(turn, i);
+      REQUIRE(kinetic_energy(box) <= before * (1 + 1e-14));
+    }
+    CHECK(kinetic_energy(box) >= (turn <= 1000 ? 0.999 : 0.5) * at_first);
+  }
+}
+// [fast_spin]
 
 // [rocking]
 TEST_CASE("a plank that rocks on a drum swings on as it did; in small steps it swings up", "[R4]")
