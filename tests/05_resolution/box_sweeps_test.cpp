@@ -397,6 +397,7 @@ TEST_CASE("a box and a ball that a force pulls meet a wall as fast as they are t
   {
     body.velocity.x() = speed;
     body.restitution = 1;
+    body.friction = 0;
     body.mass = 1;
     Scene scene{.bodies = {body, box_body("wall", {1, 9, 9}, {1.5 + gap, 0, 0}, 0)}};
     scene.gravity.setZero();
@@ -404,12 +405,15 @@ TEST_CASE("a box and a ball that a force pulls meet a wall as fast as they are t
     {
       World world(scene, solver_named(solver));
       apply_force(world, 0, {pull, 0, 0});
+      apply_torque(world, 0, {3, 0, 0});
       world.step();
       const Motion<double>& motion = world.bodies()[0].motion;
       CAPTURE(body.name, solver);
       CHECK(motion.velocity.x() == Catch::Approx(after).epsilon(1e-6));
       const double way = gap + (step - time) * (after - there) / 2;
       CHECK(motion.center.x() == Catch::Approx(way).margin(1e-6));
+      const double gained = step * 3 / world.bodies()[0].moments.x();
+      CHECK(motion.angular_velocity.x() == Catch::Approx(gained).epsilon(1e-6));
     }
   }
 }

@@ -206,6 +206,19 @@ TEST_CASE(
     CHECK(kinetic_energy(box) >= (turn <= 1000 ? 0.999 : 0.5) * at_first);
   }
 }
+
+TEST_CASE("a turn of 1.9 rad is taken in four pieces, none of more than half a radian")
+{
+  RigidBody at_once = rigid_body(box_body("box", {0.3, 0.33, 0.36}, {0, 0, 0}));
+  at_once.motion.angular_velocity = 1.9 * Vector3<double>(1, 0.3, -0.2).normalized();
+  RigidBody piece_by_piece = at_once;
+  spin(at_once, 1);
+  for (int i = 0; i < 4; ++i)
+  {
+    spin(piece_by_piece, 0.25);
+  }
+  CHECK((at_once.axes - piece_by_piece.axes).norm() <= 1e-14);
+}
 // [fast_spin]
 
 // [rocking]

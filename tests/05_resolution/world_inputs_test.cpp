@@ -239,7 +239,21 @@ TEST_CASE("what is asked of a body that is not there, or not any more, says so",
     CHECK(says_so([&] { apply_impulse(world, body, {1, 0, 0}); }));
     CHECK(says_so([&] { apply_force(world, body, {1, 0, 0}); }));
     CHECK(says_so([&] { apply_torque(world, body, {1, 0, 0}); }));
+    CHECK(says_so([&] { world.ignore(body, 1); }));
+    CHECK(says_so([&] { world.ignore(1, body); }));
   }
+}
+
+TEST_CASE("an impulse that is no number, or is given nowhere, is refused by name", "[case:L3]")
+{
+  World world(named_scene("tower_1"), solver_named("direct"));
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_WITH(
+      apply_impulse(world, 1, {0, none, 0}), Catch::Matchers::ContainsSubstring("impulse.y"));
+  CHECK_THROWS_WITH(
+      apply_impulse(world, 1, {0, 1, 0}, {none, 0, 0}),
+      Catch::Matchers::ContainsSubstring("point.x"));
+  CHECK(world.body(1).motion.velocity == Vector3<double>(0, 0, 0));
 }
 
 // [pressed]

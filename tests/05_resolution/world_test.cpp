@@ -402,6 +402,8 @@ TEST_CASE("a body that flies off beyond all numbers is kept where it was last, a
   }
   CHECK(is_fixed(world.bodies()[1]));
   CHECK(is_finite(world.bodies()[1]));
+  CHECK(world.bodies()[1].motion.velocity == Vector3<double>(0, 0, 0));
+  CHECK(world.bodies()[1].motion.angular_velocity == Vector3<double>(0, 0, 0));
   CHECK(world.bodies()[2].motion.center.y() == Catch::Approx(0.5).margin(1e-6)); // fell down
 }
 
