@@ -131,6 +131,15 @@ TEST_CASE("up to 12 m/s a ball is pushed out where it came in, not beyond", "[R1
   CHECK(share_passed(exact_shots(48), discrete) == 0.75);
 }
 
+TEST_CASE("a ball that is seen 1/32 m deep is put where it touches, and bounces: -3/16 m, -4 m/s")
+{
+  const Obb<double> wall{{0, 0, 0}, Matrix3<double>::Identity(), {0.125, 8, 8}};
+  const FlyingBall<double> coming{{{-0.28125, 0, 0}, 0.0625}, {8, 0, 0}};
+  const FlyingBall<double> after = discrete_step<double>(coming, wall, 0.5, 1.0 / 64);
+  CHECK(after.ball.center == Vector3<double>(-0.1875, 0, 0));
+  CHECK(after.velocity == Vector3<double>(-4, 0, 0));
+}
+
 TEST_CASE("eight substeps are as good as an eighth of the speed", "[R18]")
 {
   const FlightMethod eight = flight_methods()[1];
