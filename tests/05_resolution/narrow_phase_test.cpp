@@ -156,6 +156,19 @@ TEST_CASE("a point of a contact keeps what is known of it as long as its feature
 }
 // [kept_points]
 
+TEST_CASE(
+    "a slanted box of 1 m is as deep in a plane as its deepest corner, whichever that is")
+{
+  BoxDraw draw(3);
+  for (int i = 0; i < 100; ++i)
+  {
+    const Obb<double> box{{0, 0.5, 0}, draw.rotation(), V::Constant(0.5)};
+    const auto manifold = manifold_of(Plane<double>{{0, 1, 0}, 0}, box);
+    REQUIRE(manifold);
+    CHECK(manifold->depth == Catch::Approx(box_radius<double>(box, {0, 1, 0}) - 0.5));
+  }
+}
+
 // [rolls]
 /// How fast [m/s] a ball ends that starts at 7 m/s without spin, and how fast its surface turns.
 std::pair<double, double> rolled(const std::string& solver, bool on_box, double radius)

@@ -10,8 +10,10 @@
 #include "tests/catch.hpp"
 #include "tests/verdicts.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 
@@ -472,6 +474,32 @@ TEST_CASE("at 60 Hz turned is ten times nearer than axes in turn; finely, 15 Hz 
   CHECK(orientation_error("turned_finely", 60) < 1e-6);
 }
 // [cost]
+
+// [spin_axes]
+TEST_CASE("the spin's first axis is that whose inverse moment is farthest from the middle one's")
+{
+  // In units of the largest, one over the moments: 4, 2, 1 and 5, 4, 1.
+  struct Of
+  {
+    std::array<double, 3> moments;
+    double ball, first, third; ///< rates
+    double about;              ///< the moment about the first axis
+  };
+  for (const Of& of : {Of{{1, 2, 4}, 2, 2, -1, 1}, Of{{4, 5, 20}, 4, -3, 1, 20}})
+  {
+    std::array<double, 3> moments = of.moments;
+    do
+    {
+      const SpinAxes<double> axes = spin_axes<double>({moments[0], moments[1], moments[2]});
+      CAPTURE(moments);
+      CHECK(axes.ball_rate == Catch::Approx(of.ball));
+      CHECK(axes.main.rate == Catch::Approx(of.first));
+      CHECK(axes.third.rate == Catch::Approx(of.third));
+      CHECK(moments[static_cast<std::size_t>(axes.main.index)] == of.about);
+    } while (std::next_permutation(moments.begin(), moments.end()));
+  }
+}
+// [spin_axes]
 
 // [any_spin]
 TEMPLATE_TEST_CASE(
