@@ -556,18 +556,20 @@ void solve_and_move(DirectSolver& solver, IslandView world, const Island& island
   }
 }
 
+/// The same by a solver that knows of no step before.
+void solve_afresh(IslandView world, const Island& island, double step)
+{
+  DirectSolver solver;
+  solve_and_move(solver, world, island, step);
+}
+
 TEST_CASE(
     "with a factor of the step before a tower is where it is with one of each step, to 0.1 nm")
 {
-  const auto afresh = [](IslandView world, const Island& island, double step)
-  {
-    DirectSolver solver;
-    solve_and_move(solver, world, island, step);
-  };
   const auto kept =
       [solver = DirectSolver()](IslandView world, const Island& island, double step) mutable
   { solve_and_move(solver, world, island, step); };
-  World one(named_scene("tower_5"), afresh), other(named_scene("tower_5"), kept);
+  World one(named_scene("tower_5"), solve_afresh), other(named_scene("tower_5"), kept);
   for (int step = 0; step < 300; ++step)
   {
     one.step();
@@ -585,15 +587,10 @@ TEST_CASE("one solver has for two islands of three, a tower and a table, what it
   scene.bodies.push_back(box_body("table", {2, 0.5, 1}, {10, 0.5, 0}));
   scene.bodies.push_back(cube_body("left", {9, 1.5, 0}));
   scene.bodies.push_back(cube_body("right", {11, 1.5, 0}));
-  const auto afresh = [](IslandView world, const Island& island, double step)
-  {
-    DirectSolver solver;
-    solve_and_move(solver, world, island, step);
-  };
   DirectSolver solver;
   const auto by_one = [&solver](IslandView world, const Island& island, double step)
   { solve_and_move(solver, world, island, step); };
-  World own(scene, afresh), shared(scene, by_one);
+  World own(scene, solve_afresh), shared(scene, by_one);
   for (int step = 0; step < 60; ++step)
   {
     own.step();
