@@ -21,6 +21,7 @@ inline std::vector<int>
 elimination_order(int count, const std::vector<std::pair<int, int>>& coupled)
 {
   std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(static_cast<std::size_t>(count) + coupled.size());
   for (int i = 0; i < count; ++i)
   {
     entries.emplace_back(i, i, 1.0);
