@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 using namespace cookbook;
@@ -25,6 +26,13 @@ Obb<double> tile(double height)
 }
 
 const Vector3<double> right(1, 0, 0);
+const double eighth = std::sqrt(0.5); // the sine and the cosine of 45°
+
+/// A turn of 45° about an axis.
+Matrix3<double> eighth_turn(const Vector3<double>& axis)
+{
+  return Eigen::AngleAxis<double>(std::numbers::pi / 4, axis).toRotationMatrix();
+}
 
 /// What becomes of the speed of a body that moves over tiles.
 struct Slide
@@ -79,20 +87,15 @@ TEST_CASE(
     "a turned box whose edge meets a face 2 mm beside the face's end is no ghost", "[case:S22]")
 {
   // Along its own axis, 45° off the normal, it overlaps by next to nothing; along the face by much.
-  const double eighth = std::sqrt(0.5);
-  Matrix3<double> turn;
-  turn << eighth, -eighth, 0, eighth, eighth, 0, 0, 0, 1;
-  const Obb<double> diamond{{0.5 + 2 * 0.5 * eighth + 0.001, 0.998, 0}, turn, {0.5, 0.5, 0.5}};
+  const Obb<double> diamond{
+      {0.5 + 2 * 0.5 * eighth + 0.001, 0.998, 0}, eighth_turn({0, 0, 1}), {0.5, 0.5, 0.5}};
   CHECK_FALSE(is_ghost(cube, diamond, right, 0.001, 0.005));
   CHECK_FALSE(is_ghost(diamond, cube, -right, 0.001, 0.005));
 }
 
 TEST_CASE("a box that lies on its edge, as high as a tile's top, is a ghost by the tile's axes")
 {
-  const double eighth = std::sqrt(0.5);
-  Matrix3<double> roll;
-  roll << 1, 0, 0, 0, eighth, -eighth, 0, eighth, eighth;
-  const Obb<double> rolled{{-0.01, eighth - 0.001, 0}, roll, {0.5, 0.5, 0.5}};
+  const Obb<double> rolled{{-0.01, eighth - 0.001, 0}, eighth_turn({1, 0, 0}), {0.5, 0.5, 0.5}};
   CHECK(is_ghost(rolled, tile(0), right, 0.02, 0.005));
   CHECK(is_ghost(tile(0), rolled, -right, 0.02, 0.005));
 }
