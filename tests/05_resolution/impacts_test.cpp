@@ -140,14 +140,15 @@ TEST_CASE("a turn takes a corner of a box along, and no point of a ball or of wh
 // [foreseen]
 
 // [too_deep]
-TEST_CASE("a box is swept that a step leaves deeper than 7.5 %, and not by gravity alone")
+TEST_CASE("a body is swept that a step leaves deeper than 7.5 %, and not by gravity alone")
 {
   enum class Slab
   {
     fixed,
     moves
   };
-  // A cube of 20 cm goes from a height over a slab to one, and a way along it: who is too deep?
+  // A cube or a ball of 20 cm goes from a height over a slab to one, and a way along it: who is too
+  // deep?
   const auto too_deep = [](double from, double to, double along, Slab slab, const auto& shape)
   {
     Scene scene{
@@ -172,13 +173,13 @@ TEST_CASE("a box is swept that a step leaves deeper than 7.5 %, and not by gravi
     return std::pair<bool, bool>(marked[0], marked[1]);
   };
   const BoxShape cube{Vector3<double>::Constant(0.1)};
-  const std::pair none(false, false), cube_alone(false, true), both(true, true);
+  const std::pair none(false, false), alone(false, true), both(true, true);
   const double fall = 9.81 / 3600;
-  CHECK(too_deep(0.01, -0.0151, 0, Slab::fixed, cube) == cube_alone);
+  CHECK(too_deep(0.01, -0.0151, 0, Slab::fixed, cube) == alone);
   CHECK(too_deep(0.01, -0.0151, 0, Slab::moves, cube) == both);
   CHECK(too_deep(0.01, -0.0149, 0, Slab::moves, cube) == none);
-  CHECK(too_deep(0.01, -0.0151, 0, Slab::fixed, SphereShape{0.1}) == none);
-  CHECK(too_deep(-0.05, -0.05 - 1.01 * fall, 0.05, Slab::fixed, cube) == cube_alone);
+  CHECK(too_deep(0.01, -0.0151, 0, Slab::fixed, SphereShape{0.1}) == alone);
+  CHECK(too_deep(-0.05, -0.05 - 1.01 * fall, 0.05, Slab::fixed, cube) == alone);
   CHECK(too_deep(-0.05, -0.05 - 0.99 * fall, 0.05, Slab::fixed, cube) == none);
   CHECK(too_deep(-0.05, -0.04, 0.05, Slab::fixed, cube) == none); // it comes out
 }

@@ -33,28 +33,39 @@ inline Direction<double> way_between(const Sphere<double>& ball, const Obb<doubl
 }
 // [look_out]
 
+// [placed_at]
+/// A body's shape as it is at a time [s] of its course.
+inline Obb<double> placed_at(const Course& course, double time, const BoxShape& box)
+{
+  return placed(course.pose_at(time), box);
+}
+inline Sphere<double> placed_at(const Course& course, double time, const SphereShape& ball)
+{
+  return {course.place_at(time), ball.radius};
+}
+inline Plane<double> placed_at(const Course& course, double, const PlaneShape& plane)
+{
+  return placed(*course.from, plane);
+}
+// [placed_at]
+
 // [course_touch]
-/// When a ball first touches another shape, from one moment [s] of a step to its end; or, with a
-/// slack [m], when it is deeper in that shape than at first by more than that. The time of the
-/// answer is a share of the step.
+/// When a ball first touches another shape, from one moment [s] of a step to its end; or when it is
+/// deeper in that shape than is allowed. The time of the answer is a share of the step.
 struct BallOnCourse
 {
   const Course& ball;
   const Course& other;
-  double from;  ///< [s]
-  double step;  ///< [s]
-  double slack; ///< [m]
+  double from;    ///< [s]
+  double step;    ///< [s]
+  double allowed; ///< [m]
 
   template <class Shape>
   std::optional<SweptHit<double>>
   operator()(const SphereShape& ball_shape, const Shape& other_shape) const
   {
     const auto way_at = [&](double time)
-    {
-      const Sphere<double> here{ball.place_at(time), ball_shape.radius};
-      return way_between(here, placed(other.pose_at(time), other_shape));
-    };
-    const double allowed = slack > 0 ? slack + std::max(0.0, -way_at(from).length) : 0;
+    { return way_between(placed_at(ball, time, ball_shape), placed_at(other, time, other_shape)); };
     const Vector3<double> acceleration = ball.acceleration - other.acceleration;
     const auto look = [&](double share)
     {

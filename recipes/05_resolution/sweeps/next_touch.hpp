@@ -4,6 +4,7 @@
 /// \brief When two bodies touch on their ways, and which of them goes on by itself.
 
 #include "05_resolution/sweeps/box_on_course.hpp"
+#include "05_resolution/sweeps/foreseen.hpp"
 #include "05_resolution/sweeps/pairs_in_danger.hpp"
 
 #include <algorithm>
@@ -57,8 +58,9 @@ inline std::pair<int, int> first_of(const StepCourses& step, int i, int j)
 /// it went because of the other.
 inline void take_along(StepCourses& step, int first, int other)
 {
-  if (step.too_deep[place_of(first)] && !is_ball(step.scene, other) &&
-      !is_fixed(*step.courses[place_of(other)].from) && pressed(step, std::minmax(first, other)))
+  if (step.too_deep[place_of(first)] && !is_ball(step.scene, first) &&
+      !is_ball(step.scene, other) && !is_fixed(*step.courses[place_of(other)].from) &&
+      pressed(step, std::minmax(first, other)))
   {
     step.too_deep[place_of(other)] = true;
   }
@@ -75,7 +77,8 @@ inline double rest_depth(const Scene& scene, int i, int j)
 /// When a body first touches another from a time [s] to the end of the step, as a share of it.
 ///
 /// What presses on each other has been kept apart by a solver, more or less, and touches only where
-/// it is much deeper than that leaves it. `depth` [m] is how deep two boxes may be that pass.
+/// it is much deeper than that leaves it: a ball, than as the step began. `depth` [m] is how deep
+/// two boxes may be that pass.
 inline std::optional<SweptHit<double>>
 next_touch(const StepCourses& step, int first, int other, double time, double depth)
 {
@@ -84,10 +87,15 @@ next_touch(const StepCourses& step, int first, int other, double time, double de
   const auto& shape = scene.bodies[place_of(first)].shape;
   const auto& of_other = scene.bodies[place_of(other)].shape;
   const bool presses = pressed(step, std::minmax(first, other));
-  const double thin = thinness(scene, first);
   if (is_ball(scene, first))
   {
-    const BallOnCourse ball{course, by, time, scene.step, presses ? thin / 100 : 0};
+    const auto at_first = [&]
+    {
+      const RigidBody &ball = step.starts[place_of(first)], &body = step.starts[place_of(other)];
+      return std::max(0.0, depth_between(scene, {first, other}, ball, body));
+    };
+    const double allowed = presses ? at_first() + rest_depth(scene, first, other) : 0;
+    const BallOnCourse ball{course, by, time, scene.step, allowed};
     return std::visit(ball, shape, of_other);
   }
   const double slack = presses ? harmless_depth(scene, {first, other}) : 0;

@@ -3,6 +3,7 @@
 /// \file
 /// \brief Which bodies may have passed through others in a step.
 
+#include "02_primitives/closest_point_triangle/closest_point_triangle.hpp"
 #include "05_resolution/contacts/broad_phase.hpp"
 #include "05_resolution/sweeps/step_courses.hpp"
 
@@ -32,12 +33,15 @@ inline double smallest_ball(const StepCourses& step)
   return smallest;
 }
 
-/// Whether a ball may have passed through another body, or that through it: if it fell freely, or
-/// if the two went by more than its radius. What goes by less cannot get behind a surface.
+/// Whether a ball may have passed through another body, or that through it: if it fell freely, has
+/// ended too deep in something, or if the two went by more than its radius. What goes by less
+/// cannot get behind a surface.
 inline bool in_danger(const StepCourses& step, int ball, int other)
 {
-  const double way = step.ways[place_of(ball)] + step.ways[place_of(other)];
-  return is_ball(step.scene, ball) && (step.falls[place_of(ball)] || way > reach(step.scene, ball));
+  const std::size_t i = place_of(ball);
+  const double way = step.ways[i] + step.ways[place_of(other)];
+  return is_ball(step.scene, ball) &&
+         (step.falls[i] || step.too_deep[i] || way > reach(step.scene, ball));
 }
 
 /// All that a body may have touched in a step that ended at a pose.
@@ -52,17 +56,24 @@ bounds_on_way(const StepCourses& step, int i, const RigidBody& end)
   return bounds_of(*course.from, shape, wider).merged(bounds_of(end, shape, wider));
 }
 
-/// Whether two bodies may be close enough to touch from a time [s] to the end of the step.
+/// Whether two bodies come close enough to touch from a time [s] to the end of the step: where one
+/// is nearest to the other's centre on its way past that.
 inline bool may_meet(const StepCourses& step, int i, int j, double time)
 {
-  const double left = step.scene.step - time;
-  const auto way = [&](const Course& of)
-  { return left * (of.velocity_at(time).norm() + left * of.acceleration.norm()); };
+  const auto is_plane = [&](int one)
+  { return std::holds_alternative<PlaneShape>(step.scene.bodies[place_of(one)].shape); };
+  if (is_plane(i) || is_plane(j))
+  {
+    return true;
+  }
   const Course &a = step.courses[place_of(i)], &b = step.courses[place_of(j)];
-  const double near = reach(step.scene, i) + reach(step.scene, j) + way(a) + way(b);
-  return std::holds_alternative<PlaneShape>(step.scene.bodies[place_of(i)].shape) ||
-         std::holds_alternative<PlaneShape>(step.scene.bodies[place_of(j)].shape) ||
-         (a.place_at(time) - b.place_at(time)).norm() <= near;
+  const double left = step.scene.step - time;
+  const Vector3<double> apart = b.place_at(time) - a.place_at(time);
+  const Vector3<double> way = left * (b.velocity_at(time) - a.velocity_at(time));
+  const double bulge = left * left * (b.acceleration - a.acceleration).norm();
+  const Vector3<double> ends[] = {apart, apart + way};
+  const double nearest = nearest_on_segment(ends, 0, 1).point.norm();
+  return nearest <= (reach(step.scene, i) + reach(step.scene, j)) * (1 + 1e-9) + bulge;
 }
 
 /// The leaves of bodies that may have touched something outside of the bounds that pairs were found
@@ -125,7 +136,8 @@ pairs_in_danger(StepCourses& step, std::span<const RigidBody> ends)
   const auto fast = [&](int i)
   {
     const bool falling_ball = step.falls[place_of(i)] && is_ball(step.scene, i);
-    return falling_ball || step.ways[place_of(i)] > harmless || is_swept_box(step, i);
+    return falling_ball || step.ways[place_of(i)] > harmless || is_swept_box(step, i) ||
+           step.too_deep[place_of(i)];
   };
   bool any = false;
   for (int i = 0; i < static_cast<int>(ends.size()) && !any; ++i)

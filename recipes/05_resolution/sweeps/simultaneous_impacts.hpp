@@ -88,10 +88,11 @@ inline void reach_targets(std::vector<ImpactPoint>& points, double share)
 /// they had: with friction the whole of it may give them some.
 inline void bounce(std::vector<ImpactPoint>& points, std::span<RigidBody* const> bodies)
 {
-  std::vector<RigidBody> before;
+  std::vector<Motion<double>> before;
+  before.reserve(bodies.size());
   for (const RigidBody* const body : bodies)
   {
-    before.push_back(*body);
+    before.push_back(body->motion);
   }
   const auto energy = [&]
   {
@@ -112,7 +113,7 @@ inline void bounce(std::vector<ImpactPoint>& points, std::span<RigidBody* const>
     }
     for (std::size_t i = 0; i < bodies.size(); ++i)
     {
-      *bodies[i] = before[i];
+      bodies[i]->motion = before[i];
     }
   }
 }

@@ -30,8 +30,9 @@ struct StepCourses
   std::span<const std::pair<int, int>> near; ///< whose bounds met as it began
   std::vector<Course>& courses;              ///< of all bodies
   std::vector<double>& ways;                 ///< [m], how far any point of a body went
-  std::vector<bool>& too_deep;               ///< which boxes a solver has left too deep
+  std::vector<bool>& too_deep;               ///< which bodies a solver has left too deep
   BoundsTree* tree = nullptr;                ///< of all bodies that are there, once any is swept
+  std::span<const RigidBody> starts = {};    ///< the bodies as it began
 };
 
 /// True if a body is a ball.
@@ -70,7 +71,7 @@ inline bool is_fast_box(const StepCourses& step, int i)
 /// True if a box is swept: a fast one, or one that has ended too deep in something.
 inline bool is_swept_box(const StepCourses& step, int i)
 {
-  return is_fast_box(step, i) || step.too_deep[place_of(i)];
+  return is_fast_box(step, i) || (!is_ball(step.scene, i) && step.too_deep[place_of(i)]);
 }
 
 /// How far [m] a spin [rad/s] carries any point of a body round its centre in a time [s].
@@ -91,6 +92,7 @@ inline void
 set_out(StepCourses& step, std::span<const RigidBody> starts, std::span<const RigidBody> ends)
 {
   const double duration = step.scene.step;
+  step.starts = starts;
   step.courses.clear();
   step.ways.clear();
   for (std::size_t i = 0; i < ends.size(); ++i)

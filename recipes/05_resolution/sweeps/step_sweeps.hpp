@@ -19,7 +19,7 @@ namespace cookbook
 
 // [step_sweeps]
 /// The most touches of one body in one step; from then on it only stops, and a box does not turn;
-/// after as many more a box stays where it is.
+/// after as many more it stays where it is.
 inline constexpr int most_touches_a_step = 64;
 
 /// Corrects a step in which bodies would have passed through something.
@@ -58,20 +58,8 @@ private:
     return on_the_way(step_, i, time, own, ends_[place_of(i)]);
   }
 
-  /// The speed [m/s] above which two bodies bounce: gravity and forces give them less in a step.
-  double threshold_of(const CourseTouch& touch) const
-  {
-    const Course &one = step_.courses[place_of(touch.first)],
-                 &two = step_.courses[place_of(touch.other)];
-    const double pressing = (one.acceleration - two.acceleration).dot(touch.normal);
-    return bounce_threshold(std::max(step_.scene.gravity.norm(), pressing), duration_);
-  }
-
-  /// A box that has touched something so often that it stays where it is.
-  bool is_frozen(int i) const
-  {
-    return !is_ball(step_.scene, i) && touched_[place_of(i)] > 2 * most_touches_a_step;
-  }
+  /// A body that has touched something so often that it stays where it is.
+  bool is_frozen(int i) const { return touched_[place_of(i)] > 2 * most_touches_a_step; }
 
   void meet(const CourseTouch& touch)
   {
@@ -89,7 +77,7 @@ private:
     }
     const bool ball = is_ball(step_.scene, first), both_balls = is_ball(step_.scene, other);
     const bool tired = ++touched_[place_of(first)] > most_touches_a_step;
-    const double threshold = threshold_of(touch);
+    const double threshold = threshold_of(step_, touch);
     const double slow = tired ? std::numeric_limits<double>::infinity()
                               : std::min(threshold, thinness(step_.scene, first) / (2 * duration_));
     double approach = bounce(step_.scene, touch, met, a, b, slow);
@@ -98,7 +86,8 @@ private:
       touches_.come_back(first);
       touches_.come_back(other);
     }
-    const bool rests = approach <= slow, leans = rests && !tired && !goes_on(step_, other);
+    const bool rests = approach <= slow,
+               leans = rests && (ball || !tired) && !goes_on(step_, other);
     if (!ball && rests && touches_.slack_of(pair) == 0)
     {
       touches_.allow(pair, rest_depth(step_.scene, first, other));
@@ -109,8 +98,8 @@ private:
       }
     }
     // What has come to rest leans on what does not give way. Two balls that have are left alone:
-    // what they sink by, the next step finds. A box that touches and is not pushed is held, and in
-    // the end frozen.
+    // what they sink by, the next step finds. A box that touches and is not pushed is held. Who
+    // touches on and on is frozen in the end.
     const bool held = !ball && (tired || approach == 0);
     const bool frozen = is_frozen(first);
     if (held)
@@ -140,6 +129,8 @@ private:
     {
       pass_on(b, touch, met, frozen || turned ? how : Onward::free);
     }
+    touches_.look_around(changed_, touch.time);
+    changed_.clear();
   }
 
   /// Has the other of two bodies that have touched go on, or only takes down its velocities.
@@ -183,7 +174,7 @@ private:
     }
     forget_forces(end);
     note_way(step_, i, end, touch.time);
-    touches_.look_around(i, touch.time);
+    changed_.push_back(i);
   }
 
   StepCourses& step_;
@@ -193,6 +184,7 @@ private:
   std::vector<int> touched_;    // how often each body has touched something
   std::vector<bool> is_held_;   // whether each body does not turn any more
   std::deque<RigidBody> turns_; // bodies as they went on from a touch, where courses begin
+  std::vector<int> changed_;    // who goes on from the touch at hand
   TouchQueue touches_;
 };
 // [step_sweeps]

@@ -49,7 +49,7 @@ inline bool end_harmlessly(
              harmless_depth(step.scene, pair);
 }
 
-/// Marks the boxes that a step has taken deeper into something than 7.5 % of the smaller size
+/// Marks the bodies that a step has taken deeper into something than 7.5 % of the smaller size
 /// of the two, and by more than gravity alone does in a step, and says whether there are any. Only
 /// bodies are asked that were near each other.
 inline bool find_too_deep(
@@ -59,13 +59,12 @@ inline bool find_too_deep(
   const double fall = contact_margin(step.scene) / 2;
   bool any = false;
   step.too_deep.assign(ends.size(), false);
-  const auto moved_box = [&](int i)
-  { return step.ways[place_of(i)] > 0 && !is_ball(step.scene, i); };
+  const auto moved = [&](int i) { return step.ways[place_of(i)] > 0; };
   for (const auto& [i, j] : step.near)
   {
     const double harmless = std::min(ahead[place_of(i)].harmless, ahead[place_of(j)].harmless);
     const double ways = step.ways[place_of(i)] + step.ways[place_of(j)];
-    if (!(ways > harmless) || !(moved_box(i) || moved_box(j)))
+    if (!(ways > harmless))
     {
       continue;
     }
@@ -78,7 +77,7 @@ inline bool find_too_deep(
       any = true;
       for (const int one : {i, j})
       {
-        step.too_deep[place_of(one)] = step.too_deep[place_of(one)] || moved_box(one);
+        step.too_deep[place_of(one)] = step.too_deep[place_of(one)] || moved(one);
       }
     }
   }

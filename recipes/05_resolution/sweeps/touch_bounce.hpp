@@ -95,6 +95,15 @@ inline double ghost_depth(
 // [touch_contact]
 
 // [bounce_at]
+/// The speed [m/s] above which two bodies bounce: gravity and forces give them less in a step.
+inline double threshold_of(const StepCourses& step, const CourseTouch& touch)
+{
+  const Course &one = step.courses[place_of(touch.first)],
+               &two = step.courses[place_of(touch.other)];
+  const double pressing = (one.acceleration - two.acceleration).dot(touch.normal);
+  return bounce_threshold(std::max(step.scene.gravity.norm(), pressing), step.scene.step);
+}
+
 /// Lets two bodies of a scene bounce where they touch, with friction, and says at what speed [m/s]
 /// they met; R2, R6. An approach up to a threshold [m/s] only ends; 0, and nothing changes, if they
 /// part, or do not quite touch.
@@ -110,6 +119,7 @@ inline double bounce(
   renew(contact, *met, a, b);
   double fastest = 0;
   std::vector<ImpactPoint> points;
+  points.reserve(contact.points.size());
   for (WorldPoint& sum : contact.points)
   {
     const IslandPoint point = island_point(a, b, contact, sum);

@@ -57,26 +57,22 @@ public:
     }
   }
 
-  /// Looks anew for what a body touches whose course has changed at a time [s], to another end.
-  void look_around(int i, double time)
+  /// Looks anew for what bodies touch whose courses have changed at a time [s], to other ends; the
+  /// last of them first, so that two that touch again take turns in who goes on first.
+  void look_around(std::span<const int> changed, double time)
   {
-    ++versions_[place_of(i)];
-    const Eigen::AlignedBox<double, 3> way = bounds_on_way(step_, i, ends_[place_of(i)]);
-    if (leaf_[place_of(i)] >= 0)
+    for (const int i : changed)
     {
-      step_.tree->widen(place_of(leaf_[place_of(i)]), way);
+      ++versions_[place_of(i)];
+      if (leaf_[place_of(i)] >= 0)
+      {
+        step_.tree->widen(place_of(leaf_[place_of(i)]), way_of(i));
+      }
     }
-    const auto watched = [&](int one)
-    { return is_ball(step_.scene, one) || is_swept_box(step_, one); };
-    step_.tree->each_that(
-        [&](const Eigen::AlignedBox<double, 3>& box) { return box.intersects(way); },
-        [&](int j)
-        {
-          if (j != i && (watched(i) || watched(j)) && may_meet(step_, i, j, time))
-          {
-            look_for(i, j, time);
-          }
-        });
+    for (std::size_t k = changed.size(); k-- > 0;)
+    {
+      look_around(changed[k], changed.subspan(k + 1), time);
+    }
   }
 
   /// The next touch, which is taken out; nothing if there is none.
@@ -115,6 +111,27 @@ public:
   }
 
 private:
+  Eigen::AlignedBox<double, 3> way_of(int i) const
+  {
+    return bounds_on_way(step_, i, ends_[place_of(i)]);
+  }
+  /// Looks for what a body touches, but for those that have looked already.
+  void look_around(int i, std::span<const int> done, double time)
+  {
+    const Eigen::AlignedBox<double, 3> way = way_of(i);
+    const auto watched = [&](int one)
+    { return is_ball(step_.scene, one) || is_swept_box(step_, one); };
+    step_.tree->each_that(
+        [&](const Eigen::AlignedBox<double, 3>& box) { return box.intersects(way); },
+        [&](int j)
+        {
+          const bool asked = j == i || std::find(done.begin(), done.end(), j) != done.end();
+          if (!asked && (watched(i) || watched(j)) && may_meet(step_, i, j, time))
+          {
+            look_for(i, j, time);
+          }
+        });
+  }
   bool is_left(const std::pair<int, int>& pair) const
   {
     const auto found = left_.find(pair);
