@@ -357,6 +357,11 @@ TEST_CASE(
   CHECK(missed(1) <= 0.02);
   CHECK(missed(1) >= 1e-4);
   CHECK(missed(4) <= 20 * rounding);
+  const Vector3<double> solved = implicit_spin<double>(moments, start, step, 4);
+  for (const double unit : {1e-300, 1e300}) // only proportions count
+  {
+    CHECK(implicit_spin<double>(unit * moments, start, step, 4).isApprox(solved, 20 * rounding));
+  }
 }
 
 TEST_CASE("solved to the end or not, the implicit step loses energy; the midpoint none", "[R25]")

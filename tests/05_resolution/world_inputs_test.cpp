@@ -100,6 +100,20 @@ TEST_CASE("a world whose solver has thrown once goes on, and gives each island o
   CHECK(islands == 4);
 }
 
+TEST_CASE("what is fixed later is as what was from the start: a push neither moves nor turns it")
+{
+  const RigidBody from_start = rigid_body(cube_body("cube", {0, 0, 0}, 0));
+  RigidBody later = rigid_body(cube_body("cube", {0, 0, 0}));
+  later.motion.velocity = {1, 2, 3};
+  later.motion.angular_velocity = {4, 5, 6};
+  fix(later);
+  push<double>(later, {0.5, 0.5, 0.5}, {1, 2, 3});
+  CHECK(later.motion.velocity.isZero(0));
+  CHECK(later.motion.angular_velocity.isZero(0));
+  CHECK(later.inverse_inertia == from_start.inverse_inertia);
+  CHECK(later.moments == from_start.moments);
+}
+
 TEST_CASE("who uses a world badly is told by name, and nothing changes")
 {
   using Catch::Matchers::ContainsSubstring;
@@ -108,13 +122,21 @@ TEST_CASE("who uses a world badly is told by name, and nothing changes")
   world.remove(2);
   const Vector3<double> zero(0, 0, 0);
   CHECK_THROWS_WITH(world.set_velocity(2, zero, zero), ContainsSubstring("no body 2"));
+  CHECK_THROWS_WITH(world.accelerate(2, zero, zero), ContainsSubstring("no body 2"));
+  CHECK_THROWS_WITH(world.ignore(2, 1), ContainsSubstring("no body 2"));
   CHECK_THROWS_WITH(world.remove(2), ContainsSubstring("no body 2"));
   CHECK_THROWS_AS(apply_impulse(world, 7, zero), std::out_of_range);
   CHECK_THROWS_WITH(
       world.set_velocity(1, {not_a_number, 0, 0}, zero), ContainsSubstring("velocity.x"));
+  CHECK_THROWS_WITH(
+      world.set_velocity(1, zero, {0, not_a_number, 0}), ContainsSubstring("angular_velocity.y"));
   CHECK_THROWS_WITH(apply_impulse(world, 1, {0, not_a_number, 0}), ContainsSubstring("impulse.y"));
   CHECK_THROWS_WITH(
       apply_impulse(world, 1, {0, 1, 0}, {not_a_number, 0, 0}), ContainsSubstring("point.x"));
+  CHECK_THROWS_WITH(apply_force(world, 1, {0, 0, infinity}), ContainsSubstring("force.z"));
+  CHECK_THROWS_WITH(
+      apply_force(world, 1, {0, 1, 0}, {0, not_a_number, 0}), ContainsSubstring("point.y"));
+  CHECK_THROWS_WITH(apply_torque(world, 1, {infinity, 0, 0}), ContainsSubstring("torque.x"));
   CHECK_THROWS_WITH(world.set_gravity({0, infinity, 0}), ContainsSubstring("gravity.y"));
   CHECK_THROWS_WITH(
       world.add({"thin", BoxShape{{1, 0, 1}}, 1}), ContainsSubstring("thin: half_extents.y"));

@@ -187,5 +187,6 @@ TEST_CASE("a ray without a direction and a ball that is not a number are refused
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(WorldQueries(world).cast({{0, 1, 0}, {nan, 1, 0}}), InvalidShape);
   CHECK_THROWS_AS(WorldQueries(world).overlapping(Sphere<double>{{0, 0, 0}, nan}), InvalidShape);
+  CHECK_THROWS_AS(WorldQueries(world).cast({{0, 1, 0}, -1}, {0, 1, 0}), InvalidShape);
 }
 // [world_queries]

@@ -125,15 +125,15 @@ inline RigidBody
 on_the_way(const StepCourses& step, int i, double time, bool own, const RigidBody& end)
 {
   const Course& course = step.courses[place_of(i)];
-  const RigidBody pose = course.pose_at(time);
   const bool swept = is_swept_box(step, i);
   if (own)
   {
     RigidBody body = course.start();
     fly(body, course.acceleration, time - course.since);
-    body.motion.center = pose.motion.center;
-    return swept ? turned_like(body, pose) : body;
+    body.motion.center = course.place_at(time);
+    return swept ? turned_like(body, course.pose_at(time)) : body;
   }
+  const RigidBody pose = course.pose_at(time);
   RigidBody body = swept ? turned_like(end, pose) : pose;
   body.motion.center = pose.motion.center;
   body.motion.velocity = end.motion.velocity;
