@@ -190,6 +190,28 @@ TEST_CASE("a tree follows the bodies it was built of, until they have spread or 
   CHECK_FALSE(tree.follow(others));
 }
 
+TEST_CASE("a tree of 4,096 bodies side by side finds one of them by asking at most 60 boxes")
+{
+  std::vector<Bounds> bounds = grid_bounds(4096);
+  std::reverse(bounds.begin() + 1000, bounds.end()); // the tree has to sort them
+  BoundsTree tree;
+  tree.build(bounds);
+  for (const Bounds& one : bounds)
+  {
+    const Vector3<double> place = one.box.center();
+    int asked = 0, found = 0;
+    tree.each_that(
+        [&](const Eigen::AlignedBox<double, 3>& box)
+        {
+          ++asked;
+          return box.contains(place);
+        },
+        [&](int body) { found += body == one.body ? 1 : 0; });
+    CAPTURE(one.body, asked);
+    REQUIRE((found == 1 && asked <= 60));
+  }
+}
+
 TEST_CASE("a tree whose leaves are widened is asked as a list of them is, and loses nobody")
 {
   BoxDraw draw(13);

@@ -136,6 +136,22 @@ TEST_CASE("velocity Verlet keeps v² + ω²x²(1 - z²/4), which is no bound fro
   }
 }
 
+TEST_CASE("secant steps end on a pendulum as secants do: each miss is the product of the last two")
+{
+  const auto pull = [](double angle, double) { return -100 * std::sin(angle); };
+  const PhasePoint<double> from{1, 0.5};
+  const double step = 0.1;
+  const auto miss = [&](int evaluations)
+  {
+    const double a = end_acceleration(from, step, pull, evaluations);
+    const double velocity = from.velocity + step * a;
+    return std::abs(a - pull(from.position + step * velocity, velocity));
+  };
+  const auto of_last_two = [&](int n) { return miss(n) / (miss(n - 1) * miss(n - 2)); };
+  CHECK(of_last_two(5) == Catch::Approx(of_last_two(4)).epsilon(0.1));
+  CHECK(miss(6) <= 1e-12);
+}
+
 TEST_CASE("the implicit midpoint keeps the oscillator's energy for any step, exactly", "[R22]")
 {
   const ExactOscillator swing;
