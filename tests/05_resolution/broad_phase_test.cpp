@@ -138,6 +138,33 @@ TEST_CASE(
   CHECK(found > 5 * static_cast<std::size_t>(scenes_asked));
 }
 
+TEST_CASE(
+    "two balls of 1 m that fly past each other may meet up to 1 m apart, and on their way only")
+{
+  Scene scene{.bodies = {ball_body("ball", 0.5, {0, 0, 0}), ball_body("other", 0.5, {0, 0, 0})}};
+  scene.step = 1;
+  const auto meet = [&](double aside, double speed, double time, double pull = 0)
+  {
+    std::vector<RigidBody> bodies{rigid_body(scene.bodies[0]), rigid_body(scene.bodies[1])};
+    bodies[1].motion.center = {10, aside, 0};
+    const Vector3<double> none(0, 0, 0);
+    std::vector<Course> courses{
+        {&bodies[0], 0, {speed, 0, 0}, none, none}, {&bodies[1], 0, none, {0, -pull, 0}, none}};
+    const std::vector<bool> no(2, false);
+    std::vector<bool> too_deep(2, false);
+    std::vector<double> ways;
+    return may_meet({scene, {}, no, no, {}, courses, ways, too_deep}, 0, 1, time);
+  };
+  CHECK(meet(0.99, 20, 0));
+  CHECK_FALSE(meet(1.01, 20, 0));
+  CHECK(meet(0, 9.01, 0));
+  CHECK_FALSE(meet(0, 8.99, 0)); // too slow
+  CHECK_FALSE(meet(0, -20, 0));  // it parts
+  CHECK(meet(0, 20, 0.4));
+  CHECK_FALSE(meet(0, 20, 0.6)); // it is past
+  CHECK(meet(2, 20, 0, 2));      // pulled, the other comes down by 1 m
+}
+
 TEST_CASE("a tree that follows bodies finds the pairs that every pair gives, however they move")
 {
   BoxDraw draw(12);

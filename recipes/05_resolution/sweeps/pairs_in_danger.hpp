@@ -73,7 +73,7 @@ inline bool may_meet(const StepCourses& step, int i, int j, double time)
   const double bulge = left * left * (b.acceleration - a.acceleration).norm();
   const Vector3<double> ends[] = {apart, apart + way};
   const double nearest = nearest_on_segment(ends, 0, 1).point.norm();
-  return nearest <= (reach(step.scene, i) + reach(step.scene, j)) * (1 + 1e-9) + bulge;
+  return !(nearest > (reach(step.scene, i) + reach(step.scene, j)) * (1 + 1e-9) + bulge);
 }
 
 /// The leaves of bodies that may have touched something outside of the bounds that pairs were found
