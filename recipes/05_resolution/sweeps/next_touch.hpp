@@ -54,13 +54,15 @@ inline std::pair<int, int> first_of(const StepCourses& step, int i, int j)
   return rank(j) > rank(i) ? std::pair(j, i) : std::pair(i, j);
 }
 
-/// Has what a solver has left too deep take along the box that it pressed on: where the one went,
-/// it went because of the other.
-inline void take_along(StepCourses& step, int first, int other)
+/// Has a box that is touched go on by itself from then on: if one that was left too deep has
+/// pressed on it, since it went where it went because of that; or if balls have hit it more than
+/// once, since they may have been stopped in its way.
+inline void take_along(StepCourses& step, int first, int other, int hits)
 {
-  if (step.too_deep[place_of(first)] && !is_ball(step.scene, first) &&
-      !is_ball(step.scene, other) && !is_fixed(*step.courses[place_of(other)].from) &&
-      pressed(step, std::minmax(first, other)))
+  const bool by_ball = is_ball(step.scene, first);
+  const bool pressing = step.too_deep[place_of(first)] && pressed(step, std::minmax(first, other));
+  if ((by_ball ? hits > 1 : pressing) && !is_ball(step.scene, other) &&
+      !is_fixed(*step.courses[place_of(other)].from))
   {
     step.too_deep[place_of(other)] = true;
   }

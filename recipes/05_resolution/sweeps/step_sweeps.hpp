@@ -65,7 +65,7 @@ private:
   {
     const int first = touch.first, other = touch.other;
     const std::pair<int, int> pair = std::minmax(first, other);
-    take_along(step_, first, other);
+    take_along(step_, first, other, touches_.hits(other));
     RigidBody a = at(first, touch.time), b = at(other, touch.time);
     const Met met = touch_manifold(step_.scene, touch, a, b);
     const double depth = ghost_depth(step_.scene, touch, met, a, b);

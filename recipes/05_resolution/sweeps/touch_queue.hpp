@@ -99,6 +99,9 @@ public:
   /// Looks at a body again with all that it had been left with: somebody has hit it.
   void come_back(int i) { hits_[place_of(i)] = std::min(hits_[place_of(i)] + 1, most_hits_a_step); }
 
+  /// How often a body has been hit in this step.
+  int hits(int i) const { return hits_[place_of(i)]; }
+
   /// Lets two boxes overlap by a little [m] for the rest of the step: they pass each other, or rest
   /// on each other.
   void allow(const std::pair<int, int>& pair, double depth) { slacks_[pair] = depth; }
