@@ -165,6 +165,24 @@ TEST_CASE(
   CHECK(meet(2, 20, 0, 2));      // pulled, the other comes down by 1 m
 }
 
+TEST_CASE("a ball is in danger if it fell, is too deep, or if two went by more than its radius")
+{
+  const Scene scene{.bodies = {ball_body("ball", 0.5, {0, 0, 0}), cube_body("cube", {2, 0, 0})}};
+  const auto danger = [&](double way, double other_way, bool falls, bool too_deep, int ball = 0)
+  {
+    const std::vector<bool> fall{falls, falls}, gone(2, false);
+    std::vector<bool> deep{too_deep, too_deep};
+    std::vector<Course> courses;
+    std::vector<double> ways{way, other_way};
+    return in_danger({scene, {}, fall, gone, {}, courses, ways, deep}, ball, 1 - ball);
+  };
+  CHECK(danger(0.3, 0.3, false, false));
+  CHECK_FALSE(danger(0.3, 0.1, false, false));
+  CHECK(danger(0, 0, true, false));
+  CHECK(danger(0, 0, false, true));
+  CHECK_FALSE(danger(1, 1, true, true, 1)); // a cube
+}
+
 TEST_CASE("a tree that follows bodies finds the pairs that every pair gives, however they move")
 {
   BoxDraw draw(12);
@@ -219,8 +237,13 @@ TEST_CASE("a tree follows the bodies it was built of, until they have spread or 
 
 TEST_CASE("a tree of 4,096 bodies side by side finds one of them by asking at most 60 boxes")
 {
-  std::vector<Bounds> bounds = grid_bounds(4096);
-  std::reverse(bounds.begin() + 1000, bounds.end()); // the tree has to sort them
+  const std::vector<Bounds> in_order = grid_bounds(4096);
+  std::vector<Bounds> bounds;
+  bounds.reserve(in_order.size());
+  for (std::size_t i = 0; i < in_order.size(); ++i)
+  {
+    bounds.push_back(in_order[i * 1597 % in_order.size()]); // the tree has to sort them
+  }
   BoundsTree tree;
   tree.build(bounds);
   for (const Bounds& one : bounds)
