@@ -261,33 +261,6 @@ TEST_CASE("24,000 pairs of balls that fly at each other do not pass each other",
 // [two_balls]
 
 // [go_on_falling]
-TEST_CASE("two balls that fall bounce at 0.5 m/s: gravity does not press them on each other")
-{
-  for (const bool upper_first : {true, false})
-  {
-    Scene scene{
-        .bodies = {ball_body("upper", 0.5, {0, 11.0075, 0}), ball_body("lower", 0.5, {0, 10, 0})}};
-    scene.bodies[0].velocity.y() = -0.5;
-    scene.bodies[0].restitution = scene.bodies[1].restitution = 1;
-    if (!upper_first)
-    {
-      std::swap(scene.bodies[0], scene.bodies[1]);
-    }
-    const World world = after(scene, 1);
-    const double apart =
-        world.bodies()[0].motion.velocity.y() - world.bodies()[1].motion.velocity.y();
-    CHECK(apart == Catch::Approx(upper_first ? 0.5 : -0.5).epsilon(1e-9));
-  }
-}
-
-TEST_CASE("what is moved aside alike is not parted, what is moved apart is")
-{
-  const Vector3<double> none(0, 0, 0), aside(1e-3, 0, 0);
-  CHECK_FALSE(were_parted({none, aside, 1e-9}, {none, aside, 1e-9}));
-  CHECK(were_parted({none, aside, 1e-9}, {none, -aside, 1e-9}));
-  CHECK(were_parted({none, aside, 1e-9}, {none, none, 1e-9}));
-}
-
 TEST_CASE("60 swarms of 20 balls that touch in flight fall as one body does", "[R3]")
 {
   for (int seed = 0; seed < inputs(60, 5); ++seed)
@@ -435,6 +408,33 @@ TEST_CASE("60,000 balls that pass an edge by up to a radius keep their velocity 
   }
 }
 // [misses]
+
+TEST_CASE("two balls that fall bounce at 0.5 m/s: gravity does not press them on each other")
+{
+  for (const bool upper_first : {true, false})
+  {
+    Scene scene{
+        .bodies = {ball_body("upper", 0.5, {0, 11.0075, 0}), ball_body("lower", 0.5, {0, 10, 0})}};
+    scene.bodies[0].velocity.y() = -0.5;
+    scene.bodies[0].restitution = scene.bodies[1].restitution = 1;
+    if (!upper_first)
+    {
+      std::swap(scene.bodies[0], scene.bodies[1]);
+    }
+    const World world = after(scene, 1);
+    const double apart =
+        world.bodies()[0].motion.velocity.y() - world.bodies()[1].motion.velocity.y();
+    CHECK(apart == Catch::Approx(upper_first ? 0.5 : -0.5).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("what is moved aside alike is not parted, what is moved apart is")
+{
+  const Vector3<double> none(0, 0, 0), aside(1e-3, 0, 0);
+  CHECK_FALSE(were_parted({none, aside, 1e-9}, {none, aside, 1e-9}));
+  CHECK(were_parted({none, aside, 1e-9}, {none, -aside, 1e-9}));
+  CHECK(were_parted({none, aside, 1e-9}, {none, none, 1e-9}));
+}
 
 // [crushed]
 /// Up to six bodies in a row before a wall, and behind them a ram, which comes at 1 to 1,000 m/s.

@@ -100,20 +100,6 @@ TEST_CASE("a world whose solver has thrown once goes on, and gives each island o
   CHECK(islands == 4);
 }
 
-TEST_CASE("what is fixed later is as what was from the start: a push neither moves nor turns it")
-{
-  const RigidBody from_start = rigid_body(cube_body("cube", {0, 0, 0}, 0));
-  RigidBody later = rigid_body(cube_body("cube", {0, 0, 0}));
-  later.motion.velocity = {1, 2, 3};
-  later.motion.angular_velocity = {4, 5, 6};
-  fix(later);
-  push<double>(later, {0.5, 0.5, 0.5}, {1, 2, 3});
-  CHECK(later.motion.velocity.isZero(0));
-  CHECK(later.motion.angular_velocity.isZero(0));
-  CHECK(later.inverse_inertia == from_start.inverse_inertia);
-  CHECK(later.moments == from_start.moments);
-}
-
 TEST_CASE("who uses a world badly is told by name, and nothing changes")
 {
   using Catch::Matchers::ContainsSubstring;
@@ -165,6 +151,20 @@ TEST_CASE(
   CHECK(world.bodies()[1].motion.center.y() - height == Catch::Approx(9.81 / 2).epsilon(1e-9));
 }
 // [world_inputs]
+
+TEST_CASE("what is fixed later is as what was from the start: a push neither moves nor turns it")
+{
+  const RigidBody from_start = rigid_body(cube_body("cube", {0, 0, 0}, 0));
+  RigidBody later = rigid_body(cube_body("cube", {0, 0, 0}));
+  later.motion.velocity = {1, 2, 3};
+  later.motion.angular_velocity = {4, 5, 6};
+  fix(later);
+  push<double>(later, {0.5, 0.5, 0.5}, {1, 2, 3});
+  CHECK(later.motion.velocity.isZero(0));
+  CHECK(later.motion.angular_velocity.isZero(0));
+  CHECK(later.inverse_inertia == from_start.inverse_inertia);
+  CHECK(later.moments == from_start.moments);
+}
 
 // [ignore]
 TEST_CASE("two that ignore each other fall through each other, and rest on all others")
