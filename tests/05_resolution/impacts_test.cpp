@@ -107,12 +107,14 @@ Scene comes_down(
 TEST_CASE("what a cube will be too deep in is in reach: by the way of a step more than the margin")
 {
   const double margin = 2 * 9.81 / 3600, way = 12.0 / 60;
-  const auto reach_of_cube = [](double gap, double speed, double speed_of_slab, double pull = 0)
+  const auto reach_of_cube =
+      [](double gap, double speed, double speed_of_slab, double pull = 0, double spin = 0)
   {
     Scene scene{.bodies = {box_body("slab", {5, 0.5, 5}, {0, -0.5, 0})}};
     scene.bodies.push_back(cube_body("cube", {0, 0.5 + gap, 0}));
     scene.bodies[0].velocity.y() = speed_of_slab;
     scene.bodies[1].velocity.y() = speed;
+    scene.bodies[1].angular_velocity.z() = spin;
     RigidBody bodies[] = {rigid_body(scene.bodies[0]), rigid_body(scene.bodies[1])};
     bodies[1].acceleration.y() = pull;
     const Ahead ahead[] = {ahead_of(scene, bodies[0], 0), ahead_of(scene, bodies[1], 1)};
@@ -124,6 +126,9 @@ TEST_CASE("what a cube will be too deep in is in reach: by the way of a step mor
   CHECK(reach_of_cube(0.10, 12, 0) == Catch::Approx(margin));            // it parts
   CHECK(reach_of_cube(0.10, -40, 0) == Catch::Approx(margin));           // it is swept
   CHECK(reach_of_cube(0.10, 0, 0, -720) == Catch::Approx(margin + way)); // a force takes it there
+  CHECK(reach_of_cube(-0.06, -1.2, 0) == Catch::Approx(margin));         // 0.02 closer does no harm
+  // A turn by 0.3 takes a corner 0.5 (cos 0.3 + sin 0.3 − 1) = 0.125 down, 0.105 deep.
+  CHECK(reach_of_cube(0.02, 0, 0, 0, 18) == Catch::Approx(margin + 0.3 * std::sqrt(0.75)));
 }
 
 TEST_CASE("a turn takes a corner of a box along, and no point of a ball or of what is fixed")

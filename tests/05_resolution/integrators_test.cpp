@@ -148,7 +148,8 @@ TEST_CASE("the implicit midpoint keeps the oscillator's energy for any step, exa
 }
 // [R22]
 
-TEST_CASE("secant steps end on a pendulum as secants do: each miss is the product of the last two")
+TEST_CASE(
+    "secant steps end on a pendulum as secants do: each miss goes with the product of the last two")
 {
   const auto pull = [](double angle, double) { return -100 * std::sin(angle); };
   const PhasePoint<double> from{1, 0.5};

@@ -201,7 +201,8 @@ TEST_CASE("a ball that bounces on a cube that rests leaves the cube on its groun
   CHECK(!simultaneous_impacts(view, {movable, both}, 1.0 / 60)); // they part
   bodies[2].motion.center.y() += 0.2;
   bodies[2].motion.velocity = {0, -speed, 0};
-  CHECK(!simultaneous_impacts(view, {movable, both}, 1.0 / 60)); // they will, but not in this step
+  CHECK(!simultaneous_impacts(
+      view, {movable, both}, 1.0 / 60)); // they will touch, but not in this step
   CHECK(bodies[2].motion.velocity == V(0, -speed, 0));
 }
 // [beside_a_bounce]

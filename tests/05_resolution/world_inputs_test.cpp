@@ -126,6 +126,8 @@ TEST_CASE("who uses a world badly is told by name, and nothing changes")
   CHECK_THROWS_WITH(world.set_gravity({0, infinity, 0}), ContainsSubstring("gravity.y"));
   CHECK_THROWS_WITH(
       world.add({"thin", BoxShape{{1, 0, 1}}, 1}), ContainsSubstring("thin: half_extents.y"));
+  CHECK_THROWS_WITH(
+      world.add({"slope", PlaneShape{{0, 2, 0}, 0}}), ContainsSubstring("slope: normal"));
   CHECK(world.bodies().size() == 3);
   CHECK(world.bodies()[1].motion.velocity == zero);
   world.set_velocity(0, {1, 0, 0}, zero); // the ground is fixed
@@ -152,7 +154,7 @@ TEST_CASE(
 }
 // [world_inputs]
 
-TEST_CASE("what is fixed later is as what was from the start: a push neither moves nor turns it")
+TEST_CASE("a body fixed later is like one fixed from the start: a push neither moves nor turns it")
 {
   const RigidBody from_start = rigid_body(cube_body("cube", {0, 0, 0}, 0));
   RigidBody later = rigid_body(cube_body("cube", {0, 0, 0}));

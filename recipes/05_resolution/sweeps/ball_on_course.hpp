@@ -43,6 +43,7 @@ inline Sphere<double> placed_at(const Course& course, double time, const SphereS
 {
   return {course.place_at(time), ball.radius};
 }
+/// A plane stays where it is.
 inline Plane<double> placed_at(const Course& course, double, const PlaneShape& plane)
 {
   return placed(*course.from, plane);
@@ -50,8 +51,8 @@ inline Plane<double> placed_at(const Course& course, double, const PlaneShape& p
 // [placed_at]
 
 // [course_touch]
-/// When a ball first touches another shape, from one moment [s] of a step to its end; or when it is
-/// deeper in that shape than is allowed. The time of the answer is a share of the step.
+/// When a ball first gets deeper into another shape than is allowed, from one moment [s] of a step
+/// to its end. The time of the answer is a share of the step.
 struct BallOnCourse
 {
   const Course& ball;

@@ -126,8 +126,8 @@ foreseen_bounds(const Scene& scene, const RigidBody& body, const Ahead& ahead, i
 }
 
 /// How far apart [m] two bodies may be and be in contact: the margin [m]; and as far as they may
-/// come closer in this step, if they would end too deep in each other, and clearly deeper than they
-/// are.
+/// come closer in this step, if that is more than does no harm, and they would end too deep in each
+/// other, and clearly deeper than they are.
 inline double foreseen_reach(
     const Scene& scene, std::span<const RigidBody> bodies, std::span<const Ahead> ahead, int i,
     int j, double margin)

@@ -54,17 +54,23 @@ inline std::pair<int, int> first_of(const StepCourses& step, int i, int j)
   return rank(j) > rank(i) ? std::pair(j, i) : std::pair(i, j);
 }
 
-/// Has a box that is touched go on by itself from then on: if one that was left too deep has
-/// pressed on it, since it went where it went because of that; or if balls have hit it more than
-/// once, since they may have been stopped in its way.
-inline void take_along(StepCourses& step, int first, int other, int hits)
+/// Has a box that can move be swept from now on.
+inline void sweep_from_now(StepCourses& step, int box)
 {
-  const bool by_ball = is_ball(step.scene, first);
-  const bool pressing = step.too_deep[place_of(first)] && pressed(step, std::minmax(first, other));
-  if ((by_ball ? hits > 1 : pressing) && !is_ball(step.scene, other) &&
-      !is_fixed(*step.courses[place_of(other)].from))
+  if (!is_ball(step.scene, box) && !is_fixed(*step.courses[place_of(box)].from))
   {
-    step.too_deep[place_of(other)] = true;
+    step.too_deep[place_of(box)] = true;
+  }
+}
+
+/// Has a box that a solver has left too deep take along the box that it pressed on: where the one
+/// went, it went because of the other.
+inline void take_along(StepCourses& step, int first, int other)
+{
+  const bool deep_box = step.too_deep[place_of(first)] && !is_ball(step.scene, first);
+  if (deep_box && pressed(step, std::minmax(first, other)))
+  {
+    sweep_from_now(step, other);
   }
 }
 // [first_of]
@@ -79,8 +85,8 @@ inline double rest_depth(const Scene& scene, int i, int j)
 /// When a body first touches another from a time [s] to the end of the step, as a share of it.
 ///
 /// What presses on each other has been kept apart by a solver, more or less, and touches only where
-/// it is much deeper than that leaves it: a ball, than as the step began. `depth` [m] is how deep
-/// two boxes may be that pass.
+/// it is deeper than that leaves it: a ball, where it is by `rest_depth` deeper than as the step
+/// began. `depth` [m] is how deep two boxes may be that pass.
 inline std::optional<SweptHit<double>>
 next_touch(const StepCourses& step, int first, int other, double time, double depth)
 {

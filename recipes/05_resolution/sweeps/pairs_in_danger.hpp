@@ -56,8 +56,8 @@ bounds_on_way(const StepCourses& step, int i, const RigidBody& end)
   return bounds_of(*course.from, shape, wider).merged(bounds_of(end, shape, wider));
 }
 
-/// Whether two bodies come close enough to touch from a time [s] to the end of the step: where one
-/// is nearest to the other's centre on its way past that.
+/// Whether two bodies may touch from a time [s] to the end of the step: whether, as they fly on,
+/// their centres come nearer to each other than both reach, but for rounding.
 inline bool may_meet(const StepCourses& step, int i, int j, double time)
 {
   const auto is_plane = [&](int one)
@@ -70,7 +70,7 @@ inline bool may_meet(const StepCourses& step, int i, int j, double time)
   const double left = step.scene.step - time;
   const Vector3<double> apart = b.place_at(time) - a.place_at(time);
   const Vector3<double> way = left * (b.velocity_at(time) - a.velocity_at(time));
-  const double bulge = left * left * (b.acceleration - a.acceleration).norm();
+  const double bulge = left * left / 2 * (b.acceleration - a.acceleration).norm();
   const Vector3<double> ends[] = {apart, apart + way};
   const double nearest = nearest_on_segment(ends, 0, 1).point.norm();
   return !(nearest > (reach(step.scene, i) + reach(step.scene, j)) * (1 + 1e-9) + bulge);
@@ -133,23 +133,22 @@ inline std::vector<std::pair<int, int>>
 pairs_in_danger(StepCourses& step, std::span<const RigidBody> ends)
 {
   const double harmless = smallest_ball(step) / 2;
-  const auto fast = [&](int i)
+  const auto fast_or_deep = [&](int i)
   {
     const bool falling_ball = step.falls[place_of(i)] && is_ball(step.scene, i);
-    return falling_ball || step.ways[place_of(i)] > harmless || is_swept_box(step, i) ||
+    return falling_ball || step.ways[place_of(i)] > harmless || is_fast_box(step, i) ||
            step.too_deep[place_of(i)];
   };
   bool any = false;
   for (int i = 0; i < static_cast<int>(ends.size()) && !any; ++i)
   {
-    any = !step.gone[place_of(i)] && fast(i);
+    any = !step.gone[place_of(i)] && fast_or_deep(i);
   }
   std::vector<std::pair<int, int>> pairs;
   const auto ask = [&](int i, int j)
   {
-    const bool ball = in_danger(step, i, j) || in_danger(step, j, i);
-    const bool danger =
-        is_swept_box(step, i) || is_swept_box(step, j) || ((fast(i) || fast(j)) && ball);
+    const bool danger = is_swept_box(step, i) || is_swept_box(step, j) || in_danger(step, i, j) ||
+                        in_danger(step, j, i);
     if (danger && may_meet(step, i, j, 0))
     {
       pairs.emplace_back(i, j);

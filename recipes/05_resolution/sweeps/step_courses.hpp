@@ -30,9 +30,9 @@ struct StepCourses
   std::span<const std::pair<int, int>> near; ///< whose bounds met as it began
   std::vector<Course>& courses;              ///< of all bodies
   std::vector<double>& ways;                 ///< [m], how far any point of a body went
-  std::vector<bool>& too_deep;               ///< which bodies a solver has left too deep
-  BoundsTree* tree = nullptr;                ///< of all bodies that are there, once any is swept
-  std::span<const RigidBody> starts = {};    ///< the bodies as it began
+  std::vector<bool>& too_deep;            ///< whom a solver left too deep, or who is swept by now
+  BoundsTree* tree = nullptr;             ///< of all bodies that are there, once any is swept
+  std::span<const RigidBody> starts = {}; ///< the bodies as it began
 };
 
 /// True if a body is a ball.
@@ -68,7 +68,8 @@ inline bool is_fast_box(const StepCourses& step, int i)
   return !is_ball(step.scene, i) && step.ways[place_of(i)] > thinness(step.scene, i);
 }
 
-/// True if a box is swept: a fast one, or one that has ended too deep in something.
+/// True if a box is swept: a fast one, one that has ended too deep in something, or one that such a
+/// box has taken along, or balls have hit again and again.
 inline bool is_swept_box(const StepCourses& step, int i)
 {
   return is_fast_box(step, i) || (!is_ball(step.scene, i) && step.too_deep[place_of(i)]);

@@ -65,7 +65,7 @@ private:
   {
     const int first = touch.first, other = touch.other;
     const std::pair<int, int> pair = std::minmax(first, other);
-    take_along(step_, first, other, touches_.hits(other));
+    take_along(step_, first, other);
     RigidBody a = at(first, touch.time), b = at(other, touch.time);
     const Met met = touch_manifold(step_.scene, touch, a, b);
     const double depth = ghost_depth(step_.scene, touch, met, a, b);
@@ -75,7 +75,7 @@ private:
       touches_.look_for(first, other, touch.time);
       return;
     }
-    const bool ball = is_ball(step_.scene, first), both_balls = is_ball(step_.scene, other);
+    const bool ball = is_ball(step_.scene, first), other_is_ball = is_ball(step_.scene, other);
     const bool tired = ++touched_[place_of(first)] > most_touches_a_step;
     const double threshold = threshold_of(step_, touch);
     const double slow = tired ? std::numeric_limits<double>::infinity()
@@ -85,6 +85,10 @@ private:
     {
       touches_.come_back(first);
       touches_.come_back(other);
+      if (ball && touches_.hits(other) > 2) // balls may have been stopped in its way
+      {
+        sweep_from_now(step_, other);
+      }
     }
     const bool rests = approach <= slow,
                leans = rests && (ball || !tired) && !goes_on(step_, other);
@@ -97,16 +101,16 @@ private:
         return;
       }
     }
-    // What has come to rest leans on what does not give way. Two balls that have are left alone:
-    // what they sink by, the next step finds. A box that touches and is not pushed is held. Who
-    // touches on and on is frozen in the end.
+    // What has come to rest leans on what does not give way. Two balls at rest on each other are
+    // left alone: what they sink by, the next step finds. A box that touches and is not pushed is
+    // held. Who touches on and on is frozen in the end, and with it whatever touches it.
     const bool held = !ball && (tired || approach == 0);
     const bool frozen = is_frozen(first);
     if (held)
     {
       approach = std::max(approach, stop_center(a, b, touch.normal, place_of_touch(met, a)));
     }
-    if (frozen || (ball && rests && !leans && (tired || approach == 0 || both_balls)))
+    if (frozen || (ball && rests && !leans && (tired || approach == 0 || other_is_ball)))
     {
       touches_.leave(pair);
     }

@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief Which boxes have to be swept: what went far, and what a solver has left too deep.
+/// \brief What has to be swept: boxes that went far, and what a solver has left too deep.
 
 #include "05_resolution/sweeps/foreseen.hpp"
 
@@ -97,7 +97,7 @@ inline bool may_have_fast_boxes(const StepCourses& step)
   return false;
 }
 
-/// Whether any box may have to be swept.
+/// Whether any box may have to be swept, or a ball because it is too deep.
 inline bool has_boxes_to_sweep(
     StepCourses& step, std::span<const Ahead> ahead, std::span<const RigidBody> starts,
     std::span<const RigidBody> ends)

@@ -57,8 +57,8 @@ public:
     }
   }
 
-  /// Looks anew for what bodies touch whose courses have changed at a time [s], to other ends; the
-  /// last of them first, so that two that touch again take turns in who goes on first.
+  /// Looks anew for what these bodies touch: their courses have changed at a time [s]. The last
+  /// goes first, so that two that hit each other again and again take turns.
   void look_around(std::span<const int> changed, double time)
   {
     for (const int i : changed)
@@ -99,7 +99,7 @@ public:
   /// Looks at a body again with all that it had been left with: somebody has hit it.
   void come_back(int i) { hits_[place_of(i)] = std::min(hits_[place_of(i)] + 1, most_hits_a_step); }
 
-  /// How often a body has been hit in this step.
+  /// How often a body has been hit in this step, up to the most that counts.
   int hits(int i) const { return hits_[place_of(i)]; }
 
   /// Lets two boxes overlap by a little [m] for the rest of the step: they pass each other, or rest

@@ -51,7 +51,7 @@ struct WorldState
   std::vector<IslandPoint> room;         ///< for the points of an island
   std::vector<Course> courses;           ///< room for those of a sweep
   std::vector<double> ways;              ///< [m], how far any point of a body went
-  std::vector<bool> too_deep;            ///< which bodies a solver has left too deep
+  std::vector<bool> too_deep;            ///< whom a solver left too deep, or who is swept by now
 };
 
 /// Whether a body sleeps.
