@@ -82,11 +82,11 @@ Shot shot(BoxDraw& draw, bool rolls, Wall kind)
   return {scene, 2 + static_cast<int>(60 * 3 * start / speed)};
 }
 
-/// Where the ball is as seen from the wall.
-Vector3<double> seen_from_wall(const World& world)
+/// Where the centre of a body is as seen from another.
+Vector3<double> seen_from(const World& world, std::size_t other, std::size_t body)
 {
-  const RigidBody &wall = world.bodies()[1], &ball = world.bodies()[2];
-  return wall.axes.transpose() * (ball.motion.center - wall.motion.center);
+  const RigidBody &from = world.bodies()[other], &seen = world.bodies()[body];
+  return from.axes.transpose() * (seen.motion.center - from.motion.center);
 }
 
 /// Whether the ball goes through the wall, and not round it.
@@ -96,9 +96,9 @@ bool goes_through(const Shot& shot, const std::string& solver)
   const Vector3<double> half = std::get<BoxShape>(shot.scene.bodies[1].shape).half_extents;
   for (int i = 0; i < shot.steps; ++i)
   {
-    const Vector3<double> before = seen_from_wall(world);
+    const Vector3<double> before = seen_from(world, 1, 2);
     world.step();
-    const Vector3<double> now = seen_from_wall(world);
+    const Vector3<double> now = seen_from(world, 1, 2);
     if (before.x() < 0 && now.x() >= 0)
     {
       const Vector3<double> cut = before + (now - before) * (before.x() / (before.x() - now.x()));
@@ -446,9 +446,7 @@ struct Press
   /// How far [m] a body's centre is before the wall.
   double before(const World& world, std::size_t body) const
   {
-    const RigidBody& wall = world.bodies()[0];
-    const Vector3<double> place = world.bodies()[body].motion.center - wall.motion.center;
-    return (wall.axes.transpose() * place).x() - half;
+    return seen_from(world, 0, body).x() - half;
   }
 };
 
@@ -502,10 +500,8 @@ Press press_of_balls(BoxDraw& draw)
 bool is_in_ram(const World& world, std::size_t body)
 {
   const auto* const box = std::get_if<BoxShape>(&world.scene().bodies.back().shape);
-  const RigidBody& ram = world.bodies().back();
-  const Vector3<double> place = world.bodies()[body].motion.center - ram.motion.center;
-  const Vector3<double> local = ram.axes.transpose() * place;
-  return box && (local.cwiseAbs().array() < box->half_extents.array()).all();
+  const Vector3<double> place = seen_from(world, world.bodies().size() - 1, body);
+  return box && (place.cwiseAbs().array() < box->half_extents.array()).all();
 }
 
 TEST_CASE("balls that a ram crushes pass neither wall nor plane in a second, and gain no energy; "

@@ -87,8 +87,9 @@ struct MetPairs
     BroadPhase near;
     near.pairs(bounds);
     std::vector<bool> too_deep(starts.size(), false);
-    StepCourses step{scene, {}, falls, gone, near.last(), courses, ways, too_deep, &near.tree()};
-    set_out(step, starts, ends);
+    StepCourses step{scene,       starts,  {},   falls,    gone,
+                     near.last(), courses, ways, too_deep, &near.tree()};
+    set_out(step, ends);
     compare(step, ends);
   }
 
@@ -153,7 +154,7 @@ TEST_CASE(
     const std::vector<bool> no(2, false);
     std::vector<bool> too_deep(2, false);
     std::vector<double> ways;
-    return may_meet({scene, {}, no, no, {}, courses, ways, too_deep}, 0, 1, time);
+    return may_meet({scene, {}, {}, no, no, {}, courses, ways, too_deep}, 0, 1, time);
   };
   CHECK(meet(0.99, 20, 0));
   CHECK_FALSE(meet(1.01, 20, 0));
@@ -174,7 +175,7 @@ TEST_CASE("a ball is in danger if it fell, is too deep, or if two went by more t
     std::vector<bool> deep{too_deep, too_deep};
     std::vector<Course> courses;
     std::vector<double> ways{way, other_way};
-    return in_danger({scene, {}, fall, gone, {}, courses, ways, deep}, ball, 1 - ball);
+    return in_danger({scene, {}, {}, fall, gone, {}, courses, ways, deep}, ball, 1 - ball);
   };
   CHECK(danger(0.3, 0.3, false, false));
   CHECK_FALSE(danger(0.3, 0.1, false, false));

@@ -24,15 +24,15 @@ namespace cookbook
 struct StepCourses
 {
   const Scene& scene;                        ///< with the bodies' shapes
+  std::span<const RigidBody> starts;         ///< the bodies as it began
   std::span<const WorldContact> contacts;    ///< of this step
   const std::vector<bool>& falls;            ///< whether no other body pushed it
   const std::vector<bool>& gone;             ///< whether it is no more
   std::span<const std::pair<int, int>> near; ///< whose bounds met as it began
   std::vector<Course>& courses;              ///< of all bodies
   std::vector<double>& ways;                 ///< [m], how far any point of a body went
-  std::vector<bool>& too_deep;            ///< whom a solver left too deep, or who is swept by now
-  BoundsTree* tree = nullptr;             ///< of all bodies that are there, once any is swept
-  std::span<const RigidBody> starts = {}; ///< the bodies as it began
+  std::vector<bool>& too_deep; ///< whom a solver left too deep, or who is swept by now
+  BoundsTree* tree = nullptr;  ///< of all bodies that are there, once any is swept
 };
 
 /// True if a body is a ball.
@@ -89,11 +89,10 @@ farthest_way(const StepCourses& step, int i, const Course& course, double way, d
 }
 
 /// Writes down the courses of all bodies, from where a step began to where it ended.
-inline void
-set_out(StepCourses& step, std::span<const RigidBody> starts, std::span<const RigidBody> ends)
+inline void set_out(StepCourses& step, std::span<const RigidBody> ends)
 {
+  const std::span<const RigidBody> starts = step.starts;
   const double duration = step.scene.step;
-  step.starts = starts;
   step.courses.clear();
   step.ways.clear();
   for (std::size_t i = 0; i < ends.size(); ++i)

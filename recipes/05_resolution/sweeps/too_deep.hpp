@@ -18,9 +18,9 @@ namespace cookbook
 
 // [too_deep]
 /// How far [m] any point of each body went in a step, and up to 1.6 times as far: no sines.
-inline void find_rough_ways(
-    StepCourses& step, std::span<const RigidBody> starts, std::span<const RigidBody> ends)
+inline void find_rough_ways(StepCourses& step, std::span<const RigidBody> ends)
 {
+  const std::span<const RigidBody> starts = step.starts;
   step.ways.clear();
   for (std::size_t i = 0; i < ends.size(); ++i)
   {
@@ -52,9 +52,8 @@ inline bool end_harmlessly(
 /// Marks the bodies that a step has taken deeper into something than 7.5 % of the smaller size
 /// of the two, and by more than gravity alone does in a step, and says whether there are any. Only
 /// bodies are asked that were near each other.
-inline bool find_too_deep(
-    StepCourses& step, std::span<const Ahead> ahead, std::span<const RigidBody> starts,
-    std::span<const RigidBody> ends)
+inline bool
+find_too_deep(StepCourses& step, std::span<const Ahead> ahead, std::span<const RigidBody> ends)
 {
   const double fall = contact_margin(step.scene) / 2;
   bool any = false;
@@ -72,7 +71,7 @@ inline bool find_too_deep(
       return depth_between(step.scene, {a, b}, bodies[place_of(a)], bodies[place_of(b)]);
     };
     const double end = depth(ends, i, j);
-    if (end > harmless * 3 / 2 && end > depth(starts, i, j) + std::max(harmless / 10, fall))
+    if (end > harmless * 3 / 2 && end > depth(step.starts, i, j) + std::max(harmless / 10, fall))
     {
       any = true;
       for (const int one : {i, j})
@@ -98,12 +97,11 @@ inline bool may_have_fast_boxes(const StepCourses& step)
 }
 
 /// Whether any box may have to be swept, or a ball because it is too deep.
-inline bool has_boxes_to_sweep(
-    StepCourses& step, std::span<const Ahead> ahead, std::span<const RigidBody> starts,
-    std::span<const RigidBody> ends)
+inline bool
+has_boxes_to_sweep(StepCourses& step, std::span<const Ahead> ahead, std::span<const RigidBody> ends)
 {
-  find_rough_ways(step, starts, ends);
-  return find_too_deep(step, ahead, starts, ends) || may_have_fast_boxes(step);
+  find_rough_ways(step, ends);
+  return find_too_deep(step, ahead, ends) || may_have_fast_boxes(step);
 }
 // [too_deep]
 

@@ -118,14 +118,14 @@ inline void advance(WorldState& world, const WorldSolver& solver)
 /// they hit.
 inline void sweep(WorldState& world)
 {
-  StepCourses step{world.scene,       world.contacts, world.falls, world.gone,
-                   world.near.last(), world.courses,  world.ways,  world.too_deep};
-  if (!has_boxes_to_sweep(step, world.ahead, world.start, world.bodies) && !world.has_balls)
+  StepCourses step{world.scene,       world.start,   world.contacts, world.falls,   world.gone,
+                   world.near.last(), world.courses, world.ways,     world.too_deep};
+  if (!has_boxes_to_sweep(step, world.ahead, world.bodies) && !world.has_balls)
   {
     return;
   }
   step.tree = &world.near.tree();
-  set_out(step, world.start, world.bodies);
+  set_out(step, world.bodies);
   std::vector<int> hit;
   StepSweeps(step, world.bodies, hit).run();
   world.courses.clear();
