@@ -3,7 +3,7 @@
 /// \file
 /// \brief How far to go along a change of velocities that Newton's method asks for.
 
-#include "05_resolution/direct_solver/direct_system.hpp"
+#include "05_resolution/direct_solver/direct_residual.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,14 +24,21 @@ inline double missing_along(const DirectSystem& system, const std::vector<Vector
   return sum;
 }
 
+/// Takes down in which way all points push.
+inline void take_ways(const std::vector<DirectPoint>& points, std::vector<PushingWay>& ways)
+{
+  ways.resize(points.size());
+  std::transform(points.begin(), points.end(), ways.begin(), way_of);
+}
+
 /// True if all points push in the way that they did before, and none slips.
 inline bool
-push_as_before(const std::vector<DirectPoint>& now, const std::vector<DirectPoint>& before)
+push_as_before(const std::vector<DirectPoint>& now, const std::vector<PushingWay>& before)
 {
   return std::equal(
       now.begin(), now.end(), before.begin(),
-      [](const DirectPoint& one, const DirectPoint& then)
-      { return one.pressed == then.pressed && one.grip == then.grip && one.grip != Grip::slip; });
+      [](const DirectPoint& one, const PushingWay& then)
+      { return way_of(one) == then && one.grip != Grip::slip; });
 }
 
 // [direct_advance]
@@ -40,12 +47,13 @@ struct Advance
 {
   double part; ///< [1], of the way
   bool exact;  ///< all of it, and no point pushes in another way than before
+  bool stuck;  ///< at a point whose friction comes all at once, for it has no bound yet
 };
 
 /// Goes along a change of velocities to where the energy stops falling.
 inline Advance advance(DirectSystem& system, const std::vector<Vector6>& change)
 {
-  system.points_before = system.points;
+  take_ways(system.points, system.ways_before);
   system.velocities_before = system.velocities;
   const double steep = missing_along(system, change);
   double low = 0, high = 1, at_low = steep, at_high = 0, part = 1;
@@ -56,21 +64,21 @@ inline Advance advance(DirectSystem& system, const std::vector<Vector6>& change)
       system.velocities[i] = system.velocities_before[i] + part * change[i];
     }
     find_missing(system);
-    if (part == 1 && push_as_before(system.points, system.points_before))
+    if (part == 1 && push_as_before(system.points, system.ways_before))
     {
-      return {part, true};
+      return {part, true, false};
     }
     const double now = missing_along(system, change);
     if (std::abs(now) <= 0.2 * std::abs(steep) || (part == 1 && now > 0))
     {
-      return {part, false};
+      return {part, false, false};
     }
     (now > 0 ? low : high) = part;
     (now > 0 ? at_low : at_high) = now;
     const double secant = at_low / (at_low - at_high);
     part = low + (high - low) * (tries % 3 == 2 ? 0.5 : std::clamp(secant, 0.01, 0.99));
   }
-  return {part, false};
+  return {part, false, true};
 }
 // [direct_advance]
 

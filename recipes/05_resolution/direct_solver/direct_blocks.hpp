@@ -93,10 +93,10 @@ struct EvenPoints
 /// What a contact with these points adds.
 inline DirectBlocks blocks_of(
     std::span<const DirectPoint> points, const Vector3<double>& normal,
-    const DirectSoftness& softness)
+    const DirectStiffness& stiffness)
 {
   const auto resists_evenly = [&](const DirectPoint& point)
-  { return softness.push == softness.grip && point.pressed && point.grip == Grip::stick; };
+  { return stiffness.push == stiffness.grip && point.pressed && point.grip == Grip::stick; };
   EvenPoints even;
   for (const DirectPoint& point : points)
   {
@@ -105,12 +105,12 @@ inline DirectBlocks blocks_of(
       even.add(point.arms);
     }
   }
-  DirectBlocks blocks = even.blocks(1 / softness.push);
+  DirectBlocks blocks = even.blocks(stiffness.push);
   for (const DirectPoint& point : points)
   {
     if (!resists_evenly(point) && (point.pressed || point.grip != Grip::none))
     {
-      add_point(blocks, point, stiffness(point, normal, softness));
+      add_point(blocks, point, stiffness_at(point, normal, stiffness));
     }
   }
   return blocks;

@@ -25,9 +25,9 @@ struct GiveSettings
   double least = 1e-7;      ///< [1], from here on contacts are stiff
 };
 
-/// How soft the points of a contact are that has these inverse masses [1/kg] together.
-inline DirectSoftness
-softness_of(const WorldContact& contact, double inverse_mass, const DirectSettings& settings)
+/// How stiff the points of a contact are that has these inverse masses [1/kg] together.
+inline DirectStiffness
+stiffness_of(const WorldContact& contact, double inverse_mass, const DirectSettings& settings)
 {
   const GiveSettings how;
   double carried = 0;
@@ -41,7 +41,7 @@ softness_of(const WorldContact& contact, double inverse_mass, const DirectSettin
         carried > 0 ? std::min(most * inverse_mass, speed / carried) : most * inverse_mass;
     return std::max(settings.compliance * inverse_mass, settings.give * wanted);
   };
-  return {soft(how.push, how.push_speed), soft(how.grip, how.grip_speed)};
+  return {1 / soft(how.push, how.push_speed), 1 / soft(how.grip, how.grip_speed)};
 }
 
 /// The friction [N s] that a soft point keeps from the frame before: no more than its overlap

@@ -37,8 +37,8 @@ enum class Grip
   slip   ///< is as large as it can be
 };
 
-/// How soft the points of a contact are: a speed for an impulse [1/kg].
-struct DirectSoftness
+/// How stiff the points of a contact are: an impulse for a speed, 1/R [kg].
+struct DirectStiffness
 {
   double push; ///< along the normal
   double grip; ///< across it
@@ -59,16 +59,31 @@ struct DirectPoint
   Vector3<double> wanted;   ///< [N s], friction that would hold the surfaces
 };
 
+/// In which way a point pushes.
+struct PushingWay
+{
+  bool pressed; ///< whether the surfaces push
+  Grip grip;    ///< what friction does
+
+  bool operator==(const PushingWay&) const = default;
+};
+
+/// In which way a point pushes now.
+inline PushingWay way_of(const DirectPoint& point)
+{
+  return {point.pressed, point.grip};
+}
+
 /// Sets what pushes at a point whose surfaces move past each other at a velocity [m/s].
 ///
 /// Both the push and friction are springs.
 inline void press(
     DirectPoint& point, const Vector3<double>& normal, const Vector3<double>& moving,
-    const DirectSoftness& softness)
+    const DirectStiffness& stiffness)
 {
   const double speed = moving.dot(normal);
   const Vector3<double> slip = moving - speed * normal;
-  point.impulse = accumulated(0.0, -(speed + point.bias) / softness.push);
+  point.impulse = accumulated(0.0, -(speed + point.bias) * stiffness.push);
   point.pressed = point.impulse > 0;
   const bool known = point.bound < std::numeric_limits<double>::infinity();
   const bool grips = known ? point.bound > 0 : point.pressed;
@@ -76,35 +91,36 @@ inline void press(
   point.wanted.setZero();
   if (grips)
   {
-    point.wanted = point.held - slip / softness.grip;
+    point.wanted = point.held - slip * stiffness.grip;
   }
-  point.friction = within_cone(point.wanted, point.bound);
-  if (point.friction != point.wanted)
+  point.friction = point.wanted;
+  if (point.wanted.squaredNorm() > point.bound * point.bound)
   {
+    point.friction = within_cone(point.wanted, point.bound);
     point.grip = Grip::slip;
   }
 }
 
 /// How much impulse [N s] a velocity [m/s] at a pressed point changes: its stiffness [kg].
-inline Matrix3<double>
-stiffness(const DirectPoint& point, const Vector3<double>& normal, const DirectSoftness& softness)
+inline Matrix3<double> stiffness_at(
+    const DirectPoint& point, const Vector3<double>& normal, const DirectStiffness& stiffness)
 {
   const Matrix3<double> along = normal * normal.transpose();
   const Matrix3<double> across = Matrix3<double>::Identity() - along;
   Matrix3<double> sum = Matrix3<double>::Zero();
   if (point.pressed)
   {
-    sum += along / softness.push;
+    sum += along * stiffness.push;
   }
   if (point.grip == Grip::stick)
   {
-    sum += across / softness.grip;
+    sum += across * stiffness.grip;
   }
   if (point.grip == Grip::slip)
   {
     const double size = point.wanted.norm();
     const Vector3<double> way = point.wanted / size;
-    sum += (across - way * way.transpose()) * (point.bound / (size * softness.grip));
+    sum += (across - way * way.transpose()) * (point.bound / size * stiffness.grip);
   }
   return sum;
 }

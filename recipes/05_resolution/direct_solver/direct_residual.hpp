@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief How much is missing in an island, and how little is little enough.
+/// \brief What is missing in an island at given velocities, and how little is little enough.
 
 #include "05_resolution/direct_solver/direct_system.hpp"
 
@@ -12,6 +12,64 @@
 
 namespace cookbook
 {
+
+// [direct_press]
+/// Presses the points of a contact at the velocities as they are.
+inline void press(DirectSystem& system, const DirectContact& contact)
+{
+  const Motion<double> a = motion_of(system, contact.a), b = motion_of(system, contact.b);
+  for (std::size_t i = contact.first; i < contact.end; ++i)
+  {
+    DirectPoint& point = system.points[i];
+    const Vector3<double> moving = relative_velocity(a, b, point.arms);
+    press(point, contact.of->normal, moving, contact.stiffness);
+  }
+}
+
+/// Adds `times` what the points of a contact give its bodies to what these are missing.
+inline void add_impulses(DirectSystem& system, const DirectContact& contact, double times)
+{
+  const Vector3<double> normal = contact.of->normal;
+  Vector6 on_a = Vector6::Zero(), on_b = Vector6::Zero();
+  for (std::size_t i = contact.first; i < contact.end; ++i)
+  {
+    const DirectPoint& point = system.points[i];
+    const Vector3<double> impulse = point.impulse * normal + point.friction;
+    on_a.head<3>() -= impulse;
+    on_a.tail<3>() -= point.arms.a.cross(impulse);
+    on_b.head<3>() += impulse;
+    on_b.tail<3>() += point.arms.b.cross(impulse);
+  }
+  if (contact.a >= 0)
+  {
+    system.missing[place_of(contact.a)] += times * on_a;
+  }
+  if (contact.b >= 0)
+  {
+    system.missing[place_of(contact.b)] += times * on_b;
+  }
+}
+// [direct_press]
+
+// [direct_missing]
+/// Presses all points at the velocities as they are, and finds the impulses that are missing, body
+/// by body: those of the contacts less the change of momentum.
+inline void find_missing(DirectSystem& system)
+{
+  system.missing.resize(system.bodies.size());
+  for (std::size_t i = 0; i < system.bodies.size(); ++i)
+  {
+    const DirectBody& body = system.bodies[i];
+    const Vector6 change = body.free - system.velocities[i];
+    system.missing[i] << body.mass * change.head<3>(), body.inertia * change.tail<3>();
+  }
+  for (const DirectContact& contact : system.contacts)
+  {
+    press(system, contact);
+    add_impulses(system, contact, 1);
+  }
+}
+// [direct_missing]
 
 /// The largest impulse [N s] of an island.
 inline double largest_impulse(const DirectSystem& system)
@@ -48,7 +106,7 @@ inline double rounding_of(const DirectSystem& system)
   }
   for (const DirectContact& contact : system.contacts)
   {
-    stiffest = std::max(stiffest, 1 / contact.softness.push);
+    stiffest = std::max(stiffest, contact.stiffness.push);
   }
   return 8 * std::numeric_limits<double>::epsilon() * fastest * stiffest;
 }

@@ -39,9 +39,10 @@ inline bool guess(DirectSystem& system, double speed)
 /// known yet; false where none of these was off by more than a tolerance [N s].
 inline bool moved_bounds(DirectSystem& system, double tolerance, bool all)
 {
-  bool any = false, far = false;
+  bool far = false;
   for (const DirectContact& contact : system.contacts)
   {
+    bool any = false;
     for (std::size_t i = contact.first; i < contact.end; ++i)
     {
       DirectPoint& point = system.points[i];
@@ -51,14 +52,17 @@ inline bool moved_bounds(DirectSystem& system, double tolerance, bool all)
       }
       const double bound = contact.of->friction * point.impulse;
       const double above = point.friction.norm() - bound;
-      any = any || bound != point.bound;
-      far = far || above > tolerance || (point.grip == Grip::slip && -above > tolerance);
+      const bool slips = point.grip == Grip::slip, grips = point.grip != Grip::none;
+      any = any || above > 0 || (slips && above < 0) || grips != (bound > 0);
+      far = far || above > tolerance || (slips && -above > tolerance);
       point.bound = bound;
     }
-  }
-  if (any)
-  {
-    find_missing(system);
+    if (any)
+    {
+      add_impulses(system, contact, -1);
+      press(system, contact);
+      add_impulses(system, contact, 1);
+    }
   }
   return far;
 }
@@ -128,7 +132,7 @@ public:
       const bool exact = gone.exact && fresh && (i > 0 || !guessed);
       const bool found = exact || size_of_missing(system_) <= small;
       missing_ = system_.missing; // before the bounds move
-      const bool follows = found || (stiff && gone.part >= 0.5);
+      const bool follows = found || gone.stuck || (stiff && gone.part >= 0.5);
       const bool moved =
           follows && moved_bounds(system_, settings.friction_tolerance * most, stiff);
       if (found && !moved)

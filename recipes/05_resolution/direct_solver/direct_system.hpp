@@ -28,10 +28,10 @@ struct DirectBody
 /// A contact of an island; its bodies by their numbers in the island, −1 where one is fixed.
 struct DirectContact
 {
-  int a, b;                ///< the two bodies
-  const WorldContact* of;  ///< where it comes from
-  std::size_t first, end;  ///< its points
-  DirectSoftness softness; ///< of each
+  int a, b;                  ///< the two bodies
+  const WorldContact* of;    ///< where it comes from
+  std::size_t first, end;    ///< its points
+  DirectStiffness stiffness; ///< of each
 };
 
 /// All of an island.
@@ -43,7 +43,7 @@ struct DirectSystem
   std::vector<Vector6> velocities; ///< [m/s, rad/s], as they are found
   std::vector<Vector6> missing;    ///< [N s, N m s], at these velocities
 
-  std::vector<DirectPoint> points_before; ///< room for the points before a change
+  std::vector<PushingWay> ways_before;    ///< room for how points pushed before a change
   std::vector<Vector6> velocities_before; ///< room for the velocities before it
 };
 // [direct_system]
@@ -64,7 +64,8 @@ inline void gather(
   const RigidBody& a = world.bodies[place_of(contact.a)];
   const RigidBody& b = world.bodies[place_of(contact.b)];
   const std::size_t first = system.points.size();
-  const DirectSoftness softness = softness_of(contact, a.inverse_mass + b.inverse_mass, settings);
+  const DirectStiffness stiffness =
+      stiffness_of(contact, a.inverse_mass + b.inverse_mass, settings);
   for (const WorldPoint& point : contact.points)
   {
     const double apart = gap(a, b, contact.normal, point) / step;
@@ -73,14 +74,14 @@ inline void gather(
     made.arms = arms_of(a, b, point);
     made.bias = apart > 0 ? apart : -opening;
     made.solved = point.solved;
-    made.held = held_friction(contact, point, opening / softness.push, settings.give);
+    made.held = held_friction(contact, point, opening * stiffness.push, settings.give);
     made.bound = point.impulse > 0 || contact.friction == 0
                      ? contact.friction * point.impulse
                      : std::numeric_limits<double>::infinity();
   }
   system.contacts.push_back(
       {number_in(island, contact.a), number_in(island, contact.b), &contact, first,
-       system.points.size(), softness});
+       system.points.size(), stiffness});
 }
 
 /// Makes a system of an island, at the velocities before the step [s].
@@ -115,46 +116,6 @@ inline Motion<double> motion_of(const DirectSystem& system, int body)
   return {Vector3<double>::Zero(), velocity.head<3>(), velocity.tail<3>()};
 }
 
-// [direct_missing]
-/// Presses all points at the velocities as they are, and finds the impulses that are missing, body
-/// by body: those of the contacts less the change of momentum.
-inline void find_missing(DirectSystem& system)
-{
-  system.missing.resize(system.bodies.size());
-  for (std::size_t i = 0; i < system.bodies.size(); ++i)
-  {
-    const DirectBody& body = system.bodies[i];
-    const Vector6 change = body.free - system.velocities[i];
-    system.missing[i] << body.mass * change.head<3>(), body.inertia * change.tail<3>();
-  }
-  for (const DirectContact& contact : system.contacts)
-  {
-    const Motion<double> a = motion_of(system, contact.a), b = motion_of(system, contact.b);
-    const Vector3<double>& normal = contact.of->normal;
-    Vector6 on_a = Vector6::Zero(), on_b = Vector6::Zero();
-    for (std::size_t i = contact.first; i < contact.end; ++i)
-    {
-      DirectPoint& point = system.points[i];
-      const Vector3<double> moving = relative_velocity(a, b, point.arms);
-      press(point, normal, moving, contact.softness);
-      const Vector3<double> impulse = point.impulse * normal + point.friction;
-      on_a.head<3>() -= impulse;
-      on_a.tail<3>() -= point.arms.a.cross(impulse);
-      on_b.head<3>() += impulse;
-      on_b.tail<3>() += point.arms.b.cross(impulse);
-    }
-    if (contact.a >= 0)
-    {
-      system.missing[place_of(contact.a)] += on_a;
-    }
-    if (contact.b >= 0)
-    {
-      system.missing[place_of(contact.b)] += on_b;
-    }
-  }
-}
-// [direct_missing]
-
 // [direct_assemble]
 /// Writes what impulses a change of velocities takes into a matrix: masses, and the stiffness of
 /// all contacts.
@@ -172,7 +133,7 @@ inline void assemble(const DirectSystem& system, BlockCholesky& matrix)
     const std::span<const DirectPoint> points(system.points);
     const DirectBlocks blocks = blocks_of(
         points.subspan(contact.first, contact.end - contact.first), contact.of->normal,
-        contact.softness);
+        contact.stiffness);
     if (contact.a >= 0)
     {
       matrix.diagonal(contact.a) += blocks.aa;

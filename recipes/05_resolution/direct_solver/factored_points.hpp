@@ -32,7 +32,7 @@ public:
       }
       if (pushes(point))
       {
-        points_.push_back({point.pressed, point.grip, point.arms});
+        points_.push_back({way_of(point), point.arms});
       }
     }
   }
@@ -54,8 +54,7 @@ public:
 private:
   struct Pushed
   {
-    bool pressed;
-    Grip grip;
+    PushingWay way;
     Arms<double> arms;
   };
 
@@ -65,7 +64,7 @@ private:
   {
     const auto stays = [](const Vector3<double>& one, const Vector3<double>& other)
     { return (one - other).squaredNorm() <= 1e-18 * other.squaredNorm(); };
-    return now.pressed == then.pressed && now.grip == then.grip && stays(now.arms.a, then.arms.a) &&
+    return way_of(now) == then.way && stays(now.arms.a, then.arms.a) &&
            stays(now.arms.b, then.arms.b);
   }
 
