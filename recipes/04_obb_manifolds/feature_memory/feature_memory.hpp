@@ -43,25 +43,27 @@ std::optional<Real> overlap_on(const Obb<Real>& a, const Obb<Real>& b, int axis)
 }
 
 /// The manifold of two boxes on an axis, 0 … 14, that somebody chose, along which they overlap by
-/// `depth` [m]; below zero they are apart. Corners with a gap are kept up to `widest_gap` [m].
+/// `depth` [m]; below zero they are apart. Corners with a gap are kept up to `widest_gap` [m]; a
+/// hair [m] decides no corner.
 template <class Row, class Real>
 std::optional<Manifold<Real>> box_box_on(
-    const Obb<Real>& a, const Obb<Real>& b, int axis, const Real& depth, const Real& widest_gap)
+    const Obb<Real>& a, const Obb<Real>& b, int axis, const Real& depth, const Real& widest_gap,
+    const Real& hair)
 {
   const BoxesInRows<Row> boxes = boxes_in_rows<Row>(a, b);
   return axis_kind(axis) == AxisKind::edges
              ? edge_manifold(a, boxes, axis - 6, depth)
-             : face_manifold(
-                   a, b, boxes, LeastFace<Real>{depth, axis}, widest_gap, tolerances_of(a, b).hair);
+             : face_manifold(a, b, boxes, LeastFace<Real>{depth, axis}, widest_gap, hair);
 }
 
-/// The same with the gap that box_box() allows.
+/// The same with the gap and the hair of box_box().
 template <class Row, class Real>
 std::optional<Manifold<Real>>
 box_box_on(const Obb<Real>& a, const Obb<Real>& b, int axis, const Real& depth)
 {
-  return box_box_on<Row>(
-      a, b, axis, depth, kept_gap<Real>(LeastFace<Real>{depth, axis}, tolerances_of(a, b)));
+  const Tolerances<Real> tolerances = tolerances_of(a, b);
+  const Real gap = kept_gap<Real>(LeastFace<Real>{depth, axis}, tolerances);
+  return box_box_on<Row>(a, b, axis, depth, gap, tolerances.hair);
 }
 // [on_axis]
 

@@ -27,6 +27,10 @@ std::optional<Manifold<double>> meet(int, const A& a, const B& b, double margin)
   return within(a, b, margin);
 }
 
+/// Edges that lie along each other but for this share of the size of two boxes cross nowhere: where
+/// they did would be chance, and another place in every step.
+inline constexpr double share_of_hair = 1e-10;
+
 /// That of two boxes, on the axis of the frame before, −1 if there was none, unless another is
 /// better, or a face nearly as good as a pair of edges.
 ///
@@ -47,7 +51,8 @@ meet(int before, const Obb<double>& a, const Obb<double>& b, double margin)
   const double growth = margin / 2 *
                         ((a.axes.transpose() * normal).cwiseAbs().sum() +
                          (b.axes.transpose() * normal).cwiseAbs().sum());
-  return box_box_on<Registers<double>>(a, b, axis, overlap - growth, growth + margin);
+  const double hair = share_of_hair * tolerances_of(a, b).size;
+  return box_box_on<Registers<double>>(a, b, axis, overlap - growth, growth + margin, hair);
 }
 
 /// The axis on which the manifold of a contact was built in the frame before; −1 if it had none.

@@ -32,7 +32,7 @@
   ELSEWHERE template std::optional<std::pair<int, REAL>> box_axis_in<__VA_ARGS__>(                 \
       const Obb<REAL>&, const Obb<REAL>&);                                                         \
   ELSEWHERE template std::optional<Manifold<REAL>> box_box_on<__VA_ARGS__>(                        \
-      const Obb<REAL>&, const Obb<REAL>&, int, const REAL&, const REAL&);
+      const Obb<REAL>&, const Obb<REAL>&, int, const REAL&, const REAL&, const REAL&);
 
 namespace cookbook
 {
