@@ -117,6 +117,38 @@ TEST_CASE("the two points of a contact lie on the two surfaces: 10,000 of each p
 }
 // [on_surfaces]
 
+// [world_hair]
+TEST_CASE("edges that lie along each other but for 1e-11 cross nowhere, for 1e-8 they do", "[O14]")
+{
+  const auto points = [](double size, double turned)
+  {
+    const SceneBody below = box_body("below", {size, size, size}, {0, 0, 0});
+    SceneBody above = box_body("above", {size, size, size}, {0.875 * size, 2 * size, 0});
+    above.orientation = rotation_by<double>(V(0, turned, 0));
+    const RigidBody a = rigid_body(below), b = rigid_body(above);
+    WorldContact contact;
+    std::visit(UpdateContact{contact, a, b, 0.01, 0.01}, below.shape, above.shape);
+    for (const WorldPoint& point : contact.points)
+    {
+      const V place = a.axes * point.on_a / size;
+      const double from_corner = std::min(std::abs(place.x() - 1), std::abs(place.x() + 0.125)) +
+                                 std::abs(std::abs(place.z()) - 1);
+      CHECK((contact.points.size() > 4 || from_corner <= 2 * std::abs(turned) + 1e-14));
+    }
+    return contact.points.size();
+  };
+  for (const double size : {0.01, 0.5, 30.0})
+  {
+    for (const double sign : {-1.0, 0.0, 1.0})
+    {
+      CAPTURE(size, sign);
+      CHECK(points(size, sign * 1e-11) == 4);
+      CHECK(points(size, sign * 1e-8) == (sign == 0 ? 4 : 6));
+    }
+  }
+}
+// [world_hair]
+
 // [kept_points]
 TEST_CASE("a point of a contact keeps what is known of it as long as its feature is there")
 {
@@ -156,8 +188,7 @@ TEST_CASE("a point of a contact keeps what is known of it as long as its feature
 }
 // [kept_points]
 
-TEST_CASE(
-    "a slanted box of 1 m is as deep in a plane as its deepest corner, whichever that is")
+TEST_CASE("a slanted box of 1 m is as deep in a plane as its deepest corner, whichever that is")
 {
   BoxDraw draw(3);
   for (int i = 0; i < 100; ++i)
