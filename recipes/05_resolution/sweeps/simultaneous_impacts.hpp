@@ -57,7 +57,8 @@ inline double lost_speed(const IslandPoint& point)
 
 /// Brings points to a share of their targets, and keeps the others from closing, one after the
 /// other until a round changes nothing by more than 1e-13 of the fastest speed, or by more than is
-/// lost to rounding, or 200 times.
+/// lost to rounding, or 200 times. Two points that stick may strain against each other and move
+/// nothing: where little changes, and no less than the round before, that is all that is left.
 inline void reach_targets(std::vector<ImpactPoint>& points, double share)
 {
   double fastest = 0, lost = 0;
@@ -69,17 +70,19 @@ inline void reach_targets(std::vector<ImpactPoint>& points, double share)
     lost = std::max(lost, lost_speed(one.point));
   }
   const double enough = std::max(1e-13 * fastest, lost);
-  double missing = fastest;
-  for (int round = 0; round < 200 && missing > enough; ++round)
+  double missing = fastest, before = 2 * fastest;
+  const auto strains = [&] { return missing <= 1e-5 * fastest && missing > 0.99 * before; };
+  for (int round = 0; round < 200 && missing > enough && !strains(); ++round)
   {
+    before = missing;
     missing = 0;
     for (ImpactPoint& one : points)
     {
-      const double before = one.point.impulse;
+      const double given = one.point.impulse;
       const double target = share * one.target;
       add_impulse(one.point, one.point.normal_mass * (target - parting_speed(one.point)));
       add_friction(one.point);
-      missing = std::max(missing, std::abs(one.point.impulse - before) / one.point.normal_mass);
+      missing = std::max(missing, std::abs(one.point.impulse - given) / one.point.normal_mass);
     }
   }
 }
