@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
@@ -375,7 +376,7 @@ TEST_CASE("who has fallen after 8 s, and who has sunk as his springs say", "[cas
       {"tower_20", {"cold", "warm"}},
       {"pyramid", {"cold"}},
       {"heavy_on_light_100", {"cold", "warm"}},
-      {"plates", {}}};
+      {"plates", {}}}; // cold and warm they lean, by a third of a metre and more
   // Springs of this frequency in place of the direct solver's: what it sinks, times 1/ω² over its
   // own 10⁻⁷ h² / (4 β).
   const double frequency = 2 * std::numbers::pi * 0.125 * 60 * 16;
@@ -440,7 +441,8 @@ TEST_CASE("30 cubes hurled at each other keep their momentum to rounding, stiff 
 }
 
 TEST_CASE(
-    "of twelve pyramids whose rows fall on each other, ten are solved exactly after 7 s", "[long]")
+    "of twelve pyramids whose rows fall on each other, at least ten are solved exactly after 7 s",
+    "[long]")
 {
   int exactly = 0;
   for (int i = 0; i < 12; ++i)
@@ -448,12 +450,12 @@ TEST_CASE(
     const double apart = 4e-4 * std::pow(1.12, i);
     const Answers last = answers_of(close_pyramid(apart), 8, 7);
     CAPTURE(apart, last.exact);
+    REQUIRE(last.frames > 0);
     // At rest no contact carries more than the lowest of a tower, 18 units, see above.
     const bool exact = last.exact == last.frames;
     CHECK((!exact || last.overlap < 18 * 9.81 / 3600 * 1e-7 / 0.8));
     exactly += exact ? 1 : 0;
   }
-  CAPTURE(exactly);
   CHECK(exactly >= 10);
 }
 
@@ -503,7 +505,7 @@ TEST_CASE("a soft contact gives way to what it carried at 1 cm/s, and is never s
   const DirectSettings stiff;
   using Catch::Approx;
   CHECK(stiffness_of(contact, 2, stiff).push == Approx(1 / 2e-7));
-  CHECK(stiffness_of(contact, 2, stiff).grip == Approx(1 / 2e-7));
+  CHECK(stiffness_of(contact, 2, stiff).push == stiffness_of(contact, 2, stiff).grip);
   CHECK(stiffness_of(contact, 2, settings_at(1)).push == Approx(1 / 0.06));
   CHECK(stiffness_of(contact, 2, settings_at(1)).grip == Approx(1 / 1.8));
   point.impulse = 4;
@@ -675,3 +677,42 @@ TEST_CASE("where there is no answer, the direct solver pauses for 1, 2, 4, 8 and
   CHECK(frames_passed_after(37) == 16);
 }
 // [direct_or_soft]
+
+TEST_CASE(
+    "moved bounds leave missing what is missing at them, whichever points grip, slip or let go")
+{
+  BoxDraw draw(7);
+  WorldContact contact;
+  contact.friction = 0.5;
+  int moved = 0;
+  for (int i = 0; i < 200; ++i)
+  {
+    contact.normal = draw.direction();
+    DirectSystem system;
+    for (int body = 0; body < 2; ++body)
+    {
+      const Vector3<double> velocity = draw.vector(-1, 1), spin = draw.vector(-1, 1);
+      system.bodies.push_back({1, Matrix3<double>::Identity(), Vector6::Zero()});
+      system.velocities.push_back((Vector6() << velocity, spin).finished());
+    }
+    for (int point = 0; point < 6; ++point)
+    {
+      DirectPoint& made = system.points.emplace_back();
+      made.arms.a = draw.vector(-1, 1);
+      made.arms.b = draw.vector(-1, 1);
+      made.bias = draw.between(-1, 1);
+      made.held.setZero();
+      made.bound = point < 2 ? std::numeric_limits<double>::infinity() : point * (point - 2.0);
+    }
+    system.contacts.push_back({0, 1, &contact, 0, system.points.size(), {10, 10}});
+    find_missing(system);
+    moved += moved_bounds(system, 1e-9, i % 2 == 0) ? 1 : 0;
+    const std::vector<Vector6> missing = system.missing;
+    find_missing(system);
+    for (std::size_t body = 0; body < 2; ++body)
+    {
+      CHECK((missing[body] - system.missing[body]).norm() <= 1e-13);
+    }
+  }
+  CHECK(moved > 100);
+}

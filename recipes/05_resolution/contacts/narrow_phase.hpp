@@ -27,8 +27,8 @@ std::optional<Manifold<double>> meet(int, const A& a, const B& b, double margin)
   return within(a, b, margin);
 }
 
-/// Edges that lie along each other but for this share of the size of two boxes cross nowhere: where
-/// they did would be chance, and another place in every step.
+/// Edges of two boxes that lie along each other to within this share of all their half extents
+/// together do not cross: where they did would be chance, and another place in every step.
 inline constexpr double share_of_hair = 1e-10;
 
 /// That of two boxes, on the axis of the frame before, −1 if there was none, unless another is

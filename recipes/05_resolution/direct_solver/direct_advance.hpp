@@ -24,13 +24,6 @@ inline double missing_along(const DirectSystem& system, const std::vector<Vector
   return sum;
 }
 
-/// Takes down in which way all points push.
-inline void take_ways(const std::vector<DirectPoint>& points, std::vector<PushingWay>& ways)
-{
-  ways.resize(points.size());
-  std::transform(points.begin(), points.end(), ways.begin(), way_of);
-}
-
 /// True if all points push in the way that they did before, and none slips.
 inline bool
 push_as_before(const std::vector<DirectPoint>& now, const std::vector<PushingWay>& before)
@@ -47,13 +40,14 @@ struct Advance
 {
   double part; ///< [1], of the way
   bool exact;  ///< all of it, and no point pushes in another way than before
-  bool stuck;  ///< at a point whose friction comes all at once, for it has no bound yet
+  bool stuck;  ///< nowhere did the energy stop falling, as at a point without a bound
 };
 
 /// Goes along a change of velocities to where the energy stops falling.
 inline Advance advance(DirectSystem& system, const std::vector<Vector6>& change)
 {
-  take_ways(system.points, system.ways_before);
+  system.ways_before.resize(system.points.size());
+  std::transform(system.points.begin(), system.points.end(), system.ways_before.begin(), way_of);
   system.velocities_before = system.velocities;
   const double steep = missing_along(system, change);
   double low = 0, high = 1, at_low = steep, at_high = 0, part = 1;

@@ -94,14 +94,14 @@ inline void press(
     point.wanted = point.held - slip * stiffness.grip;
   }
   point.friction = point.wanted;
-  if (point.wanted.squaredNorm() > point.bound * point.bound)
+  if (!(point.wanted.squaredNorm() <= point.bound * point.bound))
   {
     point.friction = within_cone(point.wanted, point.bound);
     point.grip = Grip::slip;
   }
 }
 
-/// How much impulse [N s] a velocity [m/s] at a pressed point changes: its stiffness [kg].
+/// How much impulse [N s] a velocity [m/s] at a point changes: its stiffness [kg].
 inline Matrix3<double> stiffness_at(
     const DirectPoint& point, const Vector3<double>& normal, const DirectStiffness& stiffness)
 {

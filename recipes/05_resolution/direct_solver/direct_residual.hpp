@@ -26,7 +26,7 @@ inline void press(DirectSystem& system, const DirectContact& contact)
   }
 }
 
-/// Adds `times` what the points of a contact give its bodies to what these are missing.
+/// Adds what the points of a contact give its two bodies, so many times, to what these are missing.
 inline void add_impulses(DirectSystem& system, const DirectContact& contact, double times)
 {
   const Vector3<double> normal = contact.of->normal;

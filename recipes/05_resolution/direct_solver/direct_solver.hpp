@@ -52,9 +52,9 @@ inline bool moved_bounds(DirectSystem& system, double tolerance, bool all)
       }
       const double bound = contact.of->friction * point.impulse;
       const double above = point.friction.norm() - bound;
-      const bool slips = point.grip == Grip::slip, grips = point.grip != Grip::none;
-      any = any || above > 0 || (slips && above < 0) || grips != (bound > 0);
-      far = far || above > tolerance || (slips && -above > tolerance);
+      const bool sticks = point.grip == Grip::stick, grips = point.grip != Grip::none;
+      any = any || above > 0 || (!sticks && above < 0) || grips != (bound > 0);
+      far = far || above > tolerance || (!sticks && -above > tolerance);
       point.bound = bound;
     }
     if (any)

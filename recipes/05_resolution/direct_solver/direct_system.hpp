@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief An island as a system of equations: its bodies, its contact points, and what is missing.
+/// \brief An island as a system of equations: its bodies, contacts and points, and its matrix.
 
 #include "05_resolution/direct_solver/direct_blocks.hpp"
 #include "05_resolution/direct_solver/direct_give.hpp"

@@ -58,7 +58,8 @@ inline double lost_speed(const IslandPoint& point)
 /// Brings points to a share of their targets, and keeps the others from closing, one after the
 /// other until a round changes nothing by more than 1e-13 of the fastest speed, or by more than is
 /// lost to rounding, or 200 times. Two points that stick may strain against each other and move
-/// nothing: where little changes, and no less than the round before, that is all that is left.
+/// nothing: so it also ends where a round changes less than 1e-5 of the fastest speed, and no less
+/// than 0.999 of what the round before did.
 inline void reach_targets(std::vector<ImpactPoint>& points, double share)
 {
   double fastest = 0, lost = 0;
@@ -71,7 +72,7 @@ inline void reach_targets(std::vector<ImpactPoint>& points, double share)
   }
   const double enough = std::max(1e-13 * fastest, lost);
   double missing = fastest, before = 2 * fastest;
-  const auto strains = [&] { return missing <= 1e-5 * fastest && missing > 0.99 * before; };
+  const auto strains = [&] { return missing <= 1e-5 * fastest && missing > 0.999 * before; };
   for (int round = 0; round < 200 && missing > enough && !strains(); ++round)
   {
     before = missing;
