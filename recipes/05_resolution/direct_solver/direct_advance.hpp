@@ -31,7 +31,7 @@ push_as_before(const std::vector<DirectPoint>& now, const std::vector<PushingWay
   return std::equal(
       now.begin(), now.end(), before.begin(),
       [](const DirectPoint& one, const PushingWay& then)
-      { return way_of(one) == then && one.grip != Grip::slip; });
+      { return one == then && one.grip != Grip::slip; });
 }
 
 // [direct_advance]
@@ -46,8 +46,7 @@ struct Advance
 /// Goes along a change of velocities to where the energy stops falling.
 inline Advance advance(DirectSystem& system, const std::vector<Vector6>& change)
 {
-  system.ways_before.resize(system.points.size());
-  std::transform(system.points.begin(), system.points.end(), system.ways_before.begin(), way_of);
+  system.ways_before.assign(system.points.begin(), system.points.end());
   system.velocities_before = system.velocities;
   const double steep = missing_along(system, change);
   double low = 0, high = 1, at_low = steep, at_high = 0, part = 1;

@@ -108,7 +108,7 @@ inline DirectBlocks blocks_of(
   DirectBlocks blocks = even.blocks(stiffness.push);
   for (const DirectPoint& point : points)
   {
-    if (!resists_evenly(point) && (point.pressed || point.grip != Grip::none))
+    if (!resists_evenly(point) && pushes(point))
     {
       add_point(blocks, point, stiffness_at(point, normal, stiffness));
     }

@@ -44,21 +44,6 @@ struct DirectStiffness
   double grip; ///< across it
 };
 
-/// A contact point as Newton's method sees it.
-struct DirectPoint
-{
-  Arms<double> arms;        ///< [m], world, from the centres of mass
-  double bias;              ///< [m/s], the speed at which the gap may close, or is to open
-  double bound;             ///< [N s], the most that friction can do; infinite: not known yet
-  bool solved;              ///< whether the frame before knew it
-  Vector3<double> held;     ///< [N s], friction that there is without any slip
-  bool pressed;             ///< whether the surfaces push
-  Grip grip;                ///< what friction does
-  double impulse;           ///< [N s], along the normal
-  Vector3<double> friction; ///< [N s], across it
-  Vector3<double> wanted;   ///< [N s], friction that would hold the surfaces
-};
-
 /// In which way a point pushes.
 struct PushingWay
 {
@@ -68,11 +53,24 @@ struct PushingWay
   bool operator==(const PushingWay&) const = default;
 };
 
-/// In which way a point pushes now.
-inline PushingWay way_of(const DirectPoint& point)
+/// Whether a point pushes at all.
+inline bool pushes(const PushingWay& way)
 {
-  return {point.pressed, point.grip};
+  return way.pressed || way.grip != Grip::none;
 }
+
+/// A contact point as Newton's method sees it.
+struct DirectPoint : PushingWay
+{
+  Arms<double> arms;        ///< [m], world, from the centres of mass
+  double bias;              ///< [m/s], the speed at which the gap may close, or is to open
+  double bound;             ///< [N s], the most that friction can do; infinite: not known yet
+  bool solved;              ///< whether the frame before knew it
+  Vector3<double> held;     ///< [N s], friction that there is without any slip
+  double impulse;           ///< [N s], along the normal
+  Vector3<double> friction; ///< [N s], across it
+  Vector3<double> wanted;   ///< [N s], friction that would hold the surfaces
+};
 
 /// Sets what pushes at a point whose surfaces move past each other at a velocity [m/s].
 ///

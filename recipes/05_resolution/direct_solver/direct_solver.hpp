@@ -52,9 +52,10 @@ inline bool moved_bounds(DirectSystem& system, double tolerance, bool all)
       }
       const double bound = contact.of->friction * point.impulse;
       const double above = point.friction.norm() - bound;
-      const bool sticks = point.grip == Grip::stick, grips = point.grip != Grip::none;
-      any = any || above > 0 || (!sticks && above < 0) || grips != (bound > 0);
-      far = far || above > tolerance || (!sticks && -above > tolerance);
+      const auto off_by_more_than = [&](double most)
+      { return above > most || (point.grip != Grip::stick && -above > most); };
+      any = any || off_by_more_than(0) || (point.grip != Grip::none) != (bound > 0);
+      far = far || off_by_more_than(tolerance);
       point.bound = bound;
     }
     if (any)

@@ -32,7 +32,7 @@ public:
       }
       if (pushes(point))
       {
-        points_.push_back({way_of(point), point.arms});
+        points_.push_back({point, point.arms});
       }
     }
   }
@@ -58,14 +58,11 @@ private:
     Arms<double> arms;
   };
 
-  static bool pushes(const DirectPoint& point) { return point.pressed || point.grip != Grip::none; }
-
   static bool is_same(const DirectPoint& now, const Pushed& then)
   {
     const auto stays = [](const Vector3<double>& one, const Vector3<double>& other)
     { return (one - other).squaredNorm() <= 1e-18 * other.squaredNorm(); };
-    return way_of(now) == then.way && stays(now.arms.a, then.arms.a) &&
-           stays(now.arms.b, then.arms.b);
+    return now == then.way && stays(now.arms.a, then.arms.a) && stays(now.arms.b, then.arms.b);
   }
 
   std::vector<Pushed> points_;
