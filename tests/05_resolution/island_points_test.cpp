@@ -4,7 +4,7 @@
 
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/soft_steps/soft_steps.hpp"
-#include "05_resolution/sweeps/simultaneous_impacts.hpp"
+#include "05_resolution/islands/simultaneous_impacts.hpp"
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"

@@ -3,7 +3,7 @@
 /// \file
 /// \brief What bodies would pass through in a step: found in the order of time, and bounced off.
 
-#include "05_resolution/sweeps/touch_bounce.hpp"
+#include "05_resolution/sweeps/impact_group.hpp"
 #include "05_resolution/sweeps/touch_queue.hpp"
 
 #include <algorithm>
@@ -18,8 +18,8 @@ namespace cookbook
 {
 
 // [step_sweeps]
-/// The most touches of one body in one step; from then on it only stops, and a box does not turn;
-/// after as many more it stays where it is.
+/// The most touches of a body in a step; then it only stops, no box turns; after as many more it
+/// stays where it is.
 inline constexpr int most_touches_a_step = 64;
 
 /// Corrects a step in which bodies would have passed through something.
@@ -80,7 +80,8 @@ private:
     const double threshold = threshold_of(step_, touch);
     const double slow = tired ? std::numeric_limits<double>::infinity()
                               : std::min(threshold, thinness(step_.scene, first) / (2 * duration_));
-    double approach = bounce(step_.scene, touch, met, a, b, slow);
+    const auto at_touch = [&](int i) { return at(i, touch.time); };
+    double approach = bounce_together(step_, touch, met, a, b, slow, at_touch, driven_);
     if (approach > threshold)
     {
       touches_.come_back(first);
@@ -126,30 +127,32 @@ private:
     {
       hit_.insert(hit_.end(), {first, other});
     }
-    // Their ways close, though by their velocities at the end they part: a solver turned them
-    // round.
+    // A solver turned them round: they close in, though by their velocities at the end they part.
     const bool turned = how == Onward::held && approach == 0 && is_swept_box(step_, other);
     if (approach > 0 || frozen || turned)
     {
-      pass_on(b, touch, met, frozen || turned ? how : Onward::free);
+      pass_on(other, b, touch, met, frozen || turned ? how : Onward::free);
     }
+    for (const StruckBody& one : driven_)
+    {
+      touches_.come_back(one.number);
+      pass_on(one.number, one.body, touch, met, Onward::free);
+      hit_.push_back(one.number);
+    }
+    driven_.clear();
     touches_.look_around(changed_, touch.time);
     changed_.clear();
   }
 
-  /// Has the other of two bodies that have touched go on, or only takes down its velocities.
-  void pass_on(const RigidBody& body, const CourseTouch& touch, const Met& met, Onward how)
+  /// Has a body that is hit go on, or only takes down its velocities.
+  void pass_on(int i, const RigidBody& body, const CourseTouch& touch, const Met& met, Onward how)
   {
-    RigidBody& end = ends_[place_of(touch.other)];
-    if (goes_on(step_, touch.other))
+    if (goes_on(step_, i))
     {
-      go_on(touch.other, body, touch, met, how);
+      return go_on(i, body, touch, met, how);
     }
-    else
-    {
-      end.motion.velocity = body.motion.velocity;
-      end.motion.angular_velocity = body.motion.angular_velocity;
-    }
+    Motion<double>& end = ends_[place_of(i)].motion;
+    end = {end.center, body.motion.velocity, body.motion.angular_velocity};
   }
 
   /// Lets a body go on from where it is when it touches, for the rest of the step.
@@ -185,10 +188,11 @@ private:
   std::span<RigidBody> ends_;
   std::vector<int>& hit_;
   double duration_;
-  std::vector<int> touched_;    // how often each body has touched something
-  std::vector<bool> is_held_;   // whether each body does not turn any more
-  std::deque<RigidBody> turns_; // bodies as they went on from a touch, where courses begin
-  std::vector<int> changed_;    // who goes on from the touch at hand
+  std::vector<int> touched_;       // how often each body has touched something
+  std::vector<bool> is_held_;      // whether each body does not turn any more
+  std::deque<RigidBody> turns_;    // bodies as they went on from a touch, where courses begin
+  std::vector<StruckBody> driven_; // whom those that touch drive along
+  std::vector<int> changed_;       // who goes on from the touch at hand
   TouchQueue touches_;
 };
 // [step_sweeps]

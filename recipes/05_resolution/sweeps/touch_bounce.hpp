@@ -5,10 +5,11 @@
 /// once.
 
 #include "05_resolution/contacts/contact_cache.hpp"
+#include "05_resolution/islands/simultaneous_impacts.hpp"
 #include "05_resolution/sweeps/next_touch.hpp"
-#include "05_resolution/sweeps/simultaneous_impacts.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -21,11 +22,13 @@ namespace cookbook
 using Met = std::optional<Manifold<double>>;
 
 /// The manifold of a box and another shape that touch: of all that is nearly as near as what
-/// touches first, so that a box that lands flat does so on all corners. None where there is no box.
+/// touches first, so that a box that lands flat does so on all corners. None where there is no box,
+/// or where they are farther apart than that [m].
 struct MeetOnCourse
 {
   const RigidBody& a;
   const RigidBody& b;
+  double farthest;
 
   template <class Shape>
   Met operator()(const BoxShape& box, const Shape& other) const
@@ -33,7 +36,8 @@ struct MeetOnCourse
     const Obb<double> here = placed(a, box);
     const auto there = placed(b, other);
     const double apart = std::max(0.0, way_between(here, there).length);
-    return meet(-1, here, there, 2 * apart + 1e-3 * thinness_of(box));
+    return apart > farthest ? std::nullopt
+                            : meet(-1, here, there, 2 * apart + 1e-3 * thinness_of(box));
   }
   template <class Shape, class Other>
   Met operator()(const Shape&, const Other&) const
@@ -42,9 +46,11 @@ struct MeetOnCourse
   }
 };
 
-/// The manifold of two bodies of a scene where they touch: that of a ball has one point.
-inline Met
-touch_manifold(const Scene& scene, const CourseTouch& touch, const RigidBody& a, const RigidBody& b)
+/// The manifold of two bodies of a scene where they touch: that of a ball has one point. A box
+/// does not touch what is farther away than that [m].
+inline Met touch_manifold(
+    const Scene& scene, const CourseTouch& touch, const RigidBody& a, const RigidBody& b,
+    double farthest = std::numeric_limits<double>::infinity())
 {
   const auto& shape = scene.bodies[place_of(touch.first)].shape;
   if (const SphereShape* const ball = std::get_if<SphereShape>(&shape))
@@ -52,7 +58,7 @@ touch_manifold(const Scene& scene, const CourseTouch& touch, const RigidBody& a,
     const Vector3<double> place = a.motion.center + ball->radius * touch.normal;
     return Manifold<double>{touch.normal, 0, ContactPoints<double, 8>({place, 0, 0})};
   }
-  return std::visit(MeetOnCourse{a, b}, shape, scene.bodies[place_of(touch.other)].shape);
+  return std::visit(MeetOnCourse{a, b, farthest}, shape, scene.bodies[place_of(touch.other)].shape);
 }
 
 /// Calls `hold(place)` [m], world, for the points at which a box touches; for the centre of a ball,
@@ -104,22 +110,23 @@ inline double threshold_of(const StepCourses& step, const CourseTouch& touch)
   return bounce_threshold(std::max(step.scene.gravity.norm(), pressing), step.scene.step);
 }
 
-/// Lets two bodies of a scene bounce where they touch, with friction, and says at what speed [m/s]
-/// they met; R2, R6. An approach up to a threshold [m/s] only ends; 0, and nothing changes, if they
-/// part, or do not quite touch.
-inline double bounce(
-    const Scene& scene, const CourseTouch& touch, const Met& met, RigidBody& a, RigidBody& b,
-    double threshold)
+/// The contact of two bodies of a scene where they touch.
+inline WorldContact touch_contact(
+    const Scene& scene, const CourseTouch& touch, const Manifold<double>& met, const RigidBody& a,
+    const RigidBody& b)
 {
-  if (!met)
-  {
-    return 0;
-  }
   WorldContact contact = new_contact(scene, touch.first, touch.other);
-  renew(contact, *met, a, b);
+  renew(contact, met, a, b);
+  return contact;
+}
+
+/// Adds the points of a contact of two bodies, and says how fast [m/s] they close; up to a
+/// threshold [m/s] that only ends.
+inline double add_impact_points(
+    RigidBody& a, RigidBody& b, WorldContact& contact, double threshold,
+    std::vector<ImpactPoint>& points)
+{
   double fastest = 0;
-  std::vector<ImpactPoint> points;
-  points.reserve(contact.points.size());
   for (WorldPoint& sum : contact.points)
   {
     const IslandPoint point = island_point(a, b, contact, sum);
@@ -127,10 +134,28 @@ inline double bounce(
     points.push_back({point, approach > threshold ? contact.restitution * approach : 0});
     fastest = std::max(fastest, approach);
   }
+  return fastest;
+}
+
+/// Lets two bodies of a scene bounce where they touch, with friction, and says at what speed [m/s]
+/// they met; R2, R6. An approach up to a threshold [m/s] only ends; 0, and nothing changes, if they
+/// part, or do not quite touch.
+inline double bounce(
+    const Scene& scene, const CourseTouch& touch, const Met& met, RigidBody& a, RigidBody& b,
+    double threshold, double accuracy = exact_bounce)
+{
+  if (!met)
+  {
+    return 0;
+  }
+  WorldContact contact = touch_contact(scene, touch, *met, a, b);
+  std::vector<ImpactPoint> points;
+  points.reserve(contact.points.size());
+  const double fastest = add_impact_points(a, b, contact, threshold, points);
   if (fastest > 0)
   {
     RigidBody* const bodies[] = {&a, &b};
-    bounce(points, bodies);
+    bounce(points, bodies, accuracy);
   }
   return fastest;
 }

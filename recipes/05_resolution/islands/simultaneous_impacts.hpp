@@ -55,12 +55,16 @@ inline double lost_speed(const IslandPoint& point)
          (fastest(point.a->motion, point.arms.a) + fastest(point.b->motion, point.arms.b));
 }
 
+/// How accurate a bounce is, as a share of the fastest speed.
+inline constexpr double exact_bounce = 1e-13;
+
 /// Brings points to a share of their targets, and keeps the others from closing, one after the
-/// other until a round changes nothing by more than 1e-13 of the fastest speed, or by more than is
-/// lost to rounding, or 200 times. Two points that stick may strain against each other and move
-/// nothing: so it also ends where a round changes less than 1e-5 of the fastest speed, and no less
-/// than 0.999 of what the round before did.
-inline void reach_targets(std::vector<ImpactPoint>& points, double share)
+/// other until a round changes nothing by more than the accuracy, a share of the fastest speed, or
+/// by more than is lost to rounding, or 200 times. Two points that stick may strain against each
+/// other and move nothing: so it also ends where a round changes less than 1e-5 of the fastest
+/// speed, and no less than 0.999 of what the round before did.
+inline void
+reach_targets(std::vector<ImpactPoint>& points, double share, double accuracy = exact_bounce)
 {
   double fastest = 0, lost = 0;
   for (ImpactPoint& one : points)
@@ -70,7 +74,7 @@ inline void reach_targets(std::vector<ImpactPoint>& points, double share)
     fastest = std::max({fastest, one.target, -parting_speed(one.point)});
     lost = std::max(lost, lost_speed(one.point));
   }
-  const double enough = std::max(1e-13 * fastest, lost);
+  const double enough = std::max(accuracy * fastest, lost);
   double missing = fastest, before = 2 * fastest;
   const auto strains = [&] { return missing <= 1e-5 * fastest && missing > 0.999 * before; };
   for (int round = 0; round < 200 && missing > enough && !strains(); ++round)
@@ -90,7 +94,9 @@ inline void reach_targets(std::vector<ImpactPoint>& points, double share)
 
 /// Lets points bounce, with as much of their restitution as leaves these bodies no more energy than
 /// they had: with friction the whole of it may give them some.
-inline void bounce(std::vector<ImpactPoint>& points, std::span<RigidBody* const> bodies)
+inline void bounce(
+    std::vector<ImpactPoint>& points, std::span<RigidBody* const> bodies,
+    double accuracy = exact_bounce)
 {
   std::vector<Motion<double>> before;
   before.reserve(bodies.size());
@@ -110,7 +116,7 @@ inline void bounce(std::vector<ImpactPoint>& points, std::span<RigidBody* const>
   const double energy_before = energy();
   for (const double share : {1.0, 0.8, 0.6, 0.4, 0.2, 0.0})
   {
-    reach_targets(points, share);
+    reach_targets(points, share, accuracy);
     if (energy() <= energy_before * (1 + 1e-9))
     {
       return;

@@ -1,0 +1,192 @@
+#pragma once
+
+/// \file
+/// \brief What a box that is hit drives along: the boxes that it lies against, and the bounce of
+/// all at once.
+
+#include "05_resolution/sweeps/touch_bounce.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <utility>
+#include <vector>
+
+namespace cookbook
+{
+
+// [impact_group]
+/// A body that a touch strikes.
+struct StruckBody
+{
+  int number;
+  RigidBody body;        ///< where it is at the touch, moving as after it
+  Motion<double> before; ///< how it moved before it
+};
+
+/// The most bodies that one touch strikes.
+inline constexpr std::size_t most_struck = 16;
+
+/// Bodies that a touch strikes: two boxes, and what they are driven into by it: boxes and planes
+/// that they lie against, do not bounce off, and would get too deep into in what is left of a step.
+///
+/// One after the other they would have to touch again and again: a heavy box a light one on the
+/// ground as often as it is heavier, and longer than the step lasts.
+class ImpactGroup
+{
+public:
+  /// The two that touch, as they part from each other alone; an approach up to a threshold [m/s]
+  /// only ends.
+  ImpactGroup(
+      const StepCourses& step, const CourseTouch& touch, const Met& met, const StruckBody& first,
+      const StruckBody& other, double threshold)
+      : step_(step), time_(touch.time), threshold_(threshold), bodies_{first, other}
+  {
+    RigidBody &a = bodies_[0].body, &b = bodies_[1].body;
+    pairs_.push_back(
+        {std::minmax(touch.first, touch.other), &a, &b,
+         touch_contact(step.scene, touch, *met, a, b)});
+  }
+
+  /// Takes in whom they drive along, and has all bounce at once. `at(i)` is a body at the touch.
+  template <class At>
+  void strike(const At& at)
+  {
+    for (std::size_t k = 0; k < bodies_.size(); ++k)
+    {
+      if (!is_fixed(bodies_[k].body))
+      {
+        for (const int j : bodies_near(bodies_[k]))
+        {
+          drive(bodies_[k], j, at);
+        }
+      }
+    }
+    if (pairs_.size() > 1)
+    {
+      bounce_at_once();
+    }
+  }
+
+  const std::deque<StruckBody>& bodies() const { return bodies_; } ///< the two that touch first
+
+private:
+  /// Where two of them press on each other.
+  struct Pair
+  {
+    std::pair<int, int> numbers; // the smaller first
+    RigidBody *a, *b;
+    WorldContact contact;
+  };
+
+  static constexpr double rough = 0.01; // of the fastest speed: what is left touches once more
+
+  /// How far apart [m] others may be that a body lies against.
+  double slack(const StruckBody& one) const { return thinness(step_.scene, one.number) / 500; }
+
+  /// What may lie against a body, in order of number: no balls.
+  std::vector<int> bodies_near(const StruckBody& one) const
+  {
+    const auto& shape = step_.scene.bodies[place_of(one.number)].shape;
+    const Eigen::AlignedBox<double, 3> here = bounds_of(one.body, shape, slack(one));
+    std::vector<int> found;
+    step_.tree->each_that(
+        [&](const Eigen::AlignedBox<double, 3>& box) { return boxes_intersect(box, here); },
+        [&](int j)
+        {
+          if (j != one.number && !is_ball(step_.scene, j))
+          {
+            found.push_back(j);
+          }
+        });
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  /// Has one of them bounce off a body that it is driven into, which is one of them from then on.
+  template <class At>
+  void drive(StruckBody& one, int j, const At& at)
+  {
+    const CourseTouch touch{time_, one.number, j, Vector3<double>::Zero(), {}};
+    const std::pair<int, int> pair = std::minmax(one.number, j);
+    const auto is_other = [&](const StruckBody& body) { return body.number == j; };
+    const auto known = std::find_if(bodies_.begin(), bodies_.end(), is_other);
+    const bool is_new = known == bodies_.end();
+    if ((is_new && bodies_.size() == most_struck) || are_paired(pair) ||
+        ignores(step_.scene, pair) || new_contact(step_.scene, one.number, j).restitution > 0)
+    {
+      return;
+    }
+    RigidBody a = one.body, b = is_new ? at(j) : known->body;
+    const Motion<double> before = b.motion;
+    const Met met = touch_manifold(step_.scene, touch, a, b, slack(one));
+    if (!met || ghost_depth(step_.scene, touch, met, a, b) > 0)
+    {
+      return;
+    }
+    WorldContact contact = touch_contact(step_.scene, touch, *met, a, b);
+    std::vector<ImpactPoint> points;
+    const double approach = add_impact_points(a, b, contact, threshold_, points);
+    const double deeper = approach * (step_.scene.step - time_);
+    if (approach > threshold_of(step_, touch) && deeper > harmless_depth(step_.scene, pair))
+    {
+      RigidBody* const both[] = {&a, &b};
+      bounce(points, both, rough);
+      StruckBody& other = is_new ? bodies_.emplace_back(StruckBody{j, b, before}) : *known;
+      one.body.motion = a.motion;
+      other.body.motion = b.motion;
+      pairs_.push_back({pair, &one.body, &other.body, std::move(contact)});
+    }
+  }
+
+  bool are_paired(const std::pair<int, int>& numbers) const
+  {
+    const auto same = [&](const Pair& pair) { return pair.numbers == numbers; };
+    return std::any_of(pairs_.begin(), pairs_.end(), same);
+  }
+
+  void bounce_at_once()
+  {
+    std::vector<RigidBody*> bodies;
+    for (StruckBody& one : bodies_)
+    {
+      one.body.motion = one.before;
+      bodies.push_back(&one.body);
+    }
+    std::vector<ImpactPoint> points;
+    for (Pair& pair : pairs_)
+    {
+      add_impact_points(*pair.a, *pair.b, pair.contact, threshold_, points);
+    }
+    bounce(points, bodies, rough);
+  }
+
+  const StepCourses& step_;
+  double time_, threshold_;
+  std::deque<StruckBody> bodies_;
+  std::deque<Pair> pairs_;
+};
+
+/// Lets two bodies bounce where they touch, and boxes with them what they drive along, which is
+/// added to a list, and says at what speed [m/s] the two met. `at(i)` is a body at the touch.
+template <class At>
+double bounce_together(
+    const StepCourses& step, const CourseTouch& touch, const Met& met, RigidBody& a, RigidBody& b,
+    double threshold, const At& at, std::vector<StruckBody>& driven)
+{
+  const Motion<double> before_a = a.motion, before_b = b.motion;
+  const double approach = bounce(step.scene, touch, met, a, b, threshold);
+  if (approach > threshold_of(step, touch) && !a.round && !b.round)
+  {
+    ImpactGroup group(
+        step, touch, met, {touch.first, a, before_a}, {touch.other, b, before_b}, threshold);
+    group.strike(at);
+    a = group.bodies()[0].body;
+    b = group.bodies()[1].body;
+    driven.assign(group.bodies().begin() + 2, group.bodies().end());
+  }
+  return approach;
+}
+// [impact_group]
+
+} // namespace cookbook
