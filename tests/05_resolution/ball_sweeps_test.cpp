@@ -89,19 +89,35 @@ Vector3<double> seen_from(const World& world, std::size_t other, std::size_t bod
   return from.axes.transpose() * (seen.motion.center - from.motion.center);
 }
 
-/// Whether the ball goes through the wall, and not round it.
+/// Whether the ball goes through the wall, and not round it: in a step both go straight, and the
+/// wall turns steadily.
 bool goes_through(const Shot& shot, const std::string& solver)
 {
   World world(shot.scene, solver_named(solver));
   const Vector3<double> half = std::get<BoxShape>(shot.scene.bodies[1].shape).half_extents;
   for (int i = 0; i < shot.steps; ++i)
   {
-    const Vector3<double> before = seen_from(world, 1, 2);
+    const std::vector<RigidBody> before = world.bodies();
     world.step();
-    const Vector3<double> now = seen_from(world, 1, 2);
-    if (before.x() < 0 && now.x() >= 0)
+    const auto seen = [&](double share) -> Vector3<double>
     {
-      const Vector3<double> cut = before + (now - before) * (before.x() / (before.x() - now.x()));
+      const auto place = [&](std::size_t body) -> Vector3<double>
+      {
+        const Vector3<double>& from = before[body].motion.center;
+        return from + share * (world.bodies()[body].motion.center - from);
+      };
+      const RigidBody &was = before[1], &is = world.bodies()[1];
+      return was.orientation.slerp(share, is.orientation).conjugate() * (place(2) - place(1));
+    };
+    if (seen(0).x() < 0 && seen(1).x() >= 0)
+    {
+      double outside = 0, behind = 1;
+      while (behind - outside > 1e-9)
+      {
+        const double middle = (outside + behind) / 2;
+        (seen(middle).x() < 0 ? outside : behind) = middle;
+      }
+      const Vector3<double> cut = seen(behind);
       if (std::abs(cut.y()) < half.y() && std::abs(cut.z()) < half.z())
       {
         return true;

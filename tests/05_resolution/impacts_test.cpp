@@ -408,14 +408,14 @@ struct Row
 
 } // namespace
 
-TEST_CASE("a cube and up to fifteen more that lie against each other go on at one speed")
+TEST_CASE("a cube and up to seven more that lie against each other go on at one speed")
 {
-  for (const int cubes : {2, 3, 5, 16, 20})
+  for (const int cubes : {2, 3, 5, 8, 12})
   {
     CAPTURE(cubes);
     Row row(cubes, 1e6); // each pair halves the speed: fast enough for all to get too deep
     row.bounce();
-    const int together = std::min(cubes, 16);
+    const int together = std::min(cubes, 8);
     CHECK(row.driven + 2 == static_cast<std::size_t>(together));
     for (int i = 0; i < cubes; ++i)
     {
@@ -443,7 +443,8 @@ TEST_CASE("against what is fixed all stop, heavy ones, too")
   }
 }
 
-TEST_CASE("who bounces, is not touched, is let through or would hardly get deeper is left alone")
+TEST_CASE(
+    "a ball, who bounces, lies apart, is let through or hardly gets deeper is not driven along")
 {
   const auto third = [](const auto& change, double time = 0)
   {
@@ -460,6 +461,8 @@ TEST_CASE("who bounces, is not touched, is let through or would hardly get deepe
   CHECK(third([](Scene& scene) { scene.bodies[2].position.x() += 0.00101; }) == 0);
   CHECK(third([](Scene& scene) { scene.bodies[2].restitution = 0.1; }) == 0);
   CHECK(third([](Scene& scene) { scene.ignored = {{1, 2}}; }) == 0);
+  CHECK(third([](Scene& scene) { scene.bodies[0].shape = SphereShape{0.5}; }) == 1);
+  CHECK(third([](Scene& scene) { scene.bodies[2].shape = SphereShape{0.5}; }) == 0);
   CHECK(third([](Scene& scene) { scene.bodies[2].velocity.x() = 4; }) == 0);
   CHECK(third(nothing, step - 0.0126) == 1); // at 4 m/s it would get 5 cm deep in 12.5 ms
   CHECK(third(nothing, step - 0.0124) == 0);

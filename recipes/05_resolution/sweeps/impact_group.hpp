@@ -24,11 +24,18 @@ struct StruckBody
   Motion<double> before; ///< how it moved before it
 };
 
-/// The most bodies that one touch strikes.
-inline constexpr std::size_t most_struck = 16;
+/// Whether a body drives others along: a box that moves.
+inline bool drives(const RigidBody& body)
+{
+  return !body.round && !is_fixed(body);
+}
 
-/// Bodies that a touch strikes: two boxes, and what they are driven into by it: boxes and planes
-/// that they lie against, do not bounce off, and would get too deep into in what is left of a step.
+/// The most bodies that one touch strikes.
+inline constexpr std::size_t most_struck = 8;
+
+/// Bodies that a touch strikes: the two that touch, and what boxes among them are driven into by
+/// it: boxes and planes that they lie against, do not bounce off, and would get too deep into in
+/// what is left of a step.
 ///
 /// One after the other they would have to touch again and again: a heavy box a light one on the
 /// ground as often as it is heavier, and longer than the step lasts.
@@ -54,7 +61,7 @@ public:
   {
     for (std::size_t k = 0; k < bodies_.size(); ++k)
     {
-      if (!is_fixed(bodies_[k].body))
+      if (drives(bodies_[k].body))
       {
         for (const int j : bodies_near(bodies_[k]))
         {
@@ -176,7 +183,7 @@ double bounce_together(
 {
   const Motion<double> before_a = a.motion, before_b = b.motion;
   const double approach = bounce(step.scene, touch, met, a, b, threshold);
-  if (approach > threshold_of(step, touch) && !a.round && !b.round)
+  if (approach > threshold_of(step, touch) && (drives(a) || drives(b)))
   {
     ImpactGroup group(
         step, touch, met, {touch.first, a, before_a}, {touch.other, b, before_b}, threshold);
