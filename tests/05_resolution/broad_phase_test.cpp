@@ -88,7 +88,7 @@ struct MetPairs
     near.pairs(bounds);
     std::vector<bool> too_deep(starts.size(), false);
     StepCourses step{scene,       starts,  {},   falls,    gone,
-                     near.last(), courses, ways, too_deep, &near.tree()};
+                     near.last(), courses, ways, too_deep, &near.tree(bounds)};
     set_out(step, ends);
     compare(step, ends);
   }

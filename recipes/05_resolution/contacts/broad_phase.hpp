@@ -33,11 +33,10 @@ public:
     {
       find(bounds);
     }
-    now_.assign(bounds.begin(), bounds.end());
     pairs_.clear();
     for (const auto& [a, b] : near_)
     {
-      if (boxes_intersect(now_[place(a)].box, now_[place(b)].box))
+      if (boxes_intersect(bounds[place(a)].box, bounds[place(b)].box))
       {
         pairs_.emplace_back(a, b);
       }
@@ -49,11 +48,11 @@ public:
   const std::vector<std::pair<int, int>>& last() const { return pairs_; } ///< the pairs last found
 
   /// A tree of the bounds last given, to be changed. While it is asked for, nobody is given room.
-  BoundsTree& tree()
+  BoundsTree& tree(std::span<const Bounds> bounds)
   {
     if (roomy_)
     {
-      tree_.refit([&](const Bounds& leaf) { return now_[place(leaf.body)].box; });
+      tree_.refit([&](const Bounds& leaf) { return bounds[place(leaf.body)].box; });
     }
     roomy_ = false;
     asked_ = true;
@@ -123,17 +122,18 @@ private:
   /// Finds all pairs anew, and gives room to all that hardly move.
   void find(std::span<const Bounds> bounds)
   {
-    const bool gives = !asked_ && bounds.size() == now_.size();
+    const bool gives = !asked_ && bounds.size() == rooms_.size();
+    rooms_.resize(bounds.size());
+    for (std::size_t i = 0; i < bounds.size(); ++i)
+    {
+      const auto& before = rooms_[i].box; // as it was the last time, or its room
+      const bool stays =
+          gives && (roomy_ ? before : roomy(before, room / 4)).contains(bounds[i].box);
+      rooms_[i] = bounds[i];
+      rooms_[i].box = stays ? roomy(bounds[i].box, room) : bounds[i].box;
+    }
     roomy_ = asked_ = false;
     moved_ = 0;
-    rooms_.assign(bounds.begin(), bounds.end());
-    for (std::size_t i = 0; gives && i < bounds.size(); ++i)
-    {
-      if (roomy(now_[i].box, room / 4).contains(bounds[i].box))
-      {
-        rooms_[i].box = roomy(bounds[i].box, room);
-      }
-    }
     if (!tree_.follow(rooms_))
     {
       tree_.build(rooms_);
@@ -150,29 +150,30 @@ private:
       places_.resize(static_cast<std::size_t>(bodies));
       places_[static_cast<std::size_t>(bounds[i].body)] = i;
     }
-    found_.clear();
+    std::vector<std::pair<int, int>>& found = pairs_; // which are found anew after this
+    found.clear();
     each_overlap(
         tree_,
         [&](int a, int b)
         {
-          found_.emplace_back(a, b);
-          check(found_.size(), 200);
+          found.emplace_back(a, b);
+          check(found.size(), 200);
         });
-    sort_found(places_.size());
+    sort_into_near(found, places_.size());
     roomy_ = gives;
   }
 
-  /// Puts the pairs that were found in order: first by the first of each, so that few are left.
-  void sort_found(std::size_t bodies)
+  /// Puts pairs that were found in order: first by the first of each, so that few are left.
+  void sort_into_near(std::span<const std::pair<int, int>> found, std::size_t bodies)
   {
-    by_first_.sort(bodies, found_.size(), [&](std::size_t i) { return found_[i].first; });
+    by_first_.sort(bodies, found.size(), [&](std::size_t i) { return found[i].first; });
     near_.clear();
     for (std::size_t body = 0; body < bodies; ++body)
     {
       const std::ptrdiff_t begin = static_cast<std::ptrdiff_t>(near_.size());
       for (const int i : by_first_[body])
       {
-        near_.push_back(found_[static_cast<std::size_t>(i)]);
+        near_.push_back(found[static_cast<std::size_t>(i)]);
       }
       std::sort(near_.begin() + begin, near_.end());
     }
@@ -181,7 +182,7 @@ private:
   BoundsTree tree_;
   Groups by_first_;
   std::vector<std::pair<int, int>> pairs_, near_, found_; // near: by their rooms
-  std::vector<Bounds> now_, rooms_;                       // by their places in the list of bounds
+  std::vector<Bounds> rooms_;                             // by their places in the list of bounds
   std::vector<std::size_t> leaves_, left_; // by the same; the places of those that left
   std::vector<std::size_t> places_;        // of bodies in that list
   std::size_t moved_ = 0;                  // rooms given since pairs were found

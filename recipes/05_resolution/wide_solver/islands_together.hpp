@@ -12,13 +12,13 @@
 namespace cookbook
 {
 
-/// Room for so many, and for half as many again where there has to be more than there was.
+/// Room for so many, and for an eighth more where there has to be more than there was.
 template <class List>
 void make_room(List& all, std::size_t count)
 {
   if (all.capacity() < count)
   {
-    all.reserve(count + count / 2);
+    all.reserve(count + count / 8);
   }
 }
 

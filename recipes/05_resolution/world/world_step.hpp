@@ -5,9 +5,9 @@
 
 #include "05_resolution/contacts/contact_cache.hpp"
 #include "05_resolution/damping/damping.hpp"
+#include "05_resolution/islands/simultaneous_impacts.hpp"
 #include "05_resolution/sweeps/foreseen.hpp"
 #include "05_resolution/sweeps/free_flight.hpp"
-#include "05_resolution/islands/simultaneous_impacts.hpp"
 #include "05_resolution/sweeps/step_sweeps.hpp"
 #include "05_resolution/sweeps/too_deep.hpp"
 #include "05_resolution/world/world_state.hpp"
@@ -122,9 +122,9 @@ inline void sweep(WorldState& world)
                    world.near.last(), world.courses, world.ways,     world.too_deep};
   if (!has_boxes_to_sweep(step, world.ahead, world.bodies) && !world.has_balls)
   {
-    return;
+    return world.courses.shrink_to_fit();
   }
-  step.tree = &world.near.tree();
+  step.tree = &world.near.tree(world.bounds);
   set_out(step, world.bodies);
   std::vector<int> hit;
   StepSweeps(step, world.bodies, hit).run();
