@@ -134,8 +134,7 @@ private:
     WorldContact contact = touch_contact(step_.scene, touch, *met, a, b);
     std::vector<ImpactPoint> points;
     const double approach = add_impact_points(a, b, contact, threshold_, points);
-    const double deeper = approach * (step_.scene.step - time_);
-    if (approach > threshold_of(step_, touch) && deeper > harmless_depth(step_.scene, pair))
+    if (does_harm(step_, touch, approach))
     {
       RigidBody* const both[] = {&a, &b};
       bounce(points, both, rough);
@@ -183,7 +182,7 @@ double bounce_together(
 {
   const Motion<double> before_a = a.motion, before_b = b.motion;
   const double approach = bounce(step.scene, touch, met, a, b, threshold);
-  if (approach > threshold_of(step, touch) && (drives(a) || drives(b)))
+  if (does_harm(step, touch, approach) && (drives(a) || drives(b)))
   {
     ImpactGroup group(
         step, touch, met, {touch.first, a, before_a}, {touch.other, b, before_b}, threshold);

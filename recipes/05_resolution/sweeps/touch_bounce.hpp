@@ -110,6 +110,15 @@ inline double threshold_of(const StepCourses& step, const CourseTouch& touch)
   return bounce_threshold(std::max(step.scene.gravity.norm(), pressing), step.scene.step);
 }
 
+/// Whether two bodies that touch at a speed [m/s] would get too deep into each other in what is
+/// left of a step.
+inline bool does_harm(const StepCourses& step, const CourseTouch& touch, double approach)
+{
+  const double deeper = approach * (step.scene.step - touch.time);
+  return approach > threshold_of(step, touch) &&
+         deeper > harmless_depth(step.scene, {touch.first, touch.other});
+}
+
 /// The contact of two bodies of a scene where they touch.
 inline WorldContact touch_contact(
     const Scene& scene, const CourseTouch& touch, const Manifold<double>& met, const RigidBody& a,
