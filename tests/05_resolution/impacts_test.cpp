@@ -1,5 +1,6 @@
 /// \file
-/// How deep what comes down fast ends in others: a tenth of the smaller of them.
+/// How deep what comes down fast ends in others: a tenth of the smaller of them, and where it is
+/// more.
 
 #include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
@@ -268,16 +269,17 @@ TEST_CASE("corner first in boxes, or in a stack of three, a tenth at 5 and at 30
   }
 }
 
-TEST_CASE("but not always: one of 1,500 on a stack ends a quarter deep under direct")
+TEST_CASE("but not always: under direct one that comes down on a stack ends a quarter deep")
 {
   BoxDraw draw(2);
-  Scene scene;
+  double share = 0;
+  Quaternion<double> turned = flat;
   for (int i = 0; i < 1292; ++i)
   {
-    const double share = draw.between(0, 1);
-    const Quaternion<double> turned(draw.rotation());
-    scene = comes_down("three free boxes", 0.2, 30, share, turned);
+    share = draw.between(0, 1);
+    turned = Quaternion<double>(draw.rotation());
   }
+  const Scene scene = comes_down("three free boxes", 0.2, 30, share, turned);
   CHECK(deepest_in_scene(scene, "direct") == Catch::Approx(0.24).margin(0.04)); // too deep
 }
 // [corners_first]
@@ -341,10 +343,25 @@ TEST_CASE("a cube on a stack, or a hundred times as heavy as what it hits, a ten
         light.bodies[1].mass /= 100;
         CHECK(deepest_in_scene(light, solver) <= 0.1);
       }
-      Scene slow = comes_down("a free box", 0.2, 5, share, slanted); // its weight presses on
-      slow.bodies[1].mass /= 100;
-      CHECK(deepest_in_scene(slow, solver) <= (solver == "direct" ? 0.12 : 0.22));
     }
+  }
+}
+
+TEST_CASE("at 5 m/s the weight of the heavy one presses on: an eighth under direct, else a fifth")
+{
+  const Quaternion<double> slanted =
+      rotation_by<double>(0.4 * Vector3<double>(3, 1, 7).normalized());
+  for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    double deepest = 0;
+    for (int i = 0; i < 20; ++i)
+    {
+      Scene scene = comes_down("a free box", 0.2, 5, (i + 0.5) / 20, slanted);
+      scene.bodies[1].mass /= 100;
+      deepest = std::max(deepest, deepest_in_scene(scene, solver));
+    }
+    CAPTURE(solver);
+    CHECK(deepest == Catch::Approx(solver == "direct" ? 0.11 : 0.21).margin(0.02)); // too deep
   }
 }
 // [at_once]
@@ -395,7 +412,11 @@ struct Row
     std::vector<StruckBody> others;
     const double approach = bounce_together(step, touch, met, a, b, 0.0, at, others);
     CHECK(approach == Catch::Approx(scene.bodies[0].velocity.x()));
-    speeds.assign(starts.size(), 0);
+    speeds.clear();
+    for (const SceneBody& body : scene.bodies)
+    {
+      speeds.push_back(body.velocity.x());
+    }
     speeds[0] = a.motion.velocity.x();
     speeds[1] = b.motion.velocity.x();
     for (const StruckBody& one : others)
@@ -420,10 +441,53 @@ TEST_CASE("a cube and up to seven more that lie against each other go on at one 
     for (int i = 0; i < cubes; ++i)
     {
       const double speed = i < together ? 1e6 / together : 0;
-      CHECK(std::abs(row.speeds[place_of(i)] - speed) <= (i < together ? 2e4 : 0));
+      CHECK(std::abs(row.speeds[place_of(i)] - speed) <= (i < together ? 1e4 : 0));
     }
     const double momentum = std::accumulate(row.speeds.begin(), row.speeds.end(), 0.0);
     CHECK(momentum == Catch::Approx(1e6));
+  }
+}
+
+TEST_CASE("what is fixed is one more, and stops all that are driven into it")
+{
+  Row row(9, 1e6);
+  row.scene.bodies[8].mass = 0;
+  row.bounce();
+  CHECK(row.driven == 7);
+  for (const double speed : row.speeds)
+  {
+    CHECK(std::abs(speed) <= 2e4);
+  }
+}
+
+TEST_CASE("who lies against whom is asked by the smaller one; a large one does not reach farther")
+{
+  for (const bool large : {false, true})
+  {
+    Row row(3);
+    row.scene.bodies[2].shape = BoxShape{Vector3<double>::Constant(large ? 100 : 0.5)};
+    row.scene.bodies[2].position.x() += large ? 99.5 + 0.00101 : 0.00099;
+    row.bounce();
+    CHECK(row.driven == (large ? 0 : 1));
+  }
+}
+
+TEST_CASE("a slab on six boxes is stopped by all of them, whatever hits it")
+{
+  Scene scene{.bodies = {ground()}};
+  const Vector3<double> cube = Vector3<double>::Constant(0.1);
+  for (int i = 0; i < 6; ++i)
+  {
+    scene.bodies.push_back(box_body(numbered("leg", i), cube, {0.4 * i - 1, 0.1, 0}, 8));
+  }
+  scene.bodies.push_back(box_body("slab", {1.2, 0.1, 0.2}, {0, 0.3, 0}, 8));
+  for (const double mass : {8.0, 80.0})
+  {
+    Scene hit = scene;
+    hit.bodies.push_back(box_body("falling", cube, {0, 0.6, 0}, mass));
+    hit.bodies.back().velocity.y() = -30;
+    CHECK(deepest_in_scene(hit, "wide_steps") <= 0.1);
+    CHECK(deepest_in_scene(hit, "direct") <= 0.1);
   }
 }
 
@@ -443,15 +507,20 @@ TEST_CASE("against what is fixed all stop, heavy ones, too")
   }
 }
 
-TEST_CASE(
-    "a ball, who bounces, lies apart, is let through or hardly gets deeper is not driven along")
+TEST_CASE("not driven along: a ball, who bounces, lies apart, is let through or gets hardly deeper")
 {
   const auto third = [](const auto& change, double time = 0)
   {
     Row row(3);
     change(row.scene);
+    const double third = row.scene.bodies[2].velocity.x();
     row.bounce(time);
-    CHECK(row.speeds[0] + row.speeds[1] + row.speeds[2] == Catch::Approx(8));
+    CHECK(row.speeds[0] + row.speeds[1] + row.speeds[2] == Catch::Approx(8 + third));
+    if (row.driven == 0)
+    {
+      CHECK(row.speeds[1] == Catch::Approx(4));
+      CHECK(row.speeds[2] == third);
+    }
     return row.driven;
   };
   const auto nothing = [](Scene&) {};

@@ -47,7 +47,8 @@ public:
 
   const std::vector<std::pair<int, int>>& last() const { return pairs_; } ///< the pairs last found
 
-  /// A tree of the bounds last given, to be changed. While it is asked for, nobody is given room.
+  /// A tree of the bounds that pairs were last found of, to be changed. While it is asked for,
+  /// nobody is given room.
   BoundsTree& tree(std::span<const Bounds> bounds)
   {
     if (roomy_)
@@ -119,7 +120,7 @@ private:
     near_.erase(std::remove_if(near_.begin(), near_.end(), apart), near_.end());
   }
 
-  /// Finds all pairs anew, and gives room to all that hardly move.
+  /// Finds all pairs anew, and gives room to all that have hardly moved, or kept to their room.
   void find(std::span<const Bounds> bounds)
   {
     const bool gives = !asked_ && bounds.size() == rooms_.size();

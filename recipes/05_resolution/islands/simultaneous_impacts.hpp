@@ -93,8 +93,9 @@ reach_targets(std::vector<ImpactPoint>& points, double share, double accuracy = 
 }
 
 /// Lets points bounce, with as much of their restitution as leaves these bodies no more energy than
-/// they had: with friction the whole of it may give them some.
-inline void bounce(
+/// they had: with friction the whole of it may give them some. False, and nothing changes, where
+/// even none does.
+inline bool bounce(
     std::vector<ImpactPoint>& points, std::span<RigidBody* const> bodies,
     double accuracy = exact_bounce)
 {
@@ -119,13 +120,14 @@ inline void bounce(
     reach_targets(points, share, accuracy);
     if (energy() <= energy_before * (1 + 1e-9))
     {
-      return;
+      return true;
     }
     for (std::size_t i = 0; i < bodies.size(); ++i)
     {
       bodies[i]->motion = before[i];
     }
   }
+  return false;
 }
 // [impact_points]
 

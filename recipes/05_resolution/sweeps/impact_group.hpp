@@ -1,8 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief What a box that is hit drives along: the boxes that it lies against, and the bounce of
-/// all at once.
+/// \brief What a box that is hit drives along, and the bounce of all at once.
 
 #include "05_resolution/sweeps/touch_bounce.hpp"
 
@@ -24,21 +23,20 @@ struct StruckBody
   Motion<double> before; ///< how it moved before it
 };
 
-/// Whether a body drives others along: a box that moves.
+/// Whether a body drives others along: a box that can move.
 inline bool drives(const RigidBody& body)
 {
   return !body.round && !is_fixed(body);
 }
 
-/// The most bodies that one touch strikes.
-inline constexpr std::size_t most_struck = 8;
+/// The most bodies that one touch drives along, but for those that are fixed.
+inline constexpr int most_driven = 6;
 
-/// Bodies that a touch strikes: the two that touch, and what boxes among them are driven into by
-/// it: boxes and planes that they lie against, do not bounce off, and would get too deep into in
-/// what is left of a step.
+/// Bodies that a touch strikes: the two that touch, and whatever boxes among them would be pushed
+/// deep into by it: boxes and planes that they lie against and do not bounce off.
 ///
-/// One after the other they would have to touch again and again: a heavy box a light one on the
-/// ground as often as it is heavier, and longer than the step lasts.
+/// One after the other they would touch again and again: a heavy box and a light one under it as
+/// many times as the one is heavier than the other.
 class ImpactGroup
 {
 public:
@@ -55,24 +53,20 @@ public:
          touch_contact(step.scene, touch, *met, a, b)});
   }
 
-  /// Takes in whom they drive along, and has all bounce at once. `at(i)` is a body at the touch.
+  /// Takes in whom they drive along, and has all bounce at once; false if there is nobody, or if
+  /// that would give them energy. `at(i)` is a body at the touch.
   template <class At>
-  void strike(const At& at)
+  bool strike(const At& at)
   {
     for (std::size_t k = 0; k < bodies_.size(); ++k)
     {
-      if (drives(bodies_[k].body))
+      StruckBody& one = bodies_[k];
+      for (const int j : drives(one.body) ? bodies_near(one) : std::vector<int>())
       {
-        for (const int j : bodies_near(bodies_[k]))
-        {
-          drive(bodies_[k], j, at);
-        }
+        drive(one, j, at);
       }
     }
-    if (pairs_.size() > 1)
-    {
-      bounce_at_once();
-    }
+    return pairs_.size() > 1 && bounce_at_once();
   }
 
   const std::deque<StruckBody>& bodies() const { return bodies_; } ///< the two that touch first
@@ -86,16 +80,15 @@ private:
     WorldContact contact;
   };
 
-  static constexpr double rough = 0.01; // of the fastest speed: what is left touches once more
-
-  /// How far apart [m] others may be that a body lies against.
-  double slack(const StruckBody& one) const { return thinness(step_.scene, one.number) / 500; }
+  static constexpr double rough = 0.01; // of the fastest speed: what is left touches again
+  static constexpr double slack = 0.02; // of a depth that does no harm: no farther apart they touch
 
   /// What may lie against a body, in order of number: no balls.
   std::vector<int> bodies_near(const StruckBody& one) const
   {
     const auto& shape = step_.scene.bodies[place_of(one.number)].shape;
-    const Eigen::AlignedBox<double, 3> here = bounds_of(one.body, shape, slack(one));
+    const Eigen::AlignedBox<double, 3> here =
+        bounds_of(one.body, shape, slack * harmless_depth(thinness(step_.scene, one.number)));
     std::vector<int> found;
     step_.tree->each_that(
         [&](const Eigen::AlignedBox<double, 3>& box) { return boxes_intersect(box, here); },
@@ -114,23 +107,27 @@ private:
   template <class At>
   void drive(StruckBody& one, int j, const At& at)
   {
-    const CourseTouch touch{time_, one.number, j, Vector3<double>::Zero(), {}};
+    CourseTouch touch{time_, one.number, j, Vector3<double>::Zero(), {}};
     const std::pair<int, int> pair = std::minmax(one.number, j);
     const auto is_other = [&](const StruckBody& body) { return body.number == j; };
     const auto known = std::find_if(bodies_.begin(), bodies_.end(), is_other);
     const bool is_new = known == bodies_.end();
-    if ((is_new && bodies_.size() == most_struck) || are_paired(pair) ||
-        ignores(step_.scene, pair) || new_contact(step_.scene, one.number, j).restitution > 0)
+    if (are_paired(pair) || ignores(step_.scene, pair) ||
+        new_contact(step_.scene, one.number, j).restitution > 0)
     {
       return;
     }
     RigidBody a = one.body, b = is_new ? at(j) : known->body;
     const Motion<double> before = b.motion;
-    const Met met = touch_manifold(step_.scene, touch, a, b, slack(one));
-    if (!met || ghost_depth(step_.scene, touch, met, a, b) > 0)
+    const bool counts = is_new && !is_fixed(b);
+    const double apart = slack * harmless_depth(step_.scene, pair);
+    const Met met = touch_manifold(step_.scene, touch, a, b, apart);
+    if (!met || (counts && driven_ == most_driven) ||
+        ghost_depth(step_.scene, touch, met, a, b) > 0)
     {
       return;
     }
+    touch.normal = met->normal;
     WorldContact contact = touch_contact(step_.scene, touch, *met, a, b);
     std::vector<ImpactPoint> points;
     const double approach = add_impact_points(a, b, contact, threshold_, points);
@@ -138,6 +135,7 @@ private:
     {
       RigidBody* const both[] = {&a, &b};
       bounce(points, both, rough);
+      driven_ += counts ? 1 : 0;
       StruckBody& other = is_new ? bodies_.emplace_back(StruckBody{j, b, before}) : *known;
       one.body.motion = a.motion;
       other.body.motion = b.motion;
@@ -151,7 +149,7 @@ private:
     return std::any_of(pairs_.begin(), pairs_.end(), same);
   }
 
-  void bounce_at_once()
+  bool bounce_at_once()
   {
     std::vector<RigidBody*> bodies;
     for (StruckBody& one : bodies_)
@@ -164,11 +162,12 @@ private:
     {
       add_impact_points(*pair.a, *pair.b, pair.contact, threshold_, points);
     }
-    bounce(points, bodies, rough);
+    return bounce(points, bodies, rough);
   }
 
   const StepCourses& step_;
   double time_, threshold_;
+  int driven_ = 0; // who can move, beside the two that touch
   std::deque<StruckBody> bodies_;
   std::deque<Pair> pairs_;
 };
@@ -186,10 +185,12 @@ double bounce_together(
   {
     ImpactGroup group(
         step, touch, met, {touch.first, a, before_a}, {touch.other, b, before_b}, threshold);
-    group.strike(at);
-    a = group.bodies()[0].body;
-    b = group.bodies()[1].body;
-    driven.assign(group.bodies().begin() + 2, group.bodies().end());
+    if (group.strike(at))
+    {
+      a = group.bodies()[0].body;
+      b = group.bodies()[1].body;
+      driven.assign(group.bodies().begin() + 2, group.bodies().end());
+    }
   }
   return approach;
 }

@@ -94,6 +94,7 @@ inline void set_out(StepCourses& step, std::span<const RigidBody> ends)
   const std::span<const RigidBody> starts = step.starts;
   const double duration = step.scene.step;
   step.courses.clear();
+  step.courses.reserve(ends.size());
   step.ways.clear();
   for (std::size_t i = 0; i < ends.size(); ++i)
   {

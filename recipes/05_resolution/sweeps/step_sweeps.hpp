@@ -18,8 +18,8 @@ namespace cookbook
 {
 
 // [step_sweeps]
-/// The most touches of a body in a step; then it only stops, no box turns; after as many more it
-/// stays where it is.
+/// The most touches of a body in a step; from then on it only stops, and a box does not turn; after
+/// as many more it stays where it is.
 inline constexpr int most_touches_a_step = 64;
 
 /// Corrects a step in which bodies would have passed through something.

@@ -110,8 +110,8 @@ inline double threshold_of(const StepCourses& step, const CourseTouch& touch)
   return bounce_threshold(std::max(step.scene.gravity.norm(), pressing), step.scene.step);
 }
 
-/// Whether two bodies that touch at a speed [m/s] would get too deep into each other in what is
-/// left of a step.
+/// Whether two bodies that touch at a speed [m/s] would get deeper into each other than does no
+/// harm, in what is left of a step.
 inline bool does_harm(const StepCourses& step, const CourseTouch& touch, double approach)
 {
   const double deeper = approach * (step.scene.step - touch.time);
@@ -151,7 +151,7 @@ inline double add_impact_points(
 /// part, or do not quite touch.
 inline double bounce(
     const Scene& scene, const CourseTouch& touch, const Met& met, RigidBody& a, RigidBody& b,
-    double threshold, double accuracy = exact_bounce)
+    double threshold)
 {
   if (!met)
   {
@@ -164,7 +164,7 @@ inline double bounce(
   if (fastest > 0)
   {
     RigidBody* const bodies[] = {&a, &b};
-    bounce(points, bodies, accuracy);
+    bounce(points, bodies);
   }
   return fastest;
 }

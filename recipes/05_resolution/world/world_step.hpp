@@ -122,7 +122,7 @@ inline void sweep(WorldState& world)
                    world.near.last(), world.courses, world.ways,     world.too_deep};
   if (!has_boxes_to_sweep(step, world.ahead, world.bodies) && !world.has_balls)
   {
-    return world.courses.shrink_to_fit();
+    return world.courses.shrink_to_fit(); // as long as nothing is swept
   }
   step.tree = &world.near.tree(world.bounds);
   set_out(step, world.bodies);
