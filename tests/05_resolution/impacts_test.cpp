@@ -28,6 +28,7 @@ namespace
 {
 
 const Quaternion<double> flat = Quaternion<double>::Identity();
+const Quaternion<double> slanted = rotation_by<double>(0.4 * Vector3<double>(3, 1, 7).normalized());
 
 /// How deep a body of a world is in those before it, as a share of the smallest size of both.
 double deepest_of(const World& world, int body)
@@ -101,6 +102,14 @@ Scene comes_down(
   box.position = {0.07 * edge, top + reach + share * speed * scene.step, 0.03 * edge};
   box.velocity.y() = -speed;
   scene.bodies.push_back(box);
+  return scene;
+}
+
+/// A cube of 20 cm that comes down on one of a hundredth of its mass.
+Scene comes_down_on_light(double speed, double share, const Quaternion<double>& turned)
+{
+  Scene scene = comes_down("a free box", 0.2, speed, share, turned);
+  scene.bodies[1].mass /= 100;
   return scene;
 }
 
@@ -328,8 +337,6 @@ TEST_CASE("a cube that friction brakes to where it is not swept ends no deeper i
 // [at_once]
 TEST_CASE("a cube on a stack, or a hundred times as heavy as what it hits, a tenth at 30 m/s, too")
 {
-  const Quaternion<double> slanted =
-      rotation_by<double>(0.4 * Vector3<double>(3, 1, 7).normalized());
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
   {
     for (int i = 0; i < 20; ++i)
@@ -339,9 +346,7 @@ TEST_CASE("a cube on a stack, or a hundred times as heavy as what it hits, a ten
       CHECK(deepest_in_scene(comes_down("three free boxes", 0.2, 30, share, flat), solver) <= 0.1);
       for (const Quaternion<double>& pose : {flat, slanted})
       {
-        Scene light = comes_down("a free box", 0.2, 30, share, pose);
-        light.bodies[1].mass /= 100;
-        CHECK(deepest_in_scene(light, solver) <= 0.1);
+        CHECK(deepest_in_scene(comes_down_on_light(30, share, pose), solver) <= 0.1);
       }
     }
   }
@@ -349,15 +354,12 @@ TEST_CASE("a cube on a stack, or a hundred times as heavy as what it hits, a ten
 
 TEST_CASE("at 5 m/s the weight of the heavy one presses on: an eighth under direct, else a fifth")
 {
-  const Quaternion<double> slanted =
-      rotation_by<double>(0.4 * Vector3<double>(3, 1, 7).normalized());
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
   {
     double deepest = 0;
     for (int i = 0; i < 20; ++i)
     {
-      Scene scene = comes_down("a free box", 0.2, 5, (i + 0.5) / 20, slanted);
-      scene.bodies[1].mass /= 100;
+      const Scene scene = comes_down_on_light(5, (i + 0.5) / 20, slanted);
       deepest = std::max(deepest, deepest_in_scene(scene, solver));
     }
     CAPTURE(solver);

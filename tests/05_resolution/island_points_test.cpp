@@ -2,9 +2,9 @@
 /// What the world's solvers do at one contact point: friction, however the scene is turned, a gap
 /// that closes in one small step, and bounces beside points that rest.
 
+#include "05_resolution/islands/simultaneous_impacts.hpp"
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/soft_steps/soft_steps.hpp"
-#include "05_resolution/islands/simultaneous_impacts.hpp"
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"

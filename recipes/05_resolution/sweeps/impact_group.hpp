@@ -112,8 +112,7 @@ private:
     const auto is_other = [&](const StruckBody& body) { return body.number == j; };
     const auto known = std::find_if(bodies_.begin(), bodies_.end(), is_other);
     const bool is_new = known == bodies_.end();
-    if (are_paired(pair) || ignores(step_.scene, pair) ||
-        new_contact(step_.scene, one.number, j).restitution > 0)
+    if (are_paired(pair) || ignores(step_.scene, pair))
     {
       return;
     }
@@ -131,7 +130,7 @@ private:
     WorldContact contact = touch_contact(step_.scene, touch, *met, a, b);
     std::vector<ImpactPoint> points;
     const double approach = add_impact_points(a, b, contact, threshold_, points);
-    if (does_harm(step_, touch, approach))
+    if (contact.restitution == 0 && does_harm(step_, touch, approach))
     {
       RigidBody* const both[] = {&a, &b};
       bounce(points, both, rough);

@@ -81,7 +81,8 @@ private:
     const double slow = tired ? std::numeric_limits<double>::infinity()
                               : std::min(threshold, thinness(step_.scene, first) / (2 * duration_));
     const auto at_touch = [&](int i) { return at(i, touch.time); };
-    double approach = bounce_together(step_, touch, met, a, b, slow, at_touch, driven_);
+    std::vector<StruckBody> driven;
+    double approach = bounce_together(step_, touch, met, a, b, slow, at_touch, driven);
     if (approach > threshold)
     {
       touches_.come_back(first);
@@ -133,13 +134,12 @@ private:
     {
       pass_on(other, b, touch, met, frozen || turned ? how : Onward::free);
     }
-    for (const StruckBody& one : driven_)
+    for (const StruckBody& one : driven)
     {
       touches_.come_back(one.number);
       pass_on(one.number, one.body, touch, met, Onward::free);
       hit_.push_back(one.number);
     }
-    driven_.clear();
     touches_.look_around(changed_, touch.time);
     changed_.clear();
   }
@@ -188,11 +188,10 @@ private:
   std::span<RigidBody> ends_;
   std::vector<int>& hit_;
   double duration_;
-  std::vector<int> touched_;       // how often each body has touched something
-  std::vector<bool> is_held_;      // whether each body does not turn any more
-  std::deque<RigidBody> turns_;    // bodies as they went on from a touch, where courses begin
-  std::vector<StruckBody> driven_; // whom those that touch drive along
-  std::vector<int> changed_;       // who goes on from the touch at hand
+  std::vector<int> touched_;    // how often each body has touched something
+  std::vector<bool> is_held_;   // whether each body does not turn any more
+  std::deque<RigidBody> turns_; // bodies as they went on from a touch, where courses begin
+  std::vector<int> changed_;    // who goes on from the touch at hand
   TouchQueue touches_;
 };
 // [step_sweeps]
