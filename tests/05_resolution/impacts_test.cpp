@@ -278,18 +278,18 @@ TEST_CASE("corner first in boxes, or in a stack of three, a tenth at 5 and at 30
   }
 }
 
-TEST_CASE("but not always: under direct one that comes down on a stack ends a quarter deep")
+TEST_CASE("but not always: under direct one that comes down on a stack ends a fifth deep")
 {
   BoxDraw draw(2);
   double share = 0;
   Quaternion<double> turned = flat;
-  for (int i = 0; i < 1292; ++i)
+  for (int i = 0; i < 962; ++i)
   {
     share = draw.between(0, 1);
     turned = Quaternion<double>(draw.rotation());
   }
   const Scene scene = comes_down("three free boxes", 0.2, 30, share, turned);
-  CHECK(deepest_in_scene(scene, "direct") == Catch::Approx(0.24).margin(0.04)); // too deep
+  CHECK(deepest_in_scene(scene, "direct") == Catch::Approx(0.19).margin(0.04)); // too deep
 }
 // [corners_first]
 
@@ -303,6 +303,31 @@ TEST_CASE("two cubes that a solver has turned round in a step both go on from wh
     CHECK(deepest_in_scene(comes_down("a free box", 0.2, 30, share, turned), "soft_steps") <= 0.1);
   }
 }
+
+// [held_back]
+TEST_CASE("a light box carries no heavy one along, which goes no farther than its speed takes it")
+{
+  BoxDraw draw(2);
+  for (int i = 0; i < inputs(40, 4); ++i)
+  {
+    const double share = draw.between(0, 1);
+    const Quaternion<double> turned(draw.rotation());
+    Scene scene = comes_down("two free boxes", 0.2, 5, share, turned);
+    scene.bodies[1].mass /= 1e4;
+    scene.bodies[2].mass /= 1e4;
+    World world(scene, solver_named("direct", 0));
+    for (int step = 0; step < 20; ++step)
+    {
+      const Motion<double> before = world.bodies().back().motion;
+      world.step();
+      const Motion<double>& after = world.bodies().back().motion;
+      const double speed = std::max(before.velocity.norm(), after.velocity.norm());
+      CAPTURE(i, step);
+      CHECK((after.center - before.center).norm() <= scene.step * speed + 0.004); // not 0.1 more
+    }
+  }
+}
+// [held_back]
 
 TEST_CASE("a ball at 30 m/s is stopped by the cube that it hits, which turns a little")
 {
@@ -352,6 +377,46 @@ TEST_CASE("a cube on a stack, or a hundred times as heavy as what it hits, a ten
   }
 }
 
+TEST_CASE("nor does a cube get deeper in a light one that both bounce off")
+{
+  for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    for (int i = 0; i < 20; ++i)
+    {
+      for (const double restitution : {0.1, 0.3, 0.6})
+      {
+        CAPTURE(solver, i, restitution);
+        Scene scene = comes_down_on_light(30, (i + 0.5) / 20, slanted);
+        scene.bodies[1].restitution = restitution;
+        CHECK(deepest_in_scene(scene, solver) <= 0.1);
+      }
+    }
+  }
+}
+
+TEST_CASE("the last of a row of cubes that lose no speed takes all of it")
+{
+  for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    Scene scene;
+    scene.gravity.setZero();
+    for (int i = 0; i < 5; ++i)
+    {
+      scene.bodies.push_back(cube_body(numbered("cube", i), {i < 4 ? double(i) : -2.0, 0, 0}));
+      scene.bodies.back().restitution = 1;
+    }
+    scene.bodies.back().velocity.x() = 200;
+    World world(scene, solver_named(solver, solver == "direct" ? 0 : 4));
+    world.step();
+    for (int i = 0; i < 5; ++i)
+    {
+      const double speed = world.bodies()[place_of(i)].motion.velocity.x();
+      CAPTURE(solver, i);
+      CHECK(speed == Catch::Approx(i == 3 ? 200 : 0).margin(1e-6));
+    }
+  }
+}
+
 TEST_CASE("at 5 m/s the weight of the heavy one presses on: an eighth under direct, else a fifth")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
@@ -389,8 +454,9 @@ struct Row
     scene.bodies[0].velocity.x() = speed;
   }
 
-  /// Has them bounce at a time [s] of the step.
-  void bounce(double time = 0)
+  /// Has them bounce at a time [s] of the step, in which the two that touch have been sent another
+  /// way so many times.
+  void bounce(double time = 0, const std::pair<int, int>& sent = {0, 0})
   {
     std::vector<RigidBody> starts;
     std::vector<Bounds> bounds;
@@ -407,7 +473,7 @@ struct Row
     std::vector<double> ways;
     StepCourses step{scene, starts, {}, all, none, {}, courses, ways, deep, &tree};
     set_out(step, starts);
-    const CourseTouch touch{time, 0, 1, {1, 0, 0}, {}};
+    const CourseTouch touch{time, 0, 1, {1, 0, 0}, sent};
     RigidBody a = starts[0], b = starts[1];
     const Met met = touch_manifold(scene, touch, a, b);
     const auto at = [&](int i) { return starts[place_of(i)]; };
@@ -510,6 +576,24 @@ TEST_CASE("against what is fixed all stop, heavy ones, too")
     for (const double speed : row.speeds)
     {
       CHECK(std::abs(speed) <= 2);
+    }
+  }
+}
+
+TEST_CASE("what bounces is driven along once one of the two was sent another way three times")
+{
+  for (const int first : {0, 2, 3})
+  {
+    for (const int second : {0, 2, 3})
+    {
+      CAPTURE(first, second);
+      Row row(3);
+      row.scene.bodies[2].restitution = 0.5;
+      row.bounce(0, {first, second});
+      const bool tossed = std::max(first, second) == 3;
+      CHECK(row.driven == (tossed ? 1 : 0));
+      CHECK(row.speeds[1] == Catch::Approx(tossed ? 8.0 / 3 : 4).margin(0.08));
+      CHECK(row.speeds[2] == Catch::Approx(tossed ? 8.0 / 3 : 0).margin(0.08));
     }
   }
 }

@@ -97,15 +97,17 @@ inline Course falling_course(
   return {&from, 0, from.motion.velocity, pull_on(from, gravity), spin, from.angular_acceleration};
 }
 
-/// Takes out of a course what leads along a normal into the body that it leans on, at a place [m].
+/// Takes out of a course a share of what leads along a normal into the body that it leans on, at a
+/// place [m].
 inline void hold_back(
     Course& course, const Course& other, const Vector3<double>& normal,
-    const Vector3<double>& place)
+    const Vector3<double>& place, double share)
 {
   const auto inwards = [&](const Vector3<double>& v) -> Vector3<double>
   { return std::max(0.0, v.dot(normal)) * normal; };
   const double now = course.since;
-  course.velocity -= inwards(course.velocity_of(place, now) - other.velocity_of(place, now));
+  course.velocity -=
+      share * inwards(course.velocity_of(place, now) - other.velocity_of(place, now));
   course.acceleration -= inwards(course.acceleration);
 }
 // [course]

@@ -33,10 +33,11 @@ inline bool drives(const RigidBody& body)
 inline constexpr int most_driven = 6;
 
 /// Bodies that a touch strikes: the two that touch, and whatever boxes among them would be pushed
-/// deep into by it: boxes and planes that they lie against and do not bounce off.
+/// deep into by it: boxes and planes that they lie against.
 ///
 /// One after the other they would touch again and again: a heavy box and a light one under it as
-/// many times as the one is heavier than the other.
+/// many times as the one is heavier than the other. What bounces does so at first, as in a row of
+/// steel cubes; until one is tossed to and fro.
 class ImpactGroup
 {
 public:
@@ -45,7 +46,7 @@ public:
   ImpactGroup(
       const StepCourses& step, const CourseTouch& touch, const Met& met, const StruckBody& first,
       const StruckBody& other, double threshold)
-      : step_(step), time_(touch.time), threshold_(threshold), bodies_{first, other}
+      : step_(step), touch_(touch), threshold_(threshold), bodies_{first, other}
   {
     RigidBody &a = bodies_[0].body, &b = bodies_[1].body;
     pairs_.push_back(
@@ -83,7 +84,7 @@ private:
   static constexpr double rough = 0.01; // of the fastest speed: what is left touches again
   static constexpr double slack = 0.02; // of a depth that does no harm: no farther apart they touch
 
-  /// What may lie against a body, in order of number: no balls.
+  /// What may lie against a body, itself and balls among them, in order of number.
   std::vector<int> bodies_near(const StruckBody& one) const
   {
     const auto& shape = step_.scene.bodies[place_of(one.number)].shape;
@@ -92,13 +93,7 @@ private:
     std::vector<int> found;
     step_.tree->each_that(
         [&](const Eigen::AlignedBox<double, 3>& box) { return boxes_intersect(box, here); },
-        [&](int j)
-        {
-          if (j != one.number && !is_ball(step_.scene, j))
-          {
-            found.push_back(j);
-          }
-        });
+        [&](int j) { found.push_back(j); });
     std::sort(found.begin(), found.end());
     return found;
   }
@@ -107,12 +102,13 @@ private:
   template <class At>
   void drive(StruckBody& one, int j, const At& at)
   {
-    CourseTouch touch{time_, one.number, j, Vector3<double>::Zero(), {}};
+    CourseTouch touch{touch_.time, one.number, j, Vector3<double>::Zero(), {}};
     const std::pair<int, int> pair = std::minmax(one.number, j);
     const auto is_other = [&](const StruckBody& body) { return body.number == j; };
     const auto known = std::find_if(bodies_.begin(), bodies_.end(), is_other);
     const bool is_new = known == bodies_.end();
-    if (are_paired(pair) || ignores(step_.scene, pair))
+    if (j == one.number || is_ball(step_.scene, j) || are_paired(pair) ||
+        ignores(step_.scene, pair))
     {
       return;
     }
@@ -130,7 +126,7 @@ private:
     WorldContact contact = touch_contact(step_.scene, touch, *met, a, b);
     std::vector<ImpactPoint> points;
     const double approach = add_impact_points(a, b, contact, threshold_, points);
-    if (contact.restitution == 0 && does_harm(step_, touch, approach))
+    if ((contact.restitution == 0 || is_tossed()) && does_harm(step_, touch, approach))
     {
       RigidBody* const both[] = {&a, &b};
       bounce(points, both, rough);
@@ -141,6 +137,9 @@ private:
       pairs_.push_back({pair, &one.body, &other.body, std::move(contact)});
     }
   }
+
+  /// Whether one of the two that touch has been sent another way three times in this step.
+  bool is_tossed() const { return std::max(touch_.versions.first, touch_.versions.second) > 2; }
 
   bool are_paired(const std::pair<int, int>& numbers) const
   {
@@ -165,7 +164,8 @@ private:
   }
 
   const StepCourses& step_;
-  double time_, threshold_;
+  const CourseTouch& touch_;
+  double threshold_;
   int driven_ = 0; // who can move, beside the two that touch
   std::deque<StruckBody> bodies_;
   std::deque<Pair> pairs_;

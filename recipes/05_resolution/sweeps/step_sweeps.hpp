@@ -103,9 +103,9 @@ private:
         return;
       }
     }
-    // What has come to rest leans on what does not give way. Two balls at rest on each other are
-    // left alone: what they sink by, the next step finds. A box that touches and is not pushed is
-    // held. Who touches on and on is frozen in the end, and with it whatever touches it.
+    // What has come to rest leans on what does not give way, but not a ball on a ball: what they
+    // sink by, the next step finds. A box that touches and is not pushed is held. Who touches on
+    // and on is frozen, and with it whatever touches it.
     const bool held = !ball && (tired || approach == 0);
     const bool frozen = is_frozen(first);
     if (held)
@@ -120,19 +120,21 @@ private:
                        : held  ? Onward::held
                        : leans ? Onward::leans
                                : Onward::free;
+    // Of two boxes both are held: the first gives up its share of what still leads into the other,
+    // the other what is left.
+    const bool both = how == Onward::held && is_swept_box(step_, other);
+    const double share = both ? a.inverse_mass / (a.inverse_mass + b.inverse_mass) : 1;
     if (approach > 0 || how != Onward::free || !step_.falls[place_of(first)])
     {
-      go_on(first, a, touch, met, how);
+      go_on(first, a, touch, met, how, share);
     }
     if (approach > 0)
     {
       hit_.insert(hit_.end(), {first, other});
     }
-    // A solver turned them round: they close in, though by their velocities at the end they part.
-    const bool turned = how == Onward::held && approach == 0 && is_swept_box(step_, other);
-    if (approach > 0 || frozen || turned)
+    if (approach > 0 || frozen || both)
     {
-      pass_on(other, b, touch, met, frozen || turned ? how : Onward::free);
+      pass_on(other, b, touch, met, frozen || both ? how : Onward::free);
     }
     for (const StruckBody& one : driven)
     {
@@ -155,8 +157,10 @@ private:
     end = {end.center, body.motion.velocity, body.motion.angular_velocity};
   }
 
-  /// Lets a body go on from where it is when it touches, for the rest of the step.
-  void go_on(int i, const RigidBody& body, const CourseTouch& touch, const Met& met, Onward how)
+  /// Lets a body go on from a touch; held or leaning, without a share of what leads into the other.
+  void go_on(
+      int i, const RigidBody& body, const CourseTouch& touch, const Met& met, Onward how,
+      double share = 1)
   {
     how = is_frozen(i) ? Onward::frozen : how;
     Course& course = step_.courses[place_of(i)];
@@ -173,10 +177,7 @@ private:
     RigidBody& end = ends_[place_of(i)] = gone_on(course, duration_, how);
     if (how == Onward::leans || how == Onward::held)
     {
-      for_each_place(
-          met, body,
-          [&](const Vector3<double>& place)
-          { hold_back(course, step_.courses[place_of(touch.other)], touch.normal, place); });
+      hold_back(step_, touch, met, i, body, share);
       end = gone_on(course, duration_, how);
     }
     forget_forces(end);
