@@ -4,7 +4,7 @@
 
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/sweeps/ball_on_course.hpp"
-#include "05_resolution/sweeps/step_courses.hpp"
+#include "05_resolution/sweeps/going_on.hpp"
 #include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/world_measures.hpp"
 

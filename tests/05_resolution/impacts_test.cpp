@@ -278,18 +278,20 @@ TEST_CASE("corner first in boxes, or in a stack of three, a tenth at 5 and at 30
   }
 }
 
-TEST_CASE("but not always: under direct one that comes down on a stack ends a fifth deep")
+TEST_CASE("nor where it used to: a box between two that turn was stopped by both, a quarter deep")
 {
   BoxDraw draw(2);
-  double share = 0;
-  Quaternion<double> turned = flat;
-  for (int i = 0; i < 962; ++i)
+  for (int i = 0; i < 1300; ++i)
   {
-    share = draw.between(0, 1);
-    turned = Quaternion<double>(draw.rotation());
+    const double share = draw.between(0, 1);
+    const Quaternion<double> turned(draw.rotation());
+    if (i == 494 || i == 961 || i == 1291)
+    {
+      CAPTURE(i);
+      const Scene scene = comes_down("three free boxes", 0.2, 30, share, turned);
+      CHECK(deepest_in_scene(scene, "direct") <= 0.1);
+    }
   }
-  const Scene scene = comes_down("three free boxes", 0.2, 30, share, turned);
-  CHECK(deepest_in_scene(scene, "direct") == Catch::Approx(0.19).margin(0.04)); // too deep
 }
 // [corners_first]
 
@@ -308,7 +310,7 @@ TEST_CASE("two cubes that a solver has turned round in a step both go on from wh
 TEST_CASE("a light box carries no heavy one along, which goes no farther than its speed takes it")
 {
   BoxDraw draw(2);
-  for (int i = 0; i < inputs(40, 4); ++i)
+  for (int i = 0; i < inputs(40, 16); ++i)
   {
     const double share = draw.between(0, 1);
     const Quaternion<double> turned(draw.rotation());
@@ -377,42 +379,46 @@ TEST_CASE("a cube on a stack, or a hundred times as heavy as what it hits, a ten
   }
 }
 
-TEST_CASE("nor does a cube get deeper in a light one that both bounce off")
+TEST_CASE("in a light one that bounces a cube gets an eighth deep")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
   {
     for (int i = 0; i < 20; ++i)
     {
-      for (const double restitution : {0.1, 0.3, 0.6})
+      for (const double restitution : {0.1, 0.3})
       {
         CAPTURE(solver, i, restitution);
         Scene scene = comes_down_on_light(30, (i + 0.5) / 20, slanted);
         scene.bodies[1].restitution = restitution;
-        CHECK(deepest_in_scene(scene, solver) <= 0.1);
+        CHECK(deepest_in_scene(scene, solver) <= 0.125);
       }
     }
   }
 }
 
-TEST_CASE("the last of a row of cubes that lose no speed takes all of it")
+TEST_CASE("cubes that lose no speed hand it on to as many at the end of a row")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
   {
-    Scene scene;
-    scene.gravity.setZero();
-    for (int i = 0; i < 5; ++i)
+    for (const int fast : {1, 2, 3, 6})
     {
-      scene.bodies.push_back(cube_body(numbered("cube", i), {i < 4 ? double(i) : -2.0, 0, 0}));
-      scene.bodies.back().restitution = 1;
-    }
-    scene.bodies.back().velocity.x() = 200;
-    World world(scene, solver_named(solver, solver == "direct" ? 0 : 4));
-    world.step();
-    for (int i = 0; i < 5; ++i)
-    {
-      const double speed = world.bodies()[place_of(i)].motion.velocity.x();
-      CAPTURE(solver, i);
-      CHECK(speed == Catch::Approx(i == 3 ? 200 : 0).margin(1e-6));
+      Scene scene;
+      scene.gravity.setZero();
+      for (int i = 0; i < fast + 4; ++i)
+      {
+        const double x = i < fast ? i - fast - 0.5 : i - fast;
+        scene.bodies.push_back(cube_body(numbered("cube", i), {x, 0, 0}));
+        scene.bodies.back().restitution = 1;
+        scene.bodies.back().velocity.x() = i < fast ? 200 : 0;
+      }
+      World world(scene, solver_named(solver, solver == "direct" ? 0 : 4));
+      world.step();
+      for (int i = 0; i < fast + 4; ++i)
+      {
+        const double speed = world.bodies()[place_of(i)].motion.velocity.x();
+        CAPTURE(solver, fast, i);
+        CHECK(speed == Catch::Approx(i < 4 ? 0 : 200).margin(1e-6));
+      }
     }
   }
 }
@@ -454,9 +460,9 @@ struct Row
     scene.bodies[0].velocity.x() = speed;
   }
 
-  /// Has them bounce at a time [s] of the step, in which the two that touch have been sent another
-  /// way so many times.
-  void bounce(double time = 0, const std::pair<int, int>& sent = {0, 0})
+  /// Has them bounce at a time [s] of the step, in which the two that touch have been turned back
+  /// so many times.
+  void bounce(double time = 0, const std::pair<int, int>& turned_back = {0, 0})
   {
     std::vector<RigidBody> starts;
     std::vector<Bounds> bounds;
@@ -473,7 +479,9 @@ struct Row
     std::vector<double> ways;
     StepCourses step{scene, starts, {}, all, none, {}, courses, ways, deep, &tree};
     set_out(step, starts);
-    const CourseTouch touch{time, 0, 1, {1, 0, 0}, sent};
+    courses[0].turned_back = turned_back.first;
+    courses[1].turned_back = turned_back.second;
+    const CourseTouch touch{time, 0, 1, {1, 0, 0}, {}};
     RigidBody a = starts[0], b = starts[1];
     const Met met = touch_manifold(scene, touch, a, b);
     const auto at = [&](int i) { return starts[place_of(i)]; };
@@ -580,17 +588,17 @@ TEST_CASE("against what is fixed all stop, heavy ones, too")
   }
 }
 
-TEST_CASE("what bounces is driven along once one of the two was sent another way three times")
+TEST_CASE("what bounces is driven along once one of the two that touch was turned back")
 {
-  for (const int first : {0, 2, 3})
+  for (const int first : {0, 1})
   {
-    for (const int second : {0, 2, 3})
+    for (const int second : {0, 1})
     {
       CAPTURE(first, second);
       Row row(3);
       row.scene.bodies[2].restitution = 0.5;
       row.bounce(0, {first, second});
-      const bool tossed = std::max(first, second) == 3;
+      const bool tossed = first + second > 0;
       CHECK(row.driven == (tossed ? 1 : 0));
       CHECK(row.speeds[1] == Catch::Approx(tossed ? 8.0 / 3 : 4).margin(0.08));
       CHECK(row.speeds[2] == Catch::Approx(tossed ? 8.0 / 3 : 0).margin(0.08));

@@ -1,12 +1,12 @@
 /// \file
 /// Soft steps: a cube sinks as a spring says, twice the substeps sink a quarter, towers stand.
 
+#include "05_resolution/islands/free_flight.hpp"
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/soft_steps/soft_steps.hpp"
 #include "05_resolution/soft_steps/trial/corner_spin.hpp"
 #include "05_resolution/soft_steps/trial/soft_steps_figures.hpp"
 #include "05_resolution/soft_steps/trial/tall_towers.hpp"
-#include "05_resolution/sweeps/free_flight.hpp"
 
 #include "tests/catch.hpp"
 

@@ -34,6 +34,7 @@ struct Course
   Vector3<double> acceleration; ///< [m/s²], of the centre
   Vector3<double> spin;         ///< [rad/s], world; zero for a ball, whose turning changes nothing
   Vector3<double> angular_acceleration = Vector3<double>::Zero(); ///< [rad/s²], world, by forces
+  int turned_back = 0; ///< how often touches have sent it back where it came from, in this step
 
   /// The body as this course begins. It is the course that knows what pulls its centre.
   RigidBody start() const
@@ -95,20 +96,6 @@ inline Course falling_course(
 {
   const Vector3<double> spin = spin_between(from, to, step);
   return {&from, 0, from.motion.velocity, pull_on(from, gravity), spin, from.angular_acceleration};
-}
-
-/// Takes out of a course a share of what leads along a normal into the body that it leans on, at a
-/// place [m].
-inline void hold_back(
-    Course& course, const Course& other, const Vector3<double>& normal,
-    const Vector3<double>& place, double share)
-{
-  const auto inwards = [&](const Vector3<double>& v) -> Vector3<double>
-  { return std::max(0.0, v.dot(normal)) * normal; };
-  const double now = course.since;
-  course.velocity -=
-      share * inwards(course.velocity_of(place, now) - other.velocity_of(place, now));
-  course.acceleration -= inwards(course.acceleration);
 }
 // [course]
 

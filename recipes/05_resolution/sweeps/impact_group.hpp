@@ -126,7 +126,9 @@ private:
     WorldContact contact = touch_contact(step_.scene, touch, *met, a, b);
     std::vector<ImpactPoint> points;
     const double approach = add_impact_points(a, b, contact, threshold_, points);
-    if ((contact.restitution == 0 || is_tossed()) && does_harm(step_, touch, approach))
+    if ((contact.restitution == 0 || is_tossed(step_, touch_.first) ||
+         is_tossed(step_, touch_.other)) &&
+        does_harm(step_, touch, approach))
     {
       RigidBody* const both[] = {&a, &b};
       bounce(points, both, rough);
@@ -137,9 +139,6 @@ private:
       pairs_.push_back({pair, &one.body, &other.body, std::move(contact)});
     }
   }
-
-  /// Whether one of the two that touch has been sent another way three times in this step.
-  bool is_tossed() const { return std::max(touch_.versions.first, touch_.versions.second) > 2; }
 
   bool are_paired(const std::pair<int, int>& numbers) const
   {

@@ -3,11 +3,11 @@
 /// \file
 /// \brief What bodies would pass through in a step: found in the order of time, and bounced off.
 
+#include "05_resolution/sweeps/going_on.hpp"
 #include "05_resolution/sweeps/impact_group.hpp"
 #include "05_resolution/sweeps/touch_queue.hpp"
 
 #include <algorithm>
-#include <deque>
 #include <limits>
 #include <optional>
 #include <span>
@@ -33,7 +33,7 @@ public:
         hit_(hit),
         duration_(step.scene.step),
         touched_(ends.size(), 0),
-        is_held_(ends.size(), false),
+        onward_(step, ends),
         touches_(step, ends)
   {
   }
@@ -120,13 +120,18 @@ private:
                        : held  ? Onward::held
                        : leans ? Onward::leans
                                : Onward::free;
-    // Of two boxes both are held: the first gives up its share of what still leads into the other,
-    // the other what is left.
-    const bool both = how == Onward::held && is_swept_box(step_, other);
+    // A box that is in the way is held, too: the first gives up its share, by its mass, of the
+    // speed at which they still close, and the other what is left. No ball is: it may be pinned to
+    // a wall.
+    const bool both = how == Onward::held && is_swept_box(step_, other) && !is_frozen(other);
     const double share = both ? a.inverse_mass / (a.inverse_mass + b.inverse_mass) : 1;
     if (approach > 0 || how != Onward::free || !step_.falls[place_of(first)])
     {
-      go_on(first, a, touch, met, how, share);
+      onward_.go_on(first, a, touch.time, how);
+    }
+    if (how == Onward::leans || how == Onward::held)
+    {
+      onward_.hold(first, a, touch, met, how, share);
     }
     if (approach > 0)
     {
@@ -134,65 +139,39 @@ private:
     }
     if (approach > 0 || frozen || both)
     {
-      pass_on(other, b, touch, met, frozen || both ? how : Onward::free);
+      pass_on(other, b, touch.time, frozen || both ? how : Onward::free);
+    }
+    if (both)
+    {
+      onward_.hold(other, b, touch, met, how, 1);
     }
     for (const StruckBody& one : driven)
     {
       touches_.come_back(one.number);
-      pass_on(one.number, one.body, touch, met, Onward::free);
+      pass_on(one.number, one.body, touch.time, Onward::free);
       hit_.push_back(one.number);
     }
-    touches_.look_around(changed_, touch.time);
-    changed_.clear();
+    touches_.look_around(onward_.changed(), touch.time);
+    onward_.changed().clear();
   }
 
   /// Has a body that is hit go on, or only takes down its velocities.
-  void pass_on(int i, const RigidBody& body, const CourseTouch& touch, const Met& met, Onward how)
+  void pass_on(int i, const RigidBody& body, double time, Onward how)
   {
     if (goes_on(step_, i))
     {
-      return go_on(i, body, touch, met, how);
+      return onward_.go_on(i, body, time, is_frozen(i) ? Onward::frozen : how);
     }
     Motion<double>& end = ends_[place_of(i)].motion;
     end = {end.center, body.motion.velocity, body.motion.angular_velocity};
-  }
-
-  /// Lets a body go on from a touch; held or leaning, without a share of what leads into the other.
-  void go_on(
-      int i, const RigidBody& body, const CourseTouch& touch, const Met& met, Onward how,
-      double share = 1)
-  {
-    how = is_frozen(i) ? Onward::frozen : how;
-    Course& course = step_.courses[place_of(i)];
-    const bool again = how == Onward::held && is_held_[place_of(i)];
-    const Vector3<double> velocity = again ? course.velocity_at(touch.time) : body.motion.velocity;
-    is_held_[place_of(i)] = how == Onward::held;
-    course = {&turns_.emplace_back(body), touch.time,  velocity,
-              course.acceleration,        course.spin, body.angular_acceleration};
-    if (how == Onward::frozen)
-    {
-      course.velocity.setZero();
-      course.acceleration.setZero();
-    }
-    RigidBody& end = ends_[place_of(i)] = gone_on(course, duration_, how);
-    if (how == Onward::leans || how == Onward::held)
-    {
-      hold_back(step_, touch, met, i, body, share);
-      end = gone_on(course, duration_, how);
-    }
-    forget_forces(end);
-    note_way(step_, i, end, touch.time);
-    changed_.push_back(i);
   }
 
   StepCourses& step_;
   std::span<RigidBody> ends_;
   std::vector<int>& hit_;
   double duration_;
-  std::vector<int> touched_;    // how often each body has touched something
-  std::vector<bool> is_held_;   // whether each body does not turn any more
-  std::deque<RigidBody> turns_; // bodies as they went on from a touch, where courses begin
-  std::vector<int> changed_;    // who goes on from the touch at hand
+  std::vector<int> touched_; // how often each body has touched something
+  GoingOn onward_;
   TouchQueue touches_;
 };
 // [step_sweeps]

@@ -165,26 +165,6 @@ inline double stop_center(
   push_apart<double>(a, b, arms, bounce_impulse(a, b, normal, arms, 0.0) * normal);
   return approach;
 }
-/// Takes out of the course of one of two bodies that touch a share of what leads into the other:
-/// at the points where a box touches, at the centre of a ball, or where there are none.
-inline void hold_back(
-    StepCourses& step, const CourseTouch& touch, const Met& met, int i, const RigidBody& body,
-    double share)
-{
-  const bool is_first = i == touch.first;
-  const Vector3<double> normal = is_first ? touch.normal : -touch.normal;
-  const Course& other = step.courses[place_of(is_first ? touch.other : touch.first)];
-  const auto hold = [&](const Vector3<double>& place)
-  { hold_back(step.courses[place_of(i)], other, normal, place, share); };
-  if (body.round || !met)
-  {
-    return hold(body.motion.center);
-  }
-  for (const ContactPoint<double>& point : met->points)
-  {
-    hold(point.position);
-  }
-}
 // [bounce_at]
 
 } // namespace cookbook
