@@ -36,8 +36,8 @@ inline constexpr int most_driven = 6;
 /// deep into by it: boxes and planes that they lie against.
 ///
 /// One after the other they would touch again and again: a heavy box and a light one under it as
-/// many times as the one is heavier than the other. What bounces does so at first, as in a row of
-/// steel cubes; until one is tossed to and fro.
+/// many times as the one is heavier than the other. What bounces well does so at first, as in a row
+/// of steel cubes; until one is tossed to and fro.
 class ImpactGroup
 {
 public:
@@ -81,6 +81,7 @@ private:
     WorldContact contact;
   };
 
+  static constexpr double well = 0.5;   // what restitution that takes
   static constexpr double rough = 0.01; // of the fastest speed: what is left touches again
   static constexpr double slack = 0.02; // of a depth that does no harm: no farther apart they touch
 
@@ -126,7 +127,7 @@ private:
     WorldContact contact = touch_contact(step_.scene, touch, *met, a, b);
     std::vector<ImpactPoint> points;
     const double approach = add_impact_points(a, b, contact, threshold_, points);
-    if ((contact.restitution == 0 || is_tossed(step_, touch_.first) ||
+    if ((contact.restitution < well || is_tossed(step_, touch_.first) ||
          is_tossed(step_, touch_.other)) &&
         does_harm(step_, touch, approach))
     {
