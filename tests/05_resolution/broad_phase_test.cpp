@@ -2,6 +2,7 @@
 /// Which bodies may touch: by a tree, and sorted and swept, against every pair.
 
 #include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
+#include "05_resolution/islands/free_flight.hpp"
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/sweeps/foreseen.hpp"
 #include "05_resolution/sweeps/pairs_in_danger.hpp"

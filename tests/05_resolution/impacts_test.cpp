@@ -460,9 +460,8 @@ struct Row
     scene.bodies[0].velocity.x() = speed;
   }
 
-  /// Has them bounce at a time [s] of the step, in which the two that touch have been turned back
-  /// so many times.
-  void bounce(double time = 0, const std::pair<int, int>& turned_back = {0, 0})
+  /// Has them bounce at a time [s] of the step; whether each of the two that touch is tossed.
+  void bounce(double time = 0, bool first_tossed = false, bool second_tossed = false)
   {
     std::vector<RigidBody> starts;
     std::vector<Bounds> bounds;
@@ -479,8 +478,8 @@ struct Row
     std::vector<double> ways;
     StepCourses step{scene, starts, {}, all, none, {}, courses, ways, deep, &tree};
     set_out(step, starts);
-    courses[0].turned_back = turned_back.first;
-    courses[1].turned_back = turned_back.second;
+    courses[0].tossed = first_tossed;
+    courses[1].tossed = second_tossed;
     const CourseTouch touch{time, 0, 1, {1, 0, 0}, {}};
     RigidBody a = starts[0], b = starts[1];
     const Met met = touch_manifold(scene, touch, a, b);
@@ -590,15 +589,15 @@ TEST_CASE("against what is fixed all stop, heavy ones, too")
 
 TEST_CASE("what bounces well is driven along once one of the two that touch was turned back")
 {
-  for (const int first : {0, 1})
+  for (const bool first : {false, true})
   {
-    for (const int second : {0, 1})
+    for (const bool second : {false, true})
     {
       CAPTURE(first, second);
       Row row(3);
       row.scene.bodies[2].restitution = 0.5;
-      row.bounce(0, {first, second});
-      const bool tossed = first + second > 0;
+      row.bounce(0, first, second);
+      const bool tossed = first || second;
       CHECK(row.driven == (tossed ? 1 : 0));
       CHECK(row.speeds[1] == Catch::Approx(tossed ? 8.0 / 3 : 4).margin(0.08));
       CHECK(row.speeds[2] == Catch::Approx(tossed ? 8.0 / 3 : 0).margin(0.08));

@@ -5,8 +5,6 @@
 
 #include "05_resolution/contacts/moved_body.hpp"
 
-#include <algorithm>
-
 namespace cookbook
 {
 
@@ -34,7 +32,7 @@ struct Course
   Vector3<double> acceleration; ///< [m/s²], of the centre
   Vector3<double> spin;         ///< [rad/s], world; zero for a ball, whose turning changes nothing
   Vector3<double> angular_acceleration = Vector3<double>::Zero(); ///< [rad/s²], world, by forces
-  int turned_back = 0; ///< how often touches have sent it back where it came from, in this step
+  bool tossed = false; ///< whether a touch has turned it back in this step
 
   /// The body as this course begins. It is the course that knows what pulls its centre.
   RigidBody start() const

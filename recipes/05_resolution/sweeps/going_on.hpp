@@ -3,11 +3,13 @@
 /// \file
 /// \brief How a body goes on from a touch, for the rest of a step.
 
+#include "05_resolution/islands/free_flight.hpp"
 #include "05_resolution/sweeps/touch_bounce.hpp"
 
 #include <algorithm>
 #include <deque>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace cookbook
@@ -150,13 +152,13 @@ public:
     course.since = time;
     course.velocity = again ? before : body.motion.velocity;
     course.angular_acceleration = body.angular_acceleration;
-    course.turned_back += turns_back(before, course.velocity) ? 1 : 0;
+    course.tossed = course.tossed || turns_back(before, course.velocity);
     if (how == Onward::frozen)
     {
       course.velocity.setZero();
       course.acceleration.setZero();
     }
-    end(i, time, how);
+    end(i, how);
     changed_.push_back(i);
   }
 
@@ -166,19 +168,25 @@ public:
       double share)
   {
     hold_back(step_, touch, met, i, body, share);
-    end(i, touch.time, how);
+    end(i, how);
   }
 
-  /// Who goes on from the touch at hand.
-  std::vector<int>& changed() { return changed_; }
+  /// Who goes on from a touch at a time [s], the ways of all taken down; then nobody does any more.
+  std::vector<int> take_changed(double time)
+  {
+    for (const int i : changed_)
+    {
+      note_way(step_, i, ends_[place_of(i)], time);
+    }
+    return std::exchange(changed_, {});
+  }
 
 private:
-  void end(int i, double time, Onward how)
+  void end(int i, Onward how)
   {
-    RigidBody& end = ends_[place_of(i)] =
-        gone_on(step_.courses[place_of(i)], step_.scene.step, how);
+    RigidBody& end = ends_[place_of(i)];
+    end = gone_on(step_.courses[place_of(i)], step_.scene.step, how);
     forget_forces(end);
-    note_way(step_, i, end, time);
   }
 
   StepCourses& step_;

@@ -105,14 +105,14 @@ private:
   {
     CourseTouch touch{touch_.time, one.number, j, Vector3<double>::Zero(), {}};
     const std::pair<int, int> pair = std::minmax(one.number, j);
-    const auto is_other = [&](const StruckBody& body) { return body.number == j; };
-    const auto known = std::find_if(bodies_.begin(), bodies_.end(), is_other);
-    const bool is_new = known == bodies_.end();
     if (j == one.number || is_ball(step_.scene, j) || are_paired(pair) ||
         ignores(step_.scene, pair))
     {
       return;
     }
+    const auto is_other = [&](const StruckBody& body) { return body.number == j; };
+    const auto known = std::find_if(bodies_.begin(), bodies_.end(), is_other);
+    const bool is_new = known == bodies_.end();
     RigidBody a = one.body, b = is_new ? at(j) : known->body;
     const Motion<double> before = b.motion;
     const bool counts = is_new && !is_fixed(b);
@@ -127,8 +127,7 @@ private:
     WorldContact contact = touch_contact(step_.scene, touch, *met, a, b);
     std::vector<ImpactPoint> points;
     const double approach = add_impact_points(a, b, contact, threshold_, points);
-    if ((contact.restitution < well || is_tossed(step_, touch_.first) ||
-         is_tossed(step_, touch_.other)) &&
+    if ((contact.restitution < well || is_tossed(touch_.first) || is_tossed(touch_.other)) &&
         does_harm(step_, touch, approach))
     {
       RigidBody* const both[] = {&a, &b};
@@ -140,6 +139,8 @@ private:
       pairs_.push_back({pair, &one.body, &other.body, std::move(contact)});
     }
   }
+
+  bool is_tossed(int i) const { return step_.courses[place_of(i)].tossed; }
 
   bool are_paired(const std::pair<int, int>& numbers) const
   {

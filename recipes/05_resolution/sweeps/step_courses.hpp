@@ -5,7 +5,6 @@
 
 #include "05_resolution/contacts/bounds_tree.hpp"
 #include "05_resolution/contacts/world_contact.hpp"
-#include "05_resolution/islands/free_flight.hpp"
 #include "05_resolution/sweeps/body_sizes.hpp"
 #include "05_resolution/sweeps/course.hpp"
 
@@ -86,12 +85,6 @@ inline double
 farthest_way(const StepCourses& step, int i, const Course& course, double way, double time)
 {
   return way + turning_way(step.scene, i, course.spin, time);
-}
-
-/// True if a body is tossed to and fro: touches have turned it back.
-inline bool is_tossed(const StepCourses& step, int i)
-{
-  return step.courses[place_of(i)].turned_back > 0;
 }
 
 /// Writes down the courses of all bodies, from where a step began to where it ended.

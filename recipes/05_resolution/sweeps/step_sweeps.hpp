@@ -151,8 +151,7 @@ private:
       pass_on(one.number, one.body, touch.time, Onward::free);
       hit_.push_back(one.number);
     }
-    touches_.look_around(onward_.changed(), touch.time);
-    onward_.changed().clear();
+    touches_.look_around(onward_.take_changed(touch.time), touch.time);
   }
 
   /// Has a body that is hit go on, or only takes down its velocities.
