@@ -20,7 +20,6 @@ inline void fly(RigidBody& body, const Vector3<double>& gravity, double time)
   spin(body, time);
   body.arms_at = body.orientation; // nothing pushes it at any
 }
-// [fly]
 
 /// Whether anything but gravity and forces has changed how a body moves, since it was at the start
 /// of a step [s].
@@ -71,5 +70,6 @@ inline bool were_parted(const Unpushed& a, const Unpushed& b)
   }
   return apart.norm() > a.rounding + b.rounding;
 }
+// [fly]
 
 } // namespace cookbook

@@ -6,6 +6,7 @@
 #include "05_resolution/scenes/trial/scene_file.hpp"
 #include "05_resolution/scenes/trial/world_scenes.hpp"
 #include "05_resolution/world/solver_names.hpp"
+#include "05_resolution/world/trial/impact_figures.hpp"
 #include "05_resolution/world/trial/impacts.hpp"
 #include "05_resolution/world/trial/world_cases.hpp"
 #include "05_resolution/world/trial/world_figures.hpp"
@@ -73,6 +74,7 @@ void run(const Arguments& given)
         verdict_table(
             "The world at 60 frames a second under each solver, nothing asleep.", solver_names(),
             world_verdicts()));
+    save_figure(given, "world_one_step.svg", impact_figure().svg());
     save_figure(given, "world_impacts.svg", impacts_chart().svg());
     return draw_gallery(given);
   }
