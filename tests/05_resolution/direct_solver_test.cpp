@@ -535,7 +535,9 @@ TEST_CASE("a soft contact gives way to what it carried at 1 cm/s, and is never s
 // [factored_points]
 TEST_CASE("a factor is at hand if the same points push, in the same way, where they did")
 {
-  DirectPoint held{}, idle{};
+  const Vector3<double> none = Vector3<double>::Zero();
+  const DirectPoint idle{{false, Grip::none}, {none, none}, 0, 0, false, none, 0, none, none};
+  DirectPoint held = idle;
   held.pressed = true;
   held.grip = Grip::stick;
   held.arms = {{0, 0.5, 0}, {0.1, -0.5, 0}};
