@@ -37,7 +37,7 @@ enum class Grip
   slip   ///< is as large as it can be
 };
 
-/// How stiff the points of a contact are: an impulse for a speed, 1/R [kg].
+/// How stiff the points of a contact are: an impulse for a speed [kg].
 struct DirectStiffness
 {
   double push; ///< along the normal

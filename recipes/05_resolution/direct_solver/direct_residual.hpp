@@ -71,6 +71,7 @@ inline void find_missing(DirectSystem& system)
 }
 // [direct_missing]
 
+// [direct_small]
 /// The largest impulse [N s] of an island.
 inline double largest_impulse(const DirectSystem& system)
 {
@@ -82,7 +83,6 @@ inline double largest_impulse(const DirectSystem& system)
   return most;
 }
 
-// [direct_small]
 /// How much is missing [N s], as a root of a sum of squares; turns count by the radius of gyration.
 inline double size_of_missing(const DirectSystem& system)
 {

@@ -16,6 +16,7 @@
 namespace cookbook
 {
 
+// [direct_bounds]
 /// Takes all new points for pressed that gravity, in one step, could bring to a speed [m/s]: so a
 /// tower stands from the first iteration on, not box upon box. Whether there are any: then the
 /// first change, which takes what is missing without them, leads past the answer.
@@ -34,7 +35,6 @@ inline bool guess(DirectSystem& system, double speed)
   return any;
 }
 
-// [direct_bounds]
 /// Has friction follow the impulses along the normals, at all points or only where its bound is not
 /// known yet; false where none of these was off by more than a tolerance [N s].
 inline bool moved_bounds(DirectSystem& system, double tolerance, bool all)
@@ -67,7 +67,6 @@ inline bool moved_bounds(DirectSystem& system, double tolerance, bool all)
   }
   return far;
 }
-// [direct_bounds]
 
 /// Writes what was found into the world. Impulses that were missing are given, so that bodies have
 /// just what contacts gave them, and momentum is kept to rounding.
@@ -94,6 +93,7 @@ inline void scatter(
     }
   }
 }
+// [direct_bounds]
 
 // [direct_solver]
 /// Finds the velocities of islands after a step. It remembers how the last island was laid out, and

@@ -46,7 +46,6 @@ struct DirectSystem
   std::vector<PushingWay> ways_before;    ///< room for how points pushed before a change
   std::vector<Vector6> velocities_before; ///< room for the velocities before it
 };
-// [direct_system]
 
 /// The number in an island of a body of the world; −1 if it is none of its bodies.
 inline int number_in(const Island& island, int body)
@@ -115,6 +114,7 @@ inline Motion<double> motion_of(const DirectSystem& system, int body)
   const Vector6 velocity = body >= 0 ? system.velocities[place_of(body)] : Vector6(Vector6::Zero());
   return {Vector3<double>::Zero(), velocity.head<3>(), velocity.tail<3>()};
 }
+// [direct_system]
 
 // [direct_assemble]
 /// Writes what impulses a change of velocities takes into a matrix: masses, and the stiffness of
