@@ -43,10 +43,15 @@ public:
     auto then = points_.begin();
     for (const DirectPoint& now : all)
     {
-      if (pushes(now) && (then == points_.end() || !is_same(now, *then++)))
+      if (!pushes(now))
+      {
+        continue;
+      }
+      if (then == points_.end() || !is_same(now, *then))
       {
         return false;
       }
+      ++then;
     }
     return then == points_.end() && !points_.empty();
   }
