@@ -2,9 +2,9 @@
 /// Balls on their way through a step: nothing is passed, nothing hangs in the air, and a bounce has
 /// its friction.
 
+#include "05_resolution/impacts/going_on.hpp"
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/sweeps/ball_on_course.hpp"
-#include "05_resolution/sweeps/going_on.hpp"
 #include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/world_measures.hpp"
 

@@ -3,8 +3,8 @@
 /// more.
 
 #include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
+#include "05_resolution/impacts/impact_group.hpp"
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
-#include "05_resolution/sweeps/impact_group.hpp"
 #include "05_resolution/sweeps/too_deep.hpp"
 #include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/impacts.hpp"

@@ -5,10 +5,10 @@
 
 #include "05_resolution/contacts/contact_cache.hpp"
 #include "05_resolution/damping/damping.hpp"
+#include "05_resolution/impacts/step_sweeps.hpp"
 #include "05_resolution/islands/free_flight.hpp"
 #include "05_resolution/islands/simultaneous_impacts.hpp"
 #include "05_resolution/sweeps/foreseen.hpp"
-#include "05_resolution/sweeps/step_sweeps.hpp"
 #include "05_resolution/sweeps/too_deep.hpp"
 #include "05_resolution/world/world_state.hpp"
 

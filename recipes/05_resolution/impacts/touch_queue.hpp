@@ -3,7 +3,7 @@
 /// \file
 /// \brief The touches of a step to come, the earliest first.
 
-#include "05_resolution/sweeps/next_touch.hpp"
+#include "05_resolution/impacts/next_touch.hpp"
 #include "05_resolution/sweeps/too_deep.hpp"
 
 #include <algorithm>

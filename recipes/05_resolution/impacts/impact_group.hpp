@@ -3,7 +3,7 @@
 /// \file
 /// \brief What a box that is hit drives along, and the bounce of all at once.
 
-#include "05_resolution/sweeps/touch_bounce.hpp"
+#include "05_resolution/impacts/touch_bounce.hpp"
 
 #include <algorithm>
 #include <cstddef>

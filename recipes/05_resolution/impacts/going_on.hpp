@@ -3,8 +3,8 @@
 /// \file
 /// \brief How a body goes on from a touch, for the rest of a step.
 
-#include "05_resolution/islands/free_flight.hpp"
-#include "05_resolution/sweeps/touch_bounce.hpp"
+#include "05_resolution/impacts/on_the_way.hpp"
+#include "05_resolution/impacts/touch_bounce.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -14,82 +14,6 @@
 
 namespace cookbook
 {
-
-// [on_the_way]
-/// A body that is not a ball in a pose of its course, spinning about its own axes as it would in
-/// another pose: no other energy.
-inline RigidBody turned_like(RigidBody moving, const RigidBody& pose)
-{
-  const Vector3<double> spin = moving.axes.transpose() * moving.motion.angular_velocity;
-  moving.orientation = pose.orientation;
-  update_axes(moving);
-  moving.motion.angular_velocity = moving.axes * spin;
-  return moving;
-}
-
-/// A body at a time [s] of its course, as fast as it is there: `own` if that course is one of free
-/// flight, with the velocities of its end otherwise.
-inline RigidBody
-on_the_way(const StepCourses& step, int i, double time, bool own, const RigidBody& end)
-{
-  const Course& course = step.courses[place_of(i)];
-  const bool swept = is_swept_box(step, i);
-  if (own)
-  {
-    RigidBody body = course.start();
-    fly(body, course.acceleration, time - course.since);
-    body.motion.center = course.place_at(time);
-    return swept ? turned_like(body, course.pose_at(time)) : body;
-  }
-  const RigidBody pose = course.pose_at(time);
-  RigidBody body = swept ? turned_like(end, pose) : pose;
-  body.motion.center = pose.motion.center;
-  body.motion.velocity = end.motion.velocity;
-  if (!swept)
-  {
-    body.motion.angular_velocity = end.motion.angular_velocity;
-  }
-  return body;
-}
-
-/// How a body goes on from a touch.
-enum class Onward
-{
-  free,  ///< by itself
-  leans, ///< by itself, but not into what it leans on
-  held,  ///< the same without turning
-  frozen ///< it stays where it is for the rest of the step
-};
-
-/// A body at the end of a step [s] that follows its course by itself; the course learns how it
-/// turns.
-inline RigidBody gone_on(Course& course, double step, Onward how)
-{
-  const double time = step - course.since;
-  const bool turns = how == Onward::free || how == Onward::leans;
-  RigidBody end = course.start();
-  if (turns)
-  {
-    fly(end, course.acceleration, time);
-  }
-  else
-  {
-    end.motion.velocity += time * course.acceleration;
-  }
-  course.spin = turns ? spin_between(*course.from, end, time) : Vector3<double>::Zero();
-  end.motion.center = course.place_at(step);
-  return end;
-}
-
-/// Takes down how far any point of a body goes from a time [s] on, if that is farther than before.
-inline void note_way(StepCourses& step, int i, const RigidBody& end, double time)
-{
-  const Course& course = step.courses[place_of(i)];
-  const double center = (end.motion.center - course.from->motion.center).norm();
-  double& way = step.ways[place_of(i)];
-  way = std::max(way, farthest_way(step, i, course, center, step.scene.step - time));
-}
-// [on_the_way]
 
 // [going_on]
 /// Whether a body that goes one way is turned back by going another [m/s]: not by rounding.
@@ -131,15 +55,25 @@ inline void hold_back(
   course.acceleration -= std::max(0.0, course.acceleration.dot(normal)) * normal;
 }
 
-/// Has bodies go on from touches, and knows who has.
+/// The most touches of a body in a step; from then on it only stops, and a box does not turn; after
+/// as many more it stays where it is.
+inline constexpr int most_touches_a_step = 64;
+
+/// Has bodies go on from touches, and knows who has, and how often each has touched something.
 class GoingOn
 {
 public:
   /// A step, and the bodies at its end.
   GoingOn(StepCourses& step, std::span<RigidBody> ends)
-      : step_(step), ends_(ends), is_held_(ends.size(), false)
+      : step_(step), ends_(ends), touched_(ends.size(), 0), is_held_(ends.size(), false)
   {
   }
+
+  void count_touch(int i) { ++touched_[place_of(i)]; } ///< of a body, with anything
+  /// Whether a body has touched so often that it only stops.
+  bool is_tired(int i) const { return touched_[place_of(i)] > most_touches_a_step; }
+  /// Whether it has so often that it stays where it is.
+  bool is_frozen(int i) const { return touched_[place_of(i)] > 2 * most_touches_a_step; }
 
   /// Lets a body go on from where it is at a time [s] of the step.
   void go_on(int i, const RigidBody& body, double time, Onward how)
@@ -160,6 +94,17 @@ public:
     }
     end(i, how);
     changed_.push_back(i);
+  }
+
+  /// Has a body that is hit go on from there, or only takes down its velocities.
+  void pass_on(int i, const RigidBody& body, double time, Onward how)
+  {
+    if (goes_on(step_, i))
+    {
+      return go_on(i, body, time, is_frozen(i) ? Onward::frozen : how);
+    }
+    Motion<double>& end = ends_[place_of(i)].motion;
+    end = {end.center, body.motion.velocity, body.motion.angular_velocity};
   }
 
   /// Holds one of two bodies that go on from a touch back from the other.
@@ -191,6 +136,7 @@ private:
 
   StepCourses& step_;
   std::span<RigidBody> ends_;
+  std::vector<int> touched_;    // how often each body has touched something
   std::vector<bool> is_held_;   // whether each body does not turn any more
   std::deque<RigidBody> turns_; // bodies as they went on from a touch, where courses begin
   std::vector<int> changed_;

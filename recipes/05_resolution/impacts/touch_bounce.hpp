@@ -5,8 +5,8 @@
 /// once.
 
 #include "05_resolution/contacts/contact_cache.hpp"
+#include "05_resolution/impacts/next_touch.hpp"
 #include "05_resolution/islands/simultaneous_impacts.hpp"
-#include "05_resolution/sweeps/next_touch.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,0 +1,52 @@
+#pragma once
+
+/// \file
+/// \brief Two bodies that touch on their ways, and how they go on from there.
+
+#include "05_resolution/impacts/going_on.hpp"
+#include "05_resolution/impacts/impact_group.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace cookbook
+{
+
+// [encounter]
+/// Two bodies where they touch, the first of which goes on by itself.
+struct Encounter
+{
+  CourseTouch touch;
+  RigidBody a, b;                   ///< the first, and the other
+  Met met{};                        ///< where they touch
+  bool ball = false;                ///< whether the first is one
+  bool tired = false;               ///< whether it has touched too often to bounce
+  bool frozen = false;              ///< whether it has so often that it stays where it is
+  bool rests = false;               ///< whether they were too slow to bounce
+  double approach = 0;              ///< [m/s], at which they met; 0: nothing was pushed
+  std::vector<StruckBody> driven{}; ///< whom they have driven along
+
+  /// The two numbers, the smaller one first.
+  std::pair<int, int> pair() const { return std::minmax(touch.first, touch.other); }
+};
+
+/// How the first goes on. What has come to rest leans on what does not give way; a box that touches
+/// and is not pushed is held; who touches on and on is frozen.
+inline Onward onward(const StepCourses& step, const Encounter& of)
+{
+  const bool held = !of.ball && (of.tired || of.approach == 0);
+  const bool leans = of.rests && (of.ball || !of.tired) && !goes_on(step, of.touch.other);
+  return of.frozen ? Onward::frozen : held ? Onward::held : leans ? Onward::leans : Onward::free;
+}
+
+/// Whether two that go on like this need not be looked at again: the first is frozen; or it is a
+/// ball that rests on a ball, or is not pushed any more: what they sink by, the next step finds.
+inline bool are_done(const StepCourses& step, const Encounter& of, Onward how)
+{
+  const bool ends = of.tired || of.approach == 0 || is_ball(step.scene, of.touch.other);
+  return how == Onward::frozen || (of.ball && of.rests && how == Onward::free && ends);
+}
+// [encounter]
+
+} // namespace cookbook
