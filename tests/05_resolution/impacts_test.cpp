@@ -448,7 +448,7 @@ TEST_CASE("who sleeps and is driven along wakes, and goes on in the next steps")
       Catch::Approx(scene.step * 100 / 3).epsilon(0.02));
 }
 
-TEST_CASE("at 5 m/s the weight of the heavy one presses on: an eighth under direct, else a fifth")
+TEST_CASE("at 5 m/s the weight of the heavy one presses on: 11 % under direct, else 18 %")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
   {
@@ -459,7 +459,7 @@ TEST_CASE("at 5 m/s the weight of the heavy one presses on: an eighth under dire
       deepest = std::max(deepest, deepest_in_scene(scene, solver));
     }
     CAPTURE(solver);
-    CHECK(deepest == Catch::Approx(solver == "direct" ? 0.11 : 0.21).margin(0.02)); // too deep
+    CHECK(deepest == Catch::Approx(solver == "direct" ? 0.11 : 0.18).margin(0.02)); // too deep
   }
 }
 // [at_once]
