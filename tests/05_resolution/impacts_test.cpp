@@ -379,6 +379,28 @@ TEST_CASE("a cube on a stack, or a hundred times as heavy as what it hits, a ten
   }
 }
 
+TEST_CASE("turned anyhow, no heavy one gets deeper under direct; in small steps 4 % do, to a third")
+{
+  const int tries = inputs(200, 25);
+  for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    BoxDraw draw(7);
+    double most = 0;
+    int deep = 0;
+    for (int i = 0; i < tries; ++i)
+    {
+      const double share = draw.between(0, 1);
+      const Quaternion<double> turned(draw.rotation());
+      const double deepest = deepest_in_scene(comes_down_on_light(30, share, turned), solver);
+      deep += deepest > 0.1 ? 1 : 0;
+      most = std::max(most, deepest);
+    }
+    CAPTURE(solver, deep, most);
+    CHECK(deep <= (solver == "direct" ? 0 : 0.04) * tries); // too deep
+    CHECK(most <= 1.0 / 3);
+  }
+}
+
 TEST_CASE("nor does it get deeper in a light one that bounces a little")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
