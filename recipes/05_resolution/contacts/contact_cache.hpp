@@ -17,8 +17,14 @@ namespace cookbook
 {
 
 // [world_contacts]
+/// The restitution of two bodies of a scene: the larger one.
+inline double restitution_of(const Scene& scene, int a, int b)
+{
+  return std::max(scene.bodies[place_of(a)].restitution, scene.bodies[place_of(b)].restitution);
+}
+
 /// The contact of two bodies of a scene that is new: two surfaces meet with the geometric mean of
-/// their frictions and the larger restitution.
+/// their frictions.
 inline WorldContact new_contact(const Scene& scene, int a, int b)
 {
   const SceneBody &body_a = scene.bodies[place_of(a)], &body_b = scene.bodies[place_of(b)];
@@ -26,7 +32,7 @@ inline WorldContact new_contact(const Scene& scene, int a, int b)
   contact.a = a;
   contact.b = b;
   contact.friction = std::sqrt(body_a.friction * body_b.friction);
-  contact.restitution = std::max(body_a.restitution, body_b.restitution);
+  contact.restitution = restitution_of(scene, a, b);
   return contact;
 }
 

@@ -18,13 +18,13 @@ namespace cookbook
 struct Encounter
 {
   CourseTouch touch;
-  RigidBody a, b;                   ///< the first, and the other
-  Met met{};                        ///< where they touch
-  bool ball = false;                ///< whether the first is one
-  bool tired = false;               ///< whether it has touched too often to bounce
-  bool frozen = false;              ///< whether it has so often that it stays where it is
-  bool rests = false;               ///< whether they were too slow to bounce
-  double approach = 0;              ///< [m/s], at which they met; 0: nothing was pushed
+  RigidBody a, b;      ///< the first, and the other
+  Met met{};           ///< where they touch
+  bool ball = false;   ///< whether the first is one
+  bool tired = false;  ///< whether it has touched too often to bounce
+  bool frozen = false; ///< whether it has so often that it stays where it is
+  bool rests = false;  ///< whether they do not bounce: too slow, or a ball without restitution
+  double approach = 0; ///< [m/s], at which they met; 0: nothing was pushed
   std::vector<StruckBody> driven{}; ///< whom they have driven along
 
   /// The two numbers, the smaller one first.

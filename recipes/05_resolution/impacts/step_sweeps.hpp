@@ -97,7 +97,8 @@ private:
     const auto at_touch = [&](int i) { return at(i, one.touch.time); };
     one.approach =
         bounce_together(step_, one.touch, one.met, one.a, one.b, slow, at_touch, one.driven);
-    one.rests = one.approach <= slow;
+    const bool thuds = one.ball && restitution_of(step_.scene, first, other) == 0;
+    one.rests = one.approach <= slow || thuds;
     if (one.approach > threshold)
     {
       touches_.come_back(first);
