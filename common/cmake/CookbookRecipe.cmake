@@ -310,6 +310,9 @@ function(cookbook_tests_together)
       add_test(NAME ${name}.unit COMMAND ${program} -\# "[#${name}_test]${only}")
       set_tests_properties(${name}.unit PROPERTIES LABELS ${COOKBOOK_CHAPTER} TIMEOUT 900
         FAIL_REGULAR_EXPRESSION "No test cases matched;No tests ran")
+      if(name IN_LIST COOKBOOK_LONG_TESTS) # they come first, so that nothing waits for them at the end
+        set_tests_properties(${name}.unit PROPERTIES COST 40)
+      endif()
     endforeach()
     list(REMOVE_DUPLICATES includes)
     list(JOIN includes "\n" includes)

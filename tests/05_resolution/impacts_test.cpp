@@ -310,7 +310,7 @@ TEST_CASE("two cubes that a solver has turned round in a step both go on from wh
 TEST_CASE("a light box carries no heavy one along, which goes no farther than its speed takes it")
 {
   BoxDraw draw(2);
-  for (int i = 0; i < inputs(40, 16); ++i)
+  for (int i = 0; i < inputs(40, 2); ++i)
   {
     const double share = draw.between(0, 1);
     const Quaternion<double> turned(draw.rotation());
