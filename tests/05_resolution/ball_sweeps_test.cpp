@@ -254,7 +254,8 @@ TEST_CASE("24,000 pairs of balls that fly at each other do not pass each other",
       SceneBody ball = ball_body(side < 0 ? "left" : "right", radius, {side * 1.5, 0, 0});
       ball.mass = evenly(draw, 0.01, 100);
       ball.velocity = {-side * evenly(draw, 1, 1000), 0, 0};
-      ball.restitution = draw.between(0, 1);
+      const double restitution = draw.between(0, 1);
+      ball.restitution = i % 4 == 0 ? 0 : restitution;
       scene.bodies.push_back(ball);
     }
     const double apart = draw.between(0, 0.9) * reach, turn = draw.between(0, 6.3);
@@ -275,6 +276,29 @@ TEST_CASE("24,000 pairs of balls that fly at each other do not pass each other",
   }
 }
 // [two_balls]
+
+TEST_CASE("two balls that do not bounce go on together, and stop together at a wall in that step")
+{
+  for (const double gap : {0.05, 0.2, 5.0}) // [m], to the wall
+  {
+    Scene scene{.bodies = {box_body("wall", {0.01, 1, 1}, {0.11 + gap, 0, 0}, 0)}};
+    scene.gravity.setZero();
+    scene.bodies.push_back(ball_body("first", 0.1, {-0.3, 0, 0}));
+    scene.bodies.push_back(ball_body("second", 0.1, {0, 0, 0}));
+    scene.bodies[1].velocity.x() = 100;
+    World world(scene, solver_named("direct"));
+    world.step();
+    CAPTURE(gap);
+    const Motion<double>&first = world.bodies()[1].motion, second = world.bodies()[2].motion;
+    const bool at_wall = gap < 1;
+    // They touch after a millisecond, at 100 m/s, and go on at 50.
+    const double place = at_wall ? gap : 50 * (scene.step - 0.001);
+    CHECK(second.center.x() == Catch::Approx(place).margin(1e-6));
+    CHECK(first.center.x() == Catch::Approx(place - 0.2).margin(1e-6));
+    CHECK(second.velocity.x() == Catch::Approx(at_wall ? 0 : 50).margin(1e-6));
+    CHECK(first.velocity.x() == Catch::Approx(at_wall ? 0 : 50).margin(1e-6));
+  }
+}
 
 // [go_on_falling]
 TEST_CASE("60 swarms of 20 balls that touch in flight fall as one body does", "[R3]")

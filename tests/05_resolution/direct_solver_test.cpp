@@ -377,7 +377,7 @@ TEST_CASE(
       {"tower_20", {"cold", "warm"}},
       {"pyramid", {"cold"}},
       {"heavy_on_light_100", {"cold", "warm"}},
-      {"plates", {"cold", "warm"}}}; // they lean, by 40 cm
+      {"plates", {"cold", "warm"}}}; // cold they lean, by 40 cm
   // Springs of this frequency in place of the direct solver's: what it sinks, times 1/ω² over its
   // own 10⁻⁷ h² / (4 β).
   const double frequency = 2 * std::numbers::pi * 0.125 * 60 * 16;

@@ -472,7 +472,8 @@ TEST_CASE("who sleeps and is driven along wakes, and goes on in the next steps")
       Catch::Approx(scene.step * 100 / 3).epsilon(0.02));
 }
 
-TEST_CASE("at 5 m/s the weight of the heavy one presses on: 11 % under direct, else 18 %", "[long]")
+TEST_CASE(
+    "at 5 m/s the weight of the heavy one presses on: a tenth under direct, else 18 %", "[long]")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
   {
@@ -483,7 +484,7 @@ TEST_CASE("at 5 m/s the weight of the heavy one presses on: 11 % under direct, e
       deepest = std::max(deepest, deepest_in_scene(scene, solver));
     }
     CAPTURE(solver);
-    CHECK(deepest == Catch::Approx(solver == "direct" ? 0.11 : 0.18).margin(0.02)); // too deep
+    CHECK(deepest == Catch::Approx(solver == "direct" ? 0.1 : 0.18).margin(0.02)); // too deep
   }
 }
 // [at_once]

@@ -18,13 +18,13 @@ namespace cookbook
 struct Encounter
 {
   CourseTouch touch;
-  RigidBody a, b;      ///< the first, and the other
-  Met met{};           ///< where they touch
-  bool ball = false;   ///< whether the first is one
-  bool tired = false;  ///< whether it has touched too often to bounce
-  bool frozen = false; ///< whether it has so often that it stays where it is
-  bool rests = false;  ///< whether they do not bounce: too slow, or a ball without restitution
-  double approach = 0; ///< [m/s], at which they met; 0: nothing was pushed
+  RigidBody a, b;                   ///< the first, and the other
+  Met met{};                        ///< where they touch
+  bool ball = false;                ///< whether the first is one
+  bool tired = false;               ///< whether it has touched too often to bounce
+  bool frozen = false;              ///< whether it has so often that it stays where it is
+  bool rests = false;               ///< whether they were too slow to bounce
+  double approach = 0;              ///< [m/s], at which they met; 0: nothing was pushed
   std::vector<StruckBody> driven{}; ///< whom they have driven along
 
   /// The two numbers, the smaller one first.
@@ -41,11 +41,16 @@ inline Onward onward(const StepCourses& step, const Encounter& of)
 }
 
 /// Whether two that go on like this need not be looked at again: the first is frozen; or it is a
-/// ball that rests on a ball, or is not pushed any more: what they sink by, the next step finds.
+/// ball that rests on another, or is not pushed any more; or two balls give nothing back, and go on
+/// together. What they sink by, the next step finds.
 inline bool are_done(const StepCourses& step, const Encounter& of, Onward how)
 {
-  const bool ends = of.tired || of.approach == 0 || is_ball(step.scene, of.touch.other);
-  return how == Onward::frozen || (of.ball && of.rests && how == Onward::free && ends);
+  const int first = of.touch.first, other = of.touch.other;
+  const bool on_ball = is_ball(step.scene, other);
+  const bool rests = of.rests && (of.tired || of.approach == 0 || on_ball);
+  const bool together =
+      on_ball && goes_on(step, other) && restitution_of(step.scene, first, other) == 0;
+  return how == Onward::frozen || (of.ball && how == Onward::free && (rests || together));
 }
 // [encounter]
 

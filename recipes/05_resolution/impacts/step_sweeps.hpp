@@ -97,8 +97,7 @@ private:
     const auto at_touch = [&](int i) { return at(i, one.touch.time); };
     one.approach =
         bounce_together(step_, one.touch, one.met, one.a, one.b, slow, at_touch, one.driven);
-    const bool thuds = one.ball && restitution_of(step_.scene, first, other) == 0;
-    one.rests = one.approach <= slow || thuds;
+    one.rests = one.approach <= slow;
     if (one.approach > threshold)
     {
       touches_.come_back(first);

@@ -58,8 +58,8 @@ inline double lost_speed(const IslandPoint& point)
 /// How accurate a bounce is, as a share of the fastest speed.
 inline constexpr double exact_bounce = 1e-13;
 
-/// By how much more than a point misses it is pushed where there are others, which would take a
-/// part of that back: so rounds get there sooner, by successive over-relaxation.
+/// By how much more than it misses a point is pushed where a bounce is only asked for roughly: the
+/// others take a part of that back. This gets there sooner, but with much friction not to the end.
 inline constexpr double over_relaxation = 1.2;
 
 /// Brings points to a share of their targets, and keeps the others from closing, one after the
@@ -79,7 +79,7 @@ reach_targets(std::vector<ImpactPoint>& points, double share, double accuracy = 
     lost = std::max(lost, lost_speed(one.point));
   }
   const double enough = std::max(accuracy * fastest, lost);
-  const double relaxed = points.size() > 1 ? over_relaxation : 1;
+  const double relaxed = accuracy > exact_bounce ? over_relaxation : 1;
   double missing = fastest, before = 2 * fastest;
   const auto strains = [&] { return missing <= 1e-5 * fastest && missing > 0.999 * before; };
   for (int round = 0; round < 200 && missing > enough && !strains(); ++round)
