@@ -203,7 +203,8 @@ TEST_CASE("a body is swept that a step leaves deeper than 7.5 %, and not by grav
 // [too_deep]
 
 // [impacts]
-TEST_CASE("a cube that comes down flat ends no deeper in the ground than a tenth of its edge")
+TEST_CASE(
+    "a cube that comes down flat ends no deeper in the ground than a tenth of its edge", "[long]")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
   {
@@ -228,7 +229,7 @@ TEST_CASE("nor one turned anyhow; nor one that comes down in one or two boxes, f
       for (const double speed : {2.0, 5.0, 30.0})
       {
         CAPTURE(solver, edge, speed);
-        for (int i = 0; i < inputs(20, 2); ++i)
+        for (int i = 0; i < inputs(20, 1); ++i)
         {
           const double share = draw.between(0, 1);
           const Quaternion<double> turned(draw.rotation());
@@ -261,7 +262,7 @@ TEST_CASE("corner first in boxes, or in a stack of three, a tenth at 5 and at 30
       {
         BoxDraw draw(2);
         double sum = 0, most = 0;
-        const int tries = inputs(200, 5);
+        const int tries = inputs(200, 2);
         for (int i = 0; i < tries; ++i)
         {
           const double share = draw.between(0, 1);
@@ -310,7 +311,7 @@ TEST_CASE("two cubes that a solver has turned round in a step both go on from wh
 TEST_CASE("a light box carries no heavy one along, which goes no farther than its speed takes it")
 {
   BoxDraw draw(2);
-  for (int i = 0; i < inputs(40, 2); ++i)
+  for (int i = 0; i < inputs(40, 1); ++i)
   {
     const double share = draw.between(0, 1);
     const Quaternion<double> turned(draw.rotation());
