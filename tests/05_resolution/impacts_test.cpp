@@ -404,18 +404,19 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("nor does it get deeper in a light one that bounces a little")
+TEST_CASE("nor does it get deeper in a light one that bounces a little, and to 12 % in one that "
+          "does well")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
   {
     for (int i = 0; i < inputs(20, 2); ++i)
     {
-      for (const double restitution : {0.1, 0.3})
+      for (const double restitution : {0.1, 0.3, 0.6})
       {
         CAPTURE(solver, i, restitution);
         Scene scene = comes_down_on_light(30, (i + 0.5) / 20, slanted);
         scene.bodies[1].restitution = restitution;
-        CHECK(deepest_in_scene(scene, solver) <= 0.1);
+        CHECK(deepest_in_scene(scene, solver) <= (restitution > 0.5 ? 0.12 : 0.1));
       }
     }
   }

@@ -59,7 +59,7 @@ inline void hold_back(
 /// as many more it stays where it is.
 inline constexpr int most_touches_a_step = 64;
 
-/// Has bodies go on from touches, and knows who has, and how often each has touched something.
+/// Has bodies go on from touches, and knows who has, and how often each was the first at a touch.
 class GoingOn
 {
 public:
@@ -69,7 +69,7 @@ public:
   {
   }
 
-  void count_touch(int i) { ++touched_[place_of(i)]; } ///< of a body, with anything
+  void count_touch(int i) { ++touched_[place_of(i)]; } ///< of the body that goes first
   /// Whether a body has touched so often that it only stops.
   bool is_tired(int i) const { return touched_[place_of(i)] > most_touches_a_step; }
   /// Whether it has so often that it stays where it is.
@@ -136,7 +136,7 @@ private:
 
   StepCourses& step_;
   std::span<RigidBody> ends_;
-  std::vector<int> touched_;    // how often each body has touched something
+  std::vector<int> touched_;    // how often each body was the first at a touch
   std::vector<bool> is_held_;   // whether each body does not turn any more
   std::deque<RigidBody> turns_; // bodies as they went on from a touch, where courses begin
   std::vector<int> changed_;

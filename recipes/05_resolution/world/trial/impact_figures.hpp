@@ -59,19 +59,21 @@ inline plot::Figure2d foreseen_panel()
   return figure;
 }
 
+/// Where a turned cube first touches the ground [m], and how it is turned then.
+inline const Eigen::Vector2d first_corner(-0.1, 0);
+inline const DrawnSquare at_first_touch = DrawnSquare::on_corner(first_corner, 0.35);
+
 /// One that is stopped at one corner, and turns about it onto another.
 inline plot::Figure2d too_deep_panel()
 {
   plot::Figure2d figure = above_ground("2. looked at once more");
-  const Eigen::Vector2d place(-0.1, 0);
-  const DrawnSquare start = DrawnSquare::on_corner(place, 0.35),
-                    end = DrawnSquare::on_corner(place, -0.25);
+  const DrawnSquare end = DrawnSquare::on_corner(first_corner, -0.25);
   const Eigen::Vector2d deep = end.corner(1, -1), right = end.corner(1, 1);
   const double share = deep.y() / (deep.y() - right.y());
-  start.draw(figure, plot::Fill::none, plot::Stroke::dashed);
+  at_first_touch.draw(figure, plot::Fill::none, plot::Stroke::dashed);
   end.draw(figure, plot::Fill::wash, plot::Stroke::solid);
-  figure.region({place, deep, deep + share * (right - deep)})
-      .point(place, plot::Ink::ink, "a contact", plot::Side::below)
+  figure.region({first_corner, deep, deep + share * (right - deep)})
+      .point(first_corner, plot::Ink::ink, "a contact", plot::Side::below)
       .label(deep, "too deep", plot::Side::below, plot::Ink::overlap);
   return figure;
 }
@@ -80,12 +82,10 @@ inline plot::Figure2d too_deep_panel()
 inline plot::Figure2d swept_panel()
 {
   plot::Figure2d figure = above_ground("3. swept");
-  const Eigen::Vector2d place(-0.1, 0);
-  const DrawnSquare start = DrawnSquare::on_corner(place, 0.35),
-                    flat = DrawnSquare::on_corner(place, 0);
-  start.draw(figure, plot::Fill::none, plot::Stroke::dashed);
+  const DrawnSquare flat = DrawnSquare::on_corner(first_corner, 0);
+  at_first_touch.draw(figure, plot::Fill::none, plot::Stroke::dashed);
   flat.draw(figure, plot::Fill::wash, plot::Stroke::solid);
-  figure.point(place, plot::Ink::ink, "first touch", plot::Side::below)
+  figure.point(first_corner, plot::Ink::ink, "first touch", plot::Side::below)
       .point(flat.corner(1, -1), plot::Ink::ink, "second", plot::Side::below);
   return figure;
 }
@@ -113,10 +113,9 @@ inline plot::Grid impact_figure()
 {
   plot::Grid grid("world_one_step", "", 2);
   grid.describe(
-          "A cube that would end deep in the ground is a contact before it touches; one that turns "
-          "onto another corner is found too deep; it is swept, corner by corner; a heavy one "
-          "drives "
-          "a light one along, down to the ground.")
+          "A cube that would end deep in the ground is a contact before it touches; one that "
+          "turns onto another corner is found too deep; it is swept, corner by corner; a heavy "
+          "one drives a light one along, down to the ground.")
       .add(foreseen_panel())
       .add(too_deep_panel())
       .add(swept_panel())
