@@ -119,6 +119,10 @@ BEGIN {
     print "// This header only declares: what it declares is compiled once for each instruction set. Link"
     print "// cookbook::" library ", as the README shows."
   }
+  if (waiting) {
+    print "// It takes long to compile. In a game of several sources, compile all with COOKBOOK_WORLD_COMPILED"
+    print "// defined; and one more, which defines COOKBOOK_WORLD_SOURCE, includes this, and holds no more."
+  }
   print "// Everything is in namespace cookbook. What is here to be called:"
   offers(header)
   print "//"

@@ -70,17 +70,17 @@ struct MetPairs
   {
     const Scene scene = moving_bodies(draw, speed);
     const double margin = contact_margin(scene);
-    std::vector<RigidBody> starts, ends;
+    std::vector<PastBody> starts;
+    std::vector<RigidBody> ends;
     std::vector<Bounds> bounds;
     for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i)
     {
-      starts.push_back(rigid_body(scene.bodies[place_of(i)]));
-      const Ahead ahead = ahead_of(scene, starts.back(), i);
-      bounds.push_back({foreseen_bounds(scene, starts.back(), ahead, i, margin), i});
-      ends.push_back(starts.back());
-      const bool shoved = !is_fixed(starts.back()) && draw.whole(one_in) == 0;
-      ends.back().motion.velocity += shoved ? draw.vector(-50, 50) : Vector3<double>::Zero();
-      is_fixed(starts.back()) ? void() : fly(ends.back(), scene.gravity, scene.step);
+      RigidBody& body = ends.emplace_back(rigid_body(scene.bodies[place_of(i)]));
+      starts.push_back(past_of(body));
+      bounds.push_back({foreseen_bounds(scene, body, ahead_of(scene, body, i), i, margin), i});
+      const bool shoved = !is_fixed(body) && draw.whole(one_in) == 0;
+      body.motion.velocity += shoved ? draw.vector(-50, 50) : Vector3<double>::Zero();
+      is_fixed(body) ? void() : fly(body, scene.gravity, scene.step);
     }
     const std::vector<bool> falls(starts.size(), false), gone(starts.size(), false);
     std::vector<Course> courses;
@@ -151,7 +151,8 @@ TEST_CASE(
     bodies[1].motion.center = {10, aside, 0};
     const Vector3<double> none(0, 0, 0);
     std::vector<Course> courses{
-        {&bodies[0], 0, {speed, 0, 0}, none, none}, {&bodies[1], 0, none, {0, -pull, 0}, none}};
+        {&bodies[0], past_of(bodies[0]), 0, {speed, 0, 0}, none, none},
+        {&bodies[1], past_of(bodies[1]), 0, none, {0, -pull, 0}, none}};
     const std::vector<bool> no(2, false);
     std::vector<bool> too_deep(2, false);
     std::vector<double> ways;

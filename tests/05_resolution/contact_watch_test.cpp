@@ -10,6 +10,9 @@
 
 #include "tests/catch.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -89,3 +92,92 @@ TEST_CASE("a cube that falls on another begins to press on it once, and ends whe
   CHECK(watch.pressing() == Pairs{{0, 1}});
 }
 // [contact_watch]
+
+namespace
+{
+
+/// All impacts of a scene up to a time [s].
+std::vector<Impact> impacts_until(double time, const Scene& scene, const std::string& solver)
+{
+  World world(scene, solver_named(solver));
+  std::vector<Impact> all;
+  while (world.time() < time)
+  {
+    world.step();
+    all.insert(all.end(), world.impacts().begin(), world.impacts().end());
+  }
+  return all;
+}
+
+} // namespace
+
+// [impacts_heard]
+TEST_CASE("a ball is heard each time it bounces, at half the speed of the time before")
+{
+  for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    Scene scene{.bodies = {ground(), ball_body("ball", 0.5, {3, 20.5, 4}, 10)}};
+    scene.bodies[1].restitution = 0.5;
+    const std::vector<Impact> heard = impacts_until(15, scene, solver);
+    CAPTURE(solver);
+    REQUIRE(heard.size() == 6); // the seventh time it is slower than 2 g h = 0.327 m/s
+    double speed = std::sqrt(2 * 9.81 * 20);
+    for (const Impact& impact : heard)
+    {
+      CHECK((impact.a == 0 && impact.b == 1));
+      CHECK(impact.speed == Catch::Approx(speed).epsilon(0.002));
+      CHECK(impact.normal.isApprox(Vector3<double>(0, 1, 0)));
+      CHECK((impact.place - Vector3<double>(3, 0, 4)).norm() <= 0.02);
+      speed /= 2;
+    }
+  }
+}
+
+TEST_CASE("what comes down from a metre and stays is heard once, and so is the row that it joins")
+{
+  for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    for (const double high : {0.05, 1.0, 5.0, 50.0})
+    {
+      CAPTURE(solver, high);
+      Scene scene = named_scene("tower_2");
+      scene.bodies.push_back(cube_body("late", {0, 2.5 + high, 0}));
+      const std::vector<Impact> heard = impacts_until(6, scene, solver);
+      REQUIRE_FALSE(heard.empty());
+      CHECK(heard[0].a == 2);
+      CHECK(heard[0].b == 3);
+      CHECK(heard[0].speed == Catch::Approx(std::sqrt(2 * 9.81 * high)).epsilon(0.01));
+      CHECK(std::abs(heard[0].place.y() - 2) <= 0.1);
+      const auto late = [](const Impact& impact) { return impact.a == 2 && impact.b == 3; };
+      CHECK(std::count_if(heard.begin(), heard.end(), late) == 1);
+    }
+  }
+}
+
+TEST_CASE("two balls that meet in flight are heard once, the smaller number first")
+{
+  Scene scene{.gravity = {0, 0, 0}};
+  scene.bodies = {ball_body("right", 0.5, {5, 1, 0}), ball_body("left", 0.25, {-5, 1, 0})};
+  scene.bodies[0].velocity = {-30, 0, 0};
+  scene.bodies[1].velocity = {10, 0, 0};
+  const std::vector<Impact> heard = impacts_until(2, scene, "direct");
+  REQUIRE(heard.size() == 1);
+  CHECK((heard[0].a == 0 && heard[0].b == 1));
+  CHECK(heard[0].speed == Catch::Approx(40));
+  CHECK(heard[0].normal.isApprox(Vector3<double>(-1, 0, 0)));
+  // They touch after (10 − 0.75) / 40 s, where the left one has come to −5 + 10 t.
+  CHECK(heard[0].place.x() == Catch::Approx(-5 + 9.25 / 4 + 0.25));
+}
+
+TEST_CASE("what stands, rolls or slides is not heard")
+{
+  for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    CAPTURE(solver);
+    CHECK(impacts_until(5, named_scene("tower_10"), solver).empty());
+    CHECK(impacts_until(5, named_scene("incline"), solver).empty());
+    CHECK(impacts_until(5, named_scene("rolling"), solver).empty());
+    CHECK(impacts_until(3, named_scene("tiles"), solver).empty());
+  }
+}
+// [impacts_heard]

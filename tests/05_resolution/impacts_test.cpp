@@ -173,8 +173,9 @@ TEST_CASE("a body is swept that a step leaves deeper than 7.5 %, and not by grav
             box_body("slab", {5, 0.5, 5}, {0, -0.5, 0}, 0), ball_body("ball", 0.1, {0, 0, 0})}};
     scene.bodies[0].mass = slab == Slab::moves ? 1 : 0;
     scene.bodies[1].shape = shape;
-    std::vector<RigidBody> starts{rigid_body(scene.bodies[0]), rigid_body(scene.bodies[1])};
-    std::vector<RigidBody> ends = starts;
+    std::vector<RigidBody> ends{rigid_body(scene.bodies[0]), rigid_body(scene.bodies[1])};
+    const Ahead ahead[] = {ahead_of(scene, ends[0], 0), ahead_of(scene, ends[1], 1)};
+    std::vector<PastBody> starts{past_of(ends[0]), past_of(ends[1])};
     starts[1].motion.center = {0, 0.1 + from, 0};
     ends[1].motion.center = {along, 0.1 + to, 0};
     ends[0].motion.center.x() += slab == Slab::moves ? 1e-6 : 0;
@@ -184,7 +185,6 @@ TEST_CASE("a body is swept that a step leaves deeper than 7.5 %, and not by grav
     std::vector<double> ways;
     std::vector<bool> marked;
     StepCourses step{scene, starts, {}, none, none, near, courses, ways, marked};
-    const Ahead ahead[] = {ahead_of(scene, starts[0], 0), ahead_of(scene, starts[1], 1)};
     const bool any = has_boxes_to_sweep(step, ahead, ends);
     CHECK(any == (marked[0] || marked[1]));
     return std::pair<bool, bool>(marked[0], marked[1]);
@@ -515,12 +515,14 @@ struct Row
   /// Has them bounce at a time [s] of the step; whether each of the two that touch is tossed.
   void bounce(double time = 0, bool first_tossed = false, bool second_tossed = false)
   {
-    std::vector<RigidBody> starts;
+    std::vector<PastBody> starts;
+    std::vector<RigidBody> bodies;
     std::vector<Bounds> bounds;
     for (const SceneBody& body : scene.bodies)
     {
-      starts.push_back(rigid_body(body));
-      bounds.push_back({bounds_of(starts.back(), body.shape, 0), static_cast<int>(bounds.size())});
+      bodies.push_back(rigid_body(body));
+      starts.push_back(past_of(bodies.back()));
+      bounds.push_back({bounds_of(bodies.back(), body.shape, 0), static_cast<int>(bounds.size())});
     }
     BoundsTree tree;
     tree.build(bounds);
@@ -529,13 +531,13 @@ struct Row
     std::vector<Course> courses;
     std::vector<double> ways;
     StepCourses step{scene, starts, {}, all, none, {}, courses, ways, deep, &tree};
-    set_out(step, starts);
+    set_out(step, bodies);
     courses[0].tossed = first_tossed;
     courses[1].tossed = second_tossed;
     const CourseTouch touch{time, 0, 1, {1, 0, 0}, {}};
-    RigidBody a = starts[0], b = starts[1];
+    RigidBody a = bodies[0], b = bodies[1];
     const Met met = touch_manifold(scene, touch, a, b);
-    const auto at = [&](int i) { return starts[place_of(i)]; };
+    const auto at = [&](int i) { return bodies[place_of(i)]; };
     std::vector<StruckBody> others;
     const double approach = bounce_together(step, touch, met, a, b, 0.0, at, others);
     CHECK(approach == Catch::Approx(scene.bodies[0].velocity.x()));

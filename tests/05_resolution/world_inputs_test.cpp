@@ -248,7 +248,8 @@ TEST_CASE("what is asked of a body that is not there, or not any more, says so",
   world.remove(2);
   for (const std::size_t body : {2U, 99U})
   {
-    const std::string words = "there is no body " + std::to_string(body);
+    const std::string words = "there is no body " + std::to_string(body) +
+                              (body == 2 ? " any more: it was taken out" : "");
     const auto says_so = [&](const auto& ask)
     {
       try
@@ -524,7 +525,50 @@ TEST_CASE("a world that is copied between a force and a step goes on as the orig
   CHECK(world.body(3).motion.velocity.x() > 0);
 }
 
+TEST_CASE("a ball that came to a wall without gravity, and is pressed on it then, is rubbed there")
+{
+  for (const char* const solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    Scene scene{.gravity = {0, 0, 0}};
+    scene.bodies = {
+        box_body("wall", {0.1, 50, 2}, {0.1, 0, 0}, 0), ball_body("ball", 0.5, {-2, 0, 0}, 10)};
+    scene.bodies[1].velocity = {1, 0, 0};
+    World world(scene, solver_named(solver));
+    for (int i = 0; i < 180; ++i)
+    {
+      world.step();
+    }
+    world.set_velocity(1, {0, 5, 0}, {0, 0, 0});
+    for (int i = 0; i < 60; ++i)
+    {
+      apply_force(world, 1, {98.1, 0, 0});
+      world.step();
+    }
+    CAPTURE(solver);
+    CHECK(world.body(1).motion.velocity.y() == Catch::Approx(5 * 5.0 / 7)); // it rolls
+    CHECK(world.body(1).motion.angular_velocity.z() == Catch::Approx(-10 * 5.0 / 7));
+  }
+}
+
 // [damped_bodies]
+TEST_CASE("what falls through thick air for long does so at g/c, to the square of c times the step")
+{
+  for (const double rate : {0.1157, 1.0, 6.0})
+  {
+    Scene scene;
+    scene.bodies = {box_body("box", {0.5, 0.5, 0.5}, {0, 0, 0})};
+    scene.bodies[0].damping = rate;
+    World world(scene, solver_named("direct"));
+    while (world.time() < 40 / rate)
+    {
+      world.step();
+    }
+    CAPTURE(rate);
+    const double off = world.body(0).motion.velocity.y() / (-9.81 / rate) - 1;
+    CHECK(off == Catch::Approx(-std::pow(rate / 60, 2) / 24).epsilon(0.01).margin(1e-12));
+  }
+}
+
 TEST_CASE(
     "a velocity of 8 m/s wears off at 2/s to 8/e after half a second; a spin by itself", "[R32]")
 {

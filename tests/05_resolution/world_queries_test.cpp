@@ -181,6 +181,27 @@ TEST_CASE("a ball of 0.25 m let down on a tower stops at 5/8 of its way, and is 
   CHECK_THROWS_AS(queries.cast(above, {0, nan, 0}), InvalidShape);
 }
 
+TEST_CASE(
+    "a ray and a ball go through bodies that are not asked, and through those taken out since")
+{
+  World world(named_scene("tower_2"), solver_named("direct"));
+  const WorldQueries queries(world);
+  const Vector3<double> eye(0.1, 3.5, 0.2), down(0, -2, 0);
+  const Sphere<double> above{eye, 0.25};
+  const auto not_top = [](std::size_t body) { return body != 2; };
+  CHECK(queries.cast({eye, down}, not_top)->body == 1);
+  CHECK(queries.cast({eye, down}, not_top)->hit.t == 1.25);
+  CHECK_FALSE(queries.cast({eye, down}, [](std::size_t) { return false; }));
+  CHECK(queries.cast(above, down)->body == 2);
+  CHECK_FALSE(queries.cast(above, down, not_top)); // it ends at 1.25 m
+  CHECK(queries.cast(above, {0, -4, 0}, not_top)->body == 1);
+  CHECK(queries.overlapping(Sphere<double>{{0, 1, 0}, 0.25}) == std::vector<std::size_t>{1, 2});
+  world.remove(2);
+  CHECK(queries.cast({eye, down})->body == 1);
+  CHECK_FALSE(queries.cast(above, down));
+  CHECK(queries.overlapping(Sphere<double>{{0, 1, 0}, 0.25}) == std::vector<std::size_t>{1});
+}
+
 TEST_CASE("a ray without a direction and a ball that is not a number are refused by name")
 {
   const World world(named_scene("tower_2"), solver_named("direct"));

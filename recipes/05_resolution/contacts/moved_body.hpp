@@ -5,6 +5,7 @@
 
 #include "01_math/turning/rotation_by.hpp"
 #include "05_resolution/contacts/rigid_body.hpp"
+#include "05_resolution/damping/damping.hpp"
 #include "05_resolution/spinning_bodies/mean_spin.hpp"
 #include "05_resolution/spinning_bodies/spin_with_energy.hpp"
 
@@ -16,7 +17,8 @@ namespace cookbook
 
 // [moved_body]
 /// How a body is turned once it has turned about a vector, world, by its length [rad].
-inline Quaternion<double> turned_by(const RigidBody& body, const Vector3<double>& turn)
+template <class SomeBody>
+Quaternion<double> turned_by(const SomeBody& body, const Vector3<double>& turn)
 {
   return (rotation_by<double>(turn) * body.orientation).normalized();
 }
@@ -106,6 +108,16 @@ inline void turn_pose(RigidBody& body, double time)
   else
   {
     take_spin(turned_about_mean<double>(spinning(body), body.moments, time), body);
+  }
+}
+
+/// Has a body's velocity and spin wear off for a time [s], at the rates of a scene; R32.
+inline void wear_off(RigidBody& body, const SceneBody& of, double time)
+{
+  if (of.damping > 0 || of.spin_damping > 0)
+  {
+    body.motion.velocity *= damping_factor(of.damping, time);
+    body.motion.angular_velocity *= damping_factor(of.spin_damping, time);
   }
 }
 

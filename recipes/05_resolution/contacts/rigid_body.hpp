@@ -7,7 +7,9 @@
 #include "05_resolution/contacts/scene.hpp"
 #include "05_resolution/impulse/body.hpp"
 
+#include <algorithm>
 #include <variant>
+#include <vector>
 
 namespace cookbook
 {
@@ -38,14 +40,34 @@ inline void forget_forces(RigidBody& body)
   body.angular_acceleration.setZero();
 }
 
+/// Forces last as long as this, also where a solver throws.
+struct ForcesOfStep
+{
+  std::vector<RigidBody>& bodies; ///< whose forces they are
+
+  ~ForcesOfStep() { std::for_each(bodies.begin(), bodies.end(), forget_forces); }
+};
+
 /// What pulls a body that is not fixed [m/s²]: gravity and the forces of the step.
-inline Vector3<double> pull_on(const RigidBody& body, const Vector3<double>& gravity)
+template <class SomeBody>
+Vector3<double> pull_on(const SomeBody& body, const Vector3<double>& gravity)
 {
   return gravity + body.acceleration;
 }
 
+/// How fast [m/s²] they part two bodies along a direction from A to B; negative where they press.
+inline double parting_pull(
+    const RigidBody& a, const RigidBody& b, const Vector3<double>& direction,
+    const Vector3<double>& gravity)
+{
+  const auto pulls = [&](const RigidBody& body)
+  { return is_fixed(body) ? 0.0 : pull_on(body, gravity).dot(direction); };
+  return pulls(b) - pulls(a);
+}
+
 /// How it moves once they have pulled it for a time [s], where it is.
-inline Motion<double> after_pull(const RigidBody& body, const Vector3<double>& gravity, double time)
+template <class SomeBody>
+Motion<double> after_pull(const SomeBody& body, const Vector3<double>& gravity, double time)
 {
   const auto& [center, velocity, spin] = body.motion;
   const Vector3<double> gained = time * pull_on(body, gravity);

@@ -41,7 +41,7 @@ struct SceneBody
   std::variant<BoxShape, SphereShape, PlaneShape> shape;      ///< how it collides
   double mass = 0;                                            ///< [kg]; 0: fixed
   Vector3<double> position = Vector3<double>::Zero();         ///< [m], world, centre of mass
-  Quaternion<double> orientation{1, 0, 0, 0};                 ///< unit, body to world
+  Quaternion<double> orientation{1, 0, 0, 0};                 ///< body to world; it is made unit
   Vector3<double> velocity = Vector3<double>::Zero();         ///< [m/s], world
   Vector3<double> angular_velocity = Vector3<double>::Zero(); ///< [rad/s], world
   double friction = 0.6;                                      ///< [1], of its surface
@@ -56,7 +56,7 @@ struct Scene
   std::string name{};                         ///< such as tower_20, or of the file it was read from
   Vector3<double> gravity{0, -9.81, 0};       ///< [m/s²], world
   double step = 1.0 / 60;                     ///< [s], one frame
-  double duration = 10;                       ///< [s]
+  double duration = 10;                       ///< [s], of a program that runs it
   std::vector<SceneBody> bodies{};            ///< results have them in this order
   std::vector<std::pair<int, int>> ignored{}; ///< bodies that pass through each other
 };

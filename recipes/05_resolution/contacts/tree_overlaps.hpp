@@ -17,14 +17,15 @@ namespace cookbook
 {
 
 // [reach]
-/// How far [m] a body reaches from its centre along the axes of the world.
+/// How far [m] a body reaches from its centre along the axes of the world; `axes()` are its own.
+template <class Axes>
 struct Reach
 {
-  const RigidBody& body;
+  const Axes& axes;
 
   Vector3<double> operator()(const BoxShape& box) const
   {
-    return body.axes.cwiseAbs() * box.half_extents;
+    return axes().cwiseAbs() * box.half_extents;
   }
   Vector3<double> operator()(const SphereShape& ball) const
   {
@@ -36,12 +37,23 @@ struct Reach
   }
 };
 
+/// The bounds of a shape at a place [m], wider by a margin [m]; `axes()` are the shape's own.
+template <class Axes>
+Eigen::AlignedBox<double, 3> bounds_at(
+    const Vector3<double>& center, const Axes& axes, const decltype(SceneBody::shape)& shape,
+    double margin)
+{
+  const Vector3<double> reach =
+      std::visit(Reach<Axes>{axes}, shape) + Vector3<double>::Constant(margin);
+  return {center - reach, center + reach};
+}
+
 /// The bounds of a shape where its body is, wider by a margin [m].
 inline Eigen::AlignedBox<double, 3>
 bounds_of(const RigidBody& body, const decltype(SceneBody::shape)& shape, double margin)
 {
-  const Vector3<double> reach = std::visit(Reach{body}, shape) + Vector3<double>::Constant(margin);
-  return {body.motion.center - reach, body.motion.center + reach};
+  const auto axes = [&]() -> const Matrix3<double>& { return body.axes; };
+  return bounds_at(body.motion.center, axes, shape, margin);
 }
 // [reach]
 

@@ -28,9 +28,9 @@ struct WorldPoint
   Vector3<double> on_a = Vector3<double>::Zero();     ///< [m], in A's frame, on its surface
   Vector3<double> on_b = Vector3<double>::Zero();     ///< [m], in B's frame, on its surface
   Vector3<double> friction = Vector3<double>::Zero(); ///< [N s], on B, across the normal, world
-  double impulse = 0;                                 ///< [N s], along the normal, zero or more
-  std::uint32_t feature = 0;                          ///< which features of the shapes meet here
-  bool solved = false;                                ///< whether the impulse is more than a guess
+  double impulse = 0;        ///< [N s], by the solver in this step, along the normal, zero or more
+  std::uint32_t feature = 0; ///< which features of the shapes meet here
+  bool solved = false;       ///< whether the impulse is more than a guess
 };
 
 /// Two bodies of a world that touch, or may in this step.

@@ -31,6 +31,14 @@ struct Encounter
   std::pair<int, int> pair() const { return std::minmax(touch.first, touch.other); }
 };
 
+/// Who has hit whom.
+inline Impact impact_of(const Encounter& of)
+{
+  const auto [a, b] = of.pair();
+  const Vector3<double> place = place_of_touch(of.met, of.a);
+  return {a, b, place, a == of.touch.first ? of.touch.normal : -of.touch.normal, of.approach};
+}
+
 /// How the first goes on. What has come to rest leans on what does not give way; a box that touches
 /// and is not pushed is held; who touches on and on is frozen.
 inline Onward onward(const StepCourses& step, const Encounter& of)

@@ -7,7 +7,6 @@
 #include "05_resolution/impacts/touch_bounce.hpp"
 
 #include <algorithm>
-#include <deque>
 #include <span>
 #include <utility>
 #include <vector>
@@ -82,10 +81,9 @@ public:
     const Vector3<double> before = course.velocity_at(time);
     const bool again = how == Onward::held && is_held_[place_of(i)];
     is_held_[place_of(i)] = how == Onward::held;
-    course.from = &turns_.emplace_back(body);
+    course.from = setting_out(past_of(body));
     course.since = time;
     course.velocity = again ? before : body.motion.velocity;
-    course.angular_acceleration = body.angular_acceleration;
     course.tossed = course.tossed || turns_back(before, course.velocity);
     if (how == Onward::frozen)
     {
@@ -136,9 +134,8 @@ private:
 
   StepCourses& step_;
   std::span<RigidBody> ends_;
-  std::vector<int> touched_;    // how often each body was the first at a touch
-  std::vector<bool> is_held_;   // whether each body does not turn any more
-  std::deque<RigidBody> turns_; // bodies as they went on from a touch, where courses begin
+  std::vector<int> touched_;  // how often each body was the first at a touch
+  std::vector<bool> is_held_; // whether each body does not turn any more
   std::vector<int> changed_;
 };
 // [going_on]

@@ -39,7 +39,7 @@ struct CourseTouch
 inline bool goes_on(const StepCourses& step, int i)
 {
   const bool alone = is_ball(step.scene, i) || step.falls[place_of(i)] || is_swept_box(step, i);
-  return alone && !is_fixed(*step.courses[place_of(i)].from);
+  return alone && !is_fixed(*step.courses[place_of(i)].of);
 }
 
 /// Two bodies that touch, first the one that goes on by itself: a swept box before a ball, that
@@ -57,7 +57,7 @@ inline std::pair<int, int> first_of(const StepCourses& step, int i, int j)
 /// Has a box that can move be swept from now on.
 inline void sweep_from_now(StepCourses& step, int box)
 {
-  if (!is_ball(step.scene, box) && !is_fixed(*step.courses[place_of(box)].from))
+  if (!is_ball(step.scene, box) && !is_fixed(*step.courses[place_of(box)].of))
   {
     step.too_deep[place_of(box)] = true;
   }
@@ -99,7 +99,9 @@ next_touch(const StepCourses& step, int first, int other, double time, double de
   {
     const auto at_first = [&]
     {
-      const RigidBody &ball = step.starts[place_of(first)], &body = step.starts[place_of(other)];
+      const auto start_of = [&](int i)
+      { return as_it_was(*step.courses[place_of(i)].of, step.starts[place_of(i)]); };
+      const RigidBody ball = start_of(first), body = start_of(other);
       return std::max(0.0, depth_between(scene, {first, other}, ball, body));
     };
     const double allowed = presses ? at_first() + rest_depth(scene, first, other) : 0;

@@ -72,7 +72,7 @@ inline RigidBody gone_on(Course& course, double step, Onward how)
   {
     end.motion.velocity += time * course.acceleration;
   }
-  course.spin = turns ? spin_between(*course.from, end, time) : Vector3<double>::Zero();
+  course.spin = turns ? spin_between(course.from, end, time) : Vector3<double>::Zero();
   end.motion.center = course.place_at(step);
   return end;
 }
@@ -81,7 +81,7 @@ inline RigidBody gone_on(Course& course, double step, Onward how)
 inline void note_way(StepCourses& step, int i, const RigidBody& end, double time)
 {
   const Course& course = step.courses[place_of(i)];
-  const double center = (end.motion.center - course.from->motion.center).norm();
+  const double center = (end.motion.center - course.from.motion.center).norm();
   double& way = step.ways[place_of(i)];
   way = std::max(way, farthest_way(step, i, course, center, step.scene.step - time));
 }

@@ -20,11 +20,14 @@ namespace cookbook
 class StepSweeps
 {
 public:
-  /// The step, the bodies at its end, and a list that is given all that are hit.
-  StepSweeps(StepCourses& step, std::span<RigidBody> ends, std::vector<int>& hit)
+  /// The step, the bodies at its end, and lists that are given all that are hit, and by whom.
+  StepSweeps(
+      StepCourses& step, std::span<RigidBody> ends, std::vector<int>& hit,
+      std::vector<Impact>& impacts)
       : step_(step),
         ends_(ends),
         hit_(hit),
+        impacts_(impacts),
         duration_(step.scene.step),
         onward_(step, ends),
         touches_(step, ends)
@@ -99,6 +102,7 @@ private:
     one.rests = one.approach <= slow;
     if (one.approach > threshold)
     {
+      impacts_.push_back(impact_of(one));
       touches_.come_back(first);
       touches_.come_back(other);
       if (one.ball && touches_.hits(other) > 2) // balls may have been stopped in its way
@@ -184,6 +188,7 @@ private:
   StepCourses& step_;
   std::span<RigidBody> ends_;
   std::vector<int>& hit_;
+  std::vector<Impact>& impacts_;
   double duration_;
   GoingOn onward_;
   TouchQueue touches_;

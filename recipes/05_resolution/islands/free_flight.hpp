@@ -4,6 +4,7 @@
 /// \brief Bodies of a world that nothing touches: gravity, forces and spin.
 
 #include "05_resolution/contacts/moved_body.hpp"
+#include "05_resolution/islands/past_body.hpp"
 
 #include <algorithm>
 
@@ -23,8 +24,8 @@ inline void fly(RigidBody& body, const Vector3<double>& gravity, double time)
 
 /// Whether anything but gravity and forces has changed how a body moves, since it was at the start
 /// of a step [s].
-inline bool was_pushed(
-    const RigidBody& now, const RigidBody& start, const Vector3<double>& gravity, double step)
+inline bool
+was_pushed(const RigidBody& now, const PastBody& start, const Vector3<double>& gravity, double step)
 {
   const auto differs = [](const Vector3<double>& a, const Vector3<double>& b)
   { return (a - b).norm() > 1e-9 * b.norm(); };
@@ -43,10 +44,10 @@ struct Unpushed
 
 /// The step [s] of a body that was not pushed.
 inline Unpushed
-unpushed(const RigidBody& now, const RigidBody& start, const Vector3<double>& gravity, double step)
+unpushed(const RigidBody& now, const PastBody& start, const Vector3<double>& gravity, double step)
 {
   const Vector3<double> none = Vector3<double>::Zero(), way = step * start.motion.velocity;
-  if (is_fixed(start))
+  if (is_fixed(now))
   {
     return {none, none, 0};
   }

@@ -27,9 +27,7 @@ inline double impact_target(const IslandPoint& point, const Vector3<double>& gra
   {
     return -1;
   }
-  const auto pulls = [&](const RigidBody& body)
-  { return is_fixed(body) ? 0.0 : pull_on(body, gravity).dot(point.normal); };
-  const double acceleration = pulls(*point.b) - pulls(*point.a);
+  const double acceleration = parting_pull(*point.a, *point.b, point.normal, gravity);
   const double threshold = bounce_threshold(std::max(gravity.norm(), -acceleration), step);
   const double target = bounced_speed<double>(
       speed, {acceleration, 0, -apart}, point.contact->restitution, threshold);

@@ -39,7 +39,7 @@ Real touch_speed(Real speed, const ContactStep<Real>& step)
 // [touch_speed]
 
 // [bounced_speed]
-/// The slowest approach [m/s] that is a bounce and not a rest, under a gravity [m/s²]: two steps
+/// The fastest approach [m/s] that is a rest and no bounce, under a gravity [m/s²]: two steps
 /// [s] of it; R19.
 template <class Real>
 Real bounce_threshold(Real gravity, Real duration)

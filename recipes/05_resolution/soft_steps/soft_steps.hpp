@@ -9,6 +9,7 @@
 #include "05_resolution/position_correction/position_correction.hpp"
 #include "05_resolution/soft_steps/cold_starts.hpp"
 #include "05_resolution/soft_steps/kept_arms.hpp"
+#include "05_resolution/soft_steps/soft_settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,19 +18,6 @@
 
 namespace cookbook
 {
-
-// [soft_settings]
-/// How soft steps are run.
-struct SoftSettings
-{
-  int substeps = 4;            ///< small steps in a frame, one or more
-  double frequency = 0.125;    ///< [1], of the contacts' springs, as a share of the substeps' rate
-  double damping_ratio = 5;    ///< [1], of the springs
-  double correction_speed = 1; ///< [m/s], no overlap is taken away faster
-  double kept_turn = 0.07;     ///< [rad], by which a cube may turn slowly and keep its arms
-  double worn_corner = 0.002;  ///< [1], the radius of a corner, as a share of its arm
-};
-// [soft_settings]
 
 // [soft_steps]
 /// Corrects a point once, as a spring that pushes out of an overlap, or as a stop that allows a gap

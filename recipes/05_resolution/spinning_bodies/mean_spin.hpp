@@ -14,8 +14,8 @@ namespace cookbook
 /// its least moment is less than its largest.
 inline constexpr double little_turn = 0.2;
 
-/// Whether a body of these moments [kg m²] turns little, for turned_about_mean(), by a turn [rad] of
-/// zero or more.
+/// Whether a body of these moments [kg m²] turns little, for turned_about_mean(), by a turn [rad]
+/// of zero or more.
 template <class Real>
 bool turns_little(const Vector3<Real>& moments, Real turn)
 {

@@ -46,7 +46,7 @@ inline Sphere<double> placed_at(const Course& course, double time, const SphereS
 /// A plane stays where it is.
 inline Plane<double> placed_at(const Course& course, double, const PlaneShape& plane)
 {
-  return placed(*course.from, plane);
+  return placed(*course.of, plane);
 }
 // [placed_at]
 

@@ -4,6 +4,7 @@
 /// \brief How a body of a world goes through a step.
 
 #include "05_resolution/contacts/moved_body.hpp"
+#include "05_resolution/islands/past_body.hpp"
 
 namespace cookbook
 {
@@ -26,22 +27,16 @@ struct Ahead
 /// straight; the body turns steadily.
 struct Course
 {
-  const RigidBody* from;        ///< the body as this course begins, kept elsewhere
+  const RigidBody* of;          ///< the body, kept elsewhere: for what no step changes
+  PastBody from;                ///< how it is as this course begins, which has what pulls it
   double since;                 ///< [s], of the step, when it begins
   Vector3<double> velocity;     ///< [m/s], at which the centre sets out
   Vector3<double> acceleration; ///< [m/s²], of the centre
   Vector3<double> spin;         ///< [rad/s], world; zero for a ball, whose turning changes nothing
-  Vector3<double> angular_acceleration = Vector3<double>::Zero(); ///< [rad/s²], world, by forces
-  bool tossed = false; ///< whether a touch has turned it back in this step
+  bool tossed = false;          ///< whether a touch has turned it back in this step
 
-  /// The body as this course begins. It is the course that knows what pulls its centre.
-  RigidBody start() const
-  {
-    RigidBody body = *from;
-    body.acceleration.setZero();
-    body.angular_acceleration = angular_acceleration;
-    return body;
-  }
+  /// The body as this course begins.
+  RigidBody start() const { return as_it_was(*of, from); }
   /// The velocity [m/s] of the centre at a time [s] of the step.
   Vector3<double> velocity_at(double time) const
   {
@@ -50,7 +45,7 @@ struct Course
   /// The place [m] of the centre at that time.
   Vector3<double> place_at(double time) const
   {
-    return from->motion.center + (time - since) * (velocity + (time - since) / 2 * acceleration);
+    return from.motion.center + (time - since) * (velocity + (time - since) / 2 * acceleration);
   }
   /// The velocity [m/s] at that time of what the body carries along at a place [m].
   Vector3<double> velocity_of(const Vector3<double>& place, double time) const
@@ -60,20 +55,27 @@ struct Course
   /// The pose of the body at that time; its motion is still that of the start.
   RigidBody pose_at(double time) const
   {
-    RigidBody body = start();
-    body.motion.center = place_at(time);
+    PastBody then = from;
+    then.motion.center = place_at(time);
     if (!spin.isZero(0))
     {
-      turn_by(body, (time - since) * spin);
+      then.orientation = turned_by(from, (time - since) * spin);
     }
-    return body;
+    return as_it_was(*of, then);
   }
 };
 
-/// The steady spin [rad/s] that turns a body from one pose to another in a time [s].
-inline Vector3<double> spin_between(const RigidBody& from, const RigidBody& to, double time)
+/// A body where a course begins: what pulls its centre the course has itself.
+inline PastBody setting_out(PastBody body)
 {
-  if (from.round || !(time > 0))
+  body.acceleration.setZero();
+  return body;
+}
+
+/// The steady spin [rad/s] that turns a body from one pose to another in a time [s].
+inline Vector3<double> spin_between(const PastBody& from, const RigidBody& to, double time)
+{
+  if (to.round || !(time > 0))
   {
     return Vector3<double>::Zero();
   }
@@ -81,19 +83,20 @@ inline Vector3<double> spin_between(const RigidBody& from, const RigidBody& to, 
 }
 
 /// The course of a body from one pose to another in a step [s], straight.
-inline Course straight_course(const RigidBody& from, const RigidBody& to, double step)
+inline Course straight_course(const PastBody& from, const RigidBody& to, double step)
 {
   const Vector3<double> none = Vector3<double>::Zero();
+  const PastBody unforced{from.motion, from.orientation, none, none};
   const Vector3<double> velocity = (to.motion.center - from.motion.center) / step;
-  return {&from, 0, velocity, none, spin_between(from, to, step)};
+  return {&to, unforced, 0, velocity, none, spin_between(from, to, step)};
 }
 
 /// The course of a body that nothing touches in a step [s], to a pose at its end.
 inline Course falling_course(
-    const RigidBody& from, const RigidBody& to, double step, const Vector3<double>& gravity)
+    const PastBody& from, const RigidBody& to, double step, const Vector3<double>& gravity)
 {
   const Vector3<double> spin = spin_between(from, to, step);
-  return {&from, 0, from.motion.velocity, pull_on(from, gravity), spin, from.angular_acceleration};
+  return {&to, setting_out(from), 0, from.motion.velocity, pull_on(from, gravity), spin};
 }
 // [course]
 

@@ -53,7 +53,9 @@ bounds_on_way(const StepCourses& step, int i, const RigidBody& end)
   const double bulge = step.scene.step * step.scene.step / 8 * course.acceleration.norm();
   const double turn = step.scene.step * course.spin.norm();
   const double wider = bulge + std::min(1.0, turn * turn / 8) * reach(step.scene, i);
-  return bounds_of(*course.from, shape, wider).merged(bounds_of(end, shape, wider));
+  const auto axes = [&] { return course.from.orientation.toRotationMatrix(); };
+  return bounds_at(course.from.motion.center, axes, shape, wider)
+      .merged(bounds_of(end, shape, wider));
 }
 
 /// Whether two bodies may touch from a time [s] to the end of the step: whether, as they fly on,

@@ -23,7 +23,7 @@ namespace cookbook
 struct StepCourses
 {
   const Scene& scene;                        ///< with the bodies' shapes
-  std::span<const RigidBody> starts;         ///< the bodies as it began
+  std::span<const PastBody> starts;          ///< the bodies as it began
   std::span<const WorldContact> contacts;    ///< of this step
   const std::vector<bool>& falls;            ///< whether no other body pushed it
   const std::vector<bool>& gone;             ///< whether it is no more
@@ -90,7 +90,7 @@ farthest_way(const StepCourses& step, int i, const Course& course, double way, d
 /// Writes down the courses of all bodies, from where a step began to where it ended.
 inline void set_out(StepCourses& step, std::span<const RigidBody> ends)
 {
-  const std::span<const RigidBody> starts = step.starts;
+  const std::span<const PastBody> starts = step.starts;
   const double duration = step.scene.step;
   step.courses.clear();
   step.courses.reserve(ends.size());

@@ -20,7 +20,7 @@ namespace cookbook
 /// How far [m] any point of each body went in a step, and up to 1.6 times as far: no sines.
 inline void find_rough_ways(StepCourses& step, std::span<const RigidBody> ends)
 {
-  const std::span<const RigidBody> starts = step.starts;
+  const std::span<const PastBody> starts = step.starts;
   step.ways.clear();
   for (std::size_t i = 0; i < ends.size(); ++i)
   {
@@ -50,7 +50,7 @@ inline bool end_harmlessly(
 }
 
 /// Marks the bodies that a step has taken deeper into something than 7.5 % of the smaller size
-/// of the two, and by more than gravity alone does in a step, and says whether there are any. Only
+/// of the two, and by more than a step of gravity, g h², and says whether there are any. Only
 /// bodies are asked that were near each other.
 inline bool
 find_too_deep(StepCourses& step, std::span<const Ahead> ahead, std::span<const RigidBody> ends)
@@ -67,11 +67,14 @@ find_too_deep(StepCourses& step, std::span<const Ahead> ahead, std::span<const R
     {
       continue;
     }
-    const auto depth = [&](std::span<const RigidBody> bodies, int a, int b) {
-      return depth_between(step.scene, {a, b}, bodies[place_of(a)], bodies[place_of(b)]);
+    const auto end_of = [&](int one) -> const RigidBody& { return ends[place_of(one)]; };
+    const auto start_of = [&](int one)
+    { return as_it_was(ends[place_of(one)], step.starts[place_of(one)]); };
+    const auto depth = [&, a = i, b = j](const auto& pose_of) {
+      return depth_between(step.scene, {a, b}, pose_of(a), pose_of(b));
     };
-    const double end = depth(ends, i, j);
-    if (end > harmless * 3 / 2 && end > depth(step.starts, i, j) + std::max(harmless / 10, fall))
+    const double end = depth(end_of);
+    if (end > harmless * 3 / 2 && end > depth(start_of) + std::max(harmless / 10, fall))
     {
       any = true;
       for (const int one : {i, j})

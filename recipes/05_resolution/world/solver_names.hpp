@@ -3,6 +3,7 @@
 /// \file
 /// \brief What the solvers of this chapter are called.
 
+#include "05_resolution/soft_steps/soft_settings.hpp"
 #include "05_resolution/world/world_state.hpp"
 
 #include <string>
@@ -22,8 +23,6 @@ inline std::vector<std::string> solver_names()
 ///
 /// std::invalid_argument if there is no such name, or the substeps are negative.
 COOKBOOK_WORLD_INLINE WorldSolver solver_named(const std::string& name, int substeps = 0);
-
-struct SoftSettings;
 
 /// Soft steps with settings of one's own.
 COOKBOOK_WORLD_INLINE WorldSolver soft_solver(const SoftSettings& how);

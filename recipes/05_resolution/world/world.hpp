@@ -53,12 +53,14 @@ public:
   {
   }
 
-  const Scene& scene() const { return state_.scene; }                    ///< what there is
-  const std::vector<RigidBody>& bodies() const { return state_.bodies; } ///< in its order
+  /// The bodies as they were put in, also those taken out; where they are now, bodies() says.
+  const Scene& scene() const { return state_.scene; }
+  const std::vector<RigidBody>& bodies() const { return state_.bodies; } ///< in its order, as now
   /// All contacts of the last step.
   const std::vector<WorldContact>& contacts() const { return state_.contacts; }
+  const std::vector<Impact>& impacts() const { return state_.impacts; } ///< of the same
   /// The bodies as the last step began, after its impacts.
-  const std::vector<RigidBody>& bodies_before() const { return state_.start; }
+  const std::vector<PastBody>& bodies_before() const { return state_.start; }
   double time() const { return double(state_.steps) * scene().step; } ///< [s], since the start
   /// A body.
   const RigidBody& body(std::size_t body) const
@@ -90,7 +92,7 @@ public:
   }
 
   /// Takes a body out: from the next step on it stays where it is, and nothing touches it. What has
-  /// leaned on it wakes.
+  /// leaned on it wakes. Its place in the lists remains, and costs a little in each step.
   void remove(std::size_t body)
   {
     check_there(body);
@@ -135,6 +137,7 @@ public:
   }
 
   /// Pulls all bodies by another gravity [m/s²], world, from the next step on; they wake.
+  /// InvalidShape, and nothing changes, if it is not finite.
   void set_gravity(const Vector3<double>& gravity)
   {
     check_finite("gravity", gravity);
@@ -142,7 +145,8 @@ public:
     state_.sleep.assign(state_.sleep.size(), {});
   }
 
-  /// Has two bodies, not one, pass through each other from the next step on, and wakes both.
+  /// Has two bodies pass through each other from the next step on, and wakes both; InvalidScene if
+  /// they are one.
   void ignore(std::size_t a, std::size_t b)
   {
     check_there(a);
@@ -183,7 +187,7 @@ private:
   {
     if (!has(body))
     {
-      throw std::out_of_range("there is no body " + std::to_string(body));
+      throw not_there(body, bodies().size());
     }
   }
 

@@ -90,7 +90,8 @@ inline void check(const SceneBody& body)
   const double length = body.orientation.norm();
   if (!(length > 0.5 && length < 2))
   {
-    throw InvalidShape("orientation", "of length one", "length " + text_of(length));
+    throw InvalidShape(
+        "orientation", "of length 1, or 0.5 to 2, which is made 1", "length " + text_of(length));
   }
   check_range("friction", body.friction, 0, 1e6);
   check_range("restitution", body.restitution, 0, 1);
@@ -115,6 +116,13 @@ inline const SceneBody& checked(const SceneBody& body, std::size_t number)
     throw InvalidScene(std::string(name).append(": ").append(wrong.what()));
   }
   return body;
+}
+
+/// What is thrown where a body is asked for that is not there, of so many that ever were.
+inline std::out_of_range not_there(std::size_t body, std::size_t bodies)
+{
+  const std::string none = "there is no body " + std::to_string(body);
+  return std::out_of_range(body < bodies ? none + " any more: it was taken out" : none);
 }
 
 /// Two bodies that pass through each other, the smaller number first; InvalidScene unless they are

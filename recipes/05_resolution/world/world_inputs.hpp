@@ -10,8 +10,9 @@ namespace cookbook
 {
 
 // [world_inputs]
-/// Gives a body an impulse [N s], world, at a point [m], world; it wakes. std::out_of_range if
-/// there is no such body; InvalidShape, and nothing changes, if a number is not finite.
+/// Gives a body an impulse [N s], world, at a point [m], world; it wakes. A fixed one stays as it
+/// is. std::out_of_range if there is no such body; InvalidShape, and nothing changes, if a number
+/// is not finite.
 inline void apply_impulse(
     World& world, std::size_t body, const Vector3<double>& impulse, const Vector3<double>& point)
 {

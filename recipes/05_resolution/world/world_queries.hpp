@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -50,10 +51,15 @@ inline Eigen::AlignedBox<double, 3> sure_bounds(const RigidBody& body, const Sce
   return {box.min() - little, box.max() + little};
 }
 
-/// Answers questions about the bodies of a world as they are now; after a step it is made anew.
+/// Asks every body.
+inline constexpr auto everybody = [](std::size_t) { return true; };
+
+/// Answers questions about the bodies of a world as they are now; after a step, or once a body was
+/// put in, it is made anew. Who was taken out meanwhile does not answer.
 class WorldQueries
 {
 public:
+  explicit WorldQueries(World&&) = delete;
   /// Sorts the bodies that are there by where they are; the world has to outlive the answers.
   explicit WorldQueries(const World& world) : world_(world)
   {
@@ -69,27 +75,31 @@ public:
     tree_.build(bounds);
   }
 
-  /// The body that a ray meets first, the one with the least number of several; nothing if none.
-  /// InvalidShape if the ray is none.
-  std::optional<BodyHit> cast(const Ray<double>& ray) const
+  /// The body that a ray meets first, of those for which `asked(number)`, the one with the least
+  /// number of several; nothing if none. InvalidShape if the ray is none.
+  template <class Asked = decltype(everybody)>
+  std::optional<BodyHit> cast(const Ray<double>& ray, const Asked& asked = everybody) const
   {
     checked(ray);
     const double endless = std::numeric_limits<double>::infinity();
     return first_met<BodyHit>(
-        ray, 0, endless, [](const Hit<double, 3>& hit) { return hit.t; },
+        ray, 0, endless, asked, [](const Hit<double, 3>& hit) { return hit.t; },
         [&](const auto& shape) { return cookbook::cast(ray, shape); });
   }
 
-  /// The body that a ball meets first which is moved by a way [m], world, the one with the least
-  /// number of several; nothing if none, or if there is no way to go. One that it overlaps is met
-  /// at once, if the way leads deeper into it. InvalidShape if the ball is none, or the way not
-  /// finite.
-  std::optional<BallHit> cast(const Sphere<double>& ball, const Vector3<double>& way) const
+  /// The body that a ball meets first which is moved by a way [m], world, of those for which
+  /// `asked(number)`, the one with the least number of several; nothing if none, or if there is no
+  /// way to go. One that it overlaps is met at once, if the way leads deeper into it. InvalidShape
+  /// if the ball is none, or the way not finite.
+  template <class Asked = decltype(everybody)>
+  std::optional<BallHit>
+  cast(const Sphere<double>& ball, const Vector3<double>& way, const Asked& asked = everybody) const
   {
     checked(ball);
     check_finite("way", way);
     return first_met<BallHit>(
-        {ball.center, way}, ball.radius, 1, [](const SweptHit<double>& hit) { return hit.time; },
+        {ball.center, way}, ball.radius, 1, asked,
+        [](const SweptHit<double>& hit) { return hit.time; },
         [&](const auto& shape) { return sweep(ball, way, shape); });
   }
 
@@ -98,6 +108,9 @@ public:
   template <class Shape>
   std::vector<std::size_t> overlapping(const Shape& shape) const
   {
+    static_assert(
+        std::is_same_v<Shape, Sphere<double>> || std::is_same_v<Shape, Obb<double>>,
+        "a ball is a Sphere<double>, a box an Obb<double>");
     checked(shape);
     const Eigen::AlignedBox<double, 3> around = bounds_of(shape);
     std::vector<std::size_t> found;
@@ -105,10 +118,8 @@ public:
         [&](const Eigen::AlignedBox<double, 3>& box) { return box.intersects(around); },
         [&](int body)
         {
-          const bool meets = std::visit(
-              [&](const auto& of) { return overlaps(placed(at(body), of), shape); },
-              shape_of(body));
-          if (meets)
+          const auto meets = [&](const auto& of) { return overlaps(placed(at(body), of), shape); };
+          if (world_.has(place_of(body)) && std::visit(meets, shape_of(body)))
           {
             found.push_back(place_of(body));
           }
@@ -135,9 +146,9 @@ private:
 
   /// The first of all hits of something that goes along a ray and is as thick as a radius [m], for
   /// up to so many lengths of the ray: `when` a hit is, `meet` a shape where it is.
-  template <class Met, class When, class Meet>
+  template <class Met, class Asked, class When, class Meet>
   std::optional<Met> first_met(
-      const Ray<double>& ray, double radius, double lengths, const When& when,
+      const Ray<double>& ray, double radius, double lengths, const Asked& asked, const When& when,
       const Meet& meet) const
   {
     std::optional<Met> first;
@@ -155,6 +166,10 @@ private:
     };
     const auto ask = [&](int body)
     {
+      if (!world_.has(place_of(body)) || !asked(place_of(body)))
+      {
+        return;
+      }
       const auto hit = std::visit(
           [&](const auto& shape) { return meet(placed(at(body), shape)); }, shape_of(body));
       const std::size_t number = place_of(body);

@@ -4,7 +4,9 @@
 /// \brief What a world knows, and that it goes on by a step.
 
 #include "05_resolution/contacts/broad_phase.hpp"
+#include "05_resolution/impacts/impact.hpp"
 #include "05_resolution/islands/island_points.hpp"
+#include "05_resolution/islands/past_body.hpp"
 #include "05_resolution/sleeping/sleeping.hpp"
 #include "05_resolution/sweeps/course.hpp"
 
@@ -36,7 +38,7 @@ struct WorldState
   bool has_balls = false;                ///< whether any body is a ball
   long steps = 0;                        ///< since the start
   std::vector<RigidBody> bodies;         ///< in the order of the scene
-  std::vector<RigidBody> start;          ///< as the last step began, after its impacts
+  std::vector<PastBody> start;           ///< as the last step began, after its impacts
   std::vector<bool> gone;                ///< who was taken out
   std::vector<bool> falls;               ///< who fell freely in the last step
   std::vector<bool> parted;              ///< who was moved out of an overlap, but not pushed
@@ -46,6 +48,7 @@ struct WorldState
   BroadPhase near;                       ///< who may touch
   std::vector<WorldContact> contacts;    ///< of the last step
   std::vector<WorldContact> begun;       ///< those that began with it
+  std::vector<Impact> impacts;           ///< of the last step
   Islands islands;                       ///< who hangs together
   std::vector<Island> touching;          ///< those that a step gives to the solver
   std::vector<IslandPoint> room;         ///< for the points of an island

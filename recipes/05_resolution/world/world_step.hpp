@@ -4,7 +4,6 @@
 /// \brief How a world goes on by a step: everything in this book, in order.
 
 #include "05_resolution/contacts/contact_cache.hpp"
-#include "05_resolution/damping/damping.hpp"
 #include "05_resolution/impacts/step_sweeps.hpp"
 #include "05_resolution/islands/free_flight.hpp"
 #include "05_resolution/islands/simultaneous_impacts.hpp"
@@ -73,7 +72,7 @@ inline void fall_unless_pushed(WorldState& world, const Island& island)
     world.falls[i] = world.falls[i] && !world.parted[i];
     if (world.falls[i])
     {
-      world.bodies[i] = world.start[i];
+      world.bodies[i] = as_it_was(world.bodies[i], world.start[i]);
       fly(world.bodies[i], gravity, step);
     }
   }
@@ -84,6 +83,7 @@ inline void advance(WorldState& world, const WorldSolver& solver)
 {
   const IslandView view{world.bodies, world.contacts, world.scene.gravity, world.room};
   world.touching.clear();
+  world.impacts.clear();
   const auto for_each_awake = [&](const auto& call)
   {
     for (std::size_t i = 0; i < world.islands.size(); ++i)
@@ -100,12 +100,13 @@ inline void advance(WorldState& world, const WorldSolver& solver)
       {
         if (!island.contacts.empty())
         {
+          add_impacts(view, island, world.scene.step, world.impacts);
           world.touching.push_back(island);
           if (simultaneous_impacts(view, island, world.scene.step))
           {
             for (const int i : island.bodies)
             {
-              world.start[place_of(i)] = world.bodies[place_of(i)];
+              world.start[place_of(i)] = past_of(world.bodies[place_of(i)]);
             }
           }
         }
@@ -127,7 +128,7 @@ inline void sweep(WorldState& world)
   step.tree = &world.near.tree(world.bounds);
   set_out(step, world.bodies);
   std::vector<int> hit;
-  StepSweeps(step, world.bodies, hit).run();
+  StepSweeps(step, world.bodies, hit, world.impacts).run();
   world.courses.clear();
   if (world.may_sleep)
   {
@@ -135,14 +136,14 @@ inline void sweep(WorldState& world)
   }
 }
 
-/// Has a body's velocity and spin wear off, R32, and watches whether it rests; one whose numbers
-/// have overflowed is kept where it was, fixed.
+/// Has a body's motion wear off, and watches whether it rests; one whose numbers have overflowed is
+/// kept where it was, fixed.
 inline void finish(WorldState& world, std::size_t i)
 {
   RigidBody& body = world.bodies[i];
   if (!is_finite(body))
   {
-    body = world.start[i];
+    body = as_it_was(body, world.start[i]);
     fix(body);
   }
   if (is_still(world, static_cast<int>(i)))
@@ -151,11 +152,7 @@ inline void finish(WorldState& world, std::size_t i)
   }
   const SceneBody& of = world.scene.bodies[i];
   const double step = world.scene.step;
-  if (of.damping > 0 || of.spin_damping > 0)
-  {
-    body.motion.velocity *= damping_factor(of.damping, step);
-    body.motion.angular_velocity *= damping_factor(of.spin_damping, step);
-  }
+  wear_off(body, of, step / 2);
   if (world.may_sleep)
   {
     const double radius = bounds_of(body, of.shape, 0).sizes().norm() / 2;
@@ -165,18 +162,19 @@ inline void finish(WorldState& world, std::size_t i)
   }
 }
 
-/// Forces last as long as this, also where a solver throws.
-struct ForcesOfStep
-{
-  std::vector<RigidBody>& bodies;
-
-  ~ForcesOfStep() { std::for_each(bodies.begin(), bodies.end(), forget_forces); }
-};
-
 COOKBOOK_WORLD_INLINE void step(WorldState& world, const WorldSolver& solver)
 {
+  for (std::size_t i = 0; i < world.bodies.size(); ++i)
+  {
+    if (!is_still(world, static_cast<int>(i)))
+    {
+      wear_off(world.bodies[i], world.scene.bodies[i], world.scene.step / 2); // and half at its end
+    }
+  }
   find_contacts(world);
-  world.start = world.bodies;
+  world.start.clear();
+  std::transform(
+      world.bodies.begin(), world.bodies.end(), std::back_inserter(world.start), past_of);
   world.falls.assign(world.bodies.size(), false);
   world.parted.assign(world.bodies.size(), false);
   world.islands.find(world.bodies, world.contacts);

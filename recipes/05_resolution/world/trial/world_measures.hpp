@@ -80,8 +80,8 @@ inline double deepest_overlap(const World& world)
 inline double residual(const World& world)
 {
   double most = 0;
-  const auto axes = [&](int i) -> const Matrix3<double>&
-  { return world.bodies_before()[static_cast<std::size_t>(i)].axes; };
+  const auto axes = [&](int i) -> Matrix3<double>
+  { return as_it_was(world.bodies()[place_of(i)], world.bodies_before()[place_of(i)]).axes; };
   for (const WorldContact& contact : world.contacts())
   {
     const RigidBody& a = world.bodies()[static_cast<std::size_t>(contact.a)];

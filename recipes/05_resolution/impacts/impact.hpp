@@ -1,0 +1,62 @@
+#pragma once
+
+/// \file
+/// \brief Who has hit whom in a step, and how fast.
+
+#include "05_resolution/islands/island_points.hpp"
+#include "05_resolution/restitution/restitution.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace cookbook
+{
+
+// [impact]
+/// Two bodies that have hit each other in a step.
+struct Impact
+{
+  int a;                  ///< the number of body A
+  int b;                  ///< the number of body B, greater than a
+  Vector3<double> place;  ///< [m], world, where they met
+  Vector3<double> normal; ///< [1], unit, world, from A to B
+  double speed;           ///< [m/s], at which they closed there, along the normal
+};
+
+/// Adds the impacts at those contacts of an island that do not press yet, and close in a step [s]
+/// faster than what comes to rest: each at the point where it does so fastest.
+inline void
+add_impacts(IslandView world, const Island& island, double step, std::vector<Impact>& impacts)
+{
+  for (const int number : island.contacts)
+  {
+    const WorldContact& contact = world.contacts[place_of(number)];
+    if (presses(contact))
+    {
+      continue;
+    }
+    const RigidBody &a = world.bodies[place_of(contact.a)], &b = world.bodies[place_of(contact.b)];
+    const double pull = parting_pull(a, b, contact.normal, world.gravity);
+    const double slow = bounce_threshold(std::max(world.gravity.norm(), -pull), step);
+    Impact fastest{contact.a, contact.b, b.motion.center, contact.normal, slow};
+    for (const WorldPoint& point : contact.points)
+    {
+      const Arms<double> arms = arms_of(a, b, point);
+      const double parting = parting_speed<double>(a, b, contact.normal, arms);
+      const double apart = gap(a, b, contact.normal, point);
+      const double speed = touch_speed<double>(parting, {pull, 0, -apart});
+      if (speed > fastest.speed && apart + step * (parting + step * pull) <= 0)
+      {
+        fastest.place = b.motion.center + arms.b;
+        fastest.speed = speed;
+      }
+    }
+    if (fastest.speed > slow)
+    {
+      impacts.push_back(fastest);
+    }
+  }
+}
+// [impact]
+
+} // namespace cookbook
