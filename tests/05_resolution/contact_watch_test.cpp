@@ -10,8 +10,8 @@
 
 #include "tests/catch.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -127,13 +127,13 @@ TEST_CASE("a ball is heard each time it bounces, at half the speed of the time b
       CHECK((impact.a == 0 && impact.b == 1));
       CHECK(impact.speed == Catch::Approx(speed).epsilon(0.002));
       CHECK(impact.normal.isApprox(Vector3<double>(0, 1, 0)));
-      CHECK((impact.place - Vector3<double>(3, 0, 4)).norm() <= 0.02);
+      CHECK((impact.place - Vector3<double>(3, 0, 4)).norm() <= 0.001);
       speed /= 2;
     }
   }
 }
 
-TEST_CASE("what comes down from a metre and stays is heard once, and so is the row that it joins")
+TEST_CASE("a cube that comes down on a tower is heard, and where it hops after that, hardly")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
   {
@@ -147,9 +147,11 @@ TEST_CASE("what comes down from a metre and stays is heard once, and so is the r
       CHECK(heard[0].a == 2);
       CHECK(heard[0].b == 3);
       CHECK(heard[0].speed == Catch::Approx(std::sqrt(2 * 9.81 * high)).epsilon(0.01));
-      CHECK(std::abs(heard[0].place.y() - 2) <= 0.1);
-      const auto late = [](const Impact& impact) { return impact.a == 2 && impact.b == 3; };
-      CHECK(std::count_if(heard.begin(), heard.end(), late) == 1);
+      CHECK(std::abs(heard[0].place.y() - 2) <= 0.01);
+      for (std::size_t i = 1; i < heard.size() && high < 50; ++i) // from 50 m the tower falls
+      {
+        CHECK(heard[i].speed < 0.5);
+      }
     }
   }
 }

@@ -5,6 +5,7 @@
 #include "05_resolution/scenes/trial/world_scenes.hpp"
 #include "05_resolution/tunnelling/swept_sphere.hpp"
 #include "05_resolution/world/solvers.hpp"
+#include "05_resolution/world/world_inputs.hpp"
 #include "05_resolution/world/world_queries.hpp"
 
 #include "tests/catch.hpp"
@@ -201,6 +202,28 @@ TEST_CASE(
   CHECK_FALSE(queries.cast(above, down));
   CHECK(queries.overlapping(Sphere<double>{{0, 1, 0}, 0.25}) == std::vector<std::size_t>{1});
 }
+
+// [shot]
+TEST_CASE("a shot past oneself meets the tower, and an explosion beside it throws what is near")
+{
+  World world(named_scene("tower_2"), solver_named("direct"));
+  const std::size_t player = world.add(ball_body("player", 0.5, {3, 0.5, 0}));
+  const Vector3<double> eye = world.body(player).motion.center, forward(-1, 0, 0);
+
+  const WorldQueries queries(world);
+  const auto met = queries.cast({eye, forward}, [&](std::size_t body) { return body != player; });
+  CHECK(met->body == 1);
+
+  const Vector3<double> center = eye + met->hit.t * forward;
+  for (const std::size_t body : queries.overlapping(Sphere<double>{center, 1.2}))
+  {
+    apply_impulse(world, body, 20 * (world.body(body).motion.center - center).normalized());
+  }
+  CHECK(world.body(1).motion.velocity.x() < 0);
+  CHECK(world.body(2).motion.velocity.y() > 0);
+  CHECK(world.body(player).motion.velocity.isZero()); // too far away
+}
+// [shot]
 
 TEST_CASE("a ray without a direction and a ball that is not a number are refused by name")
 {

@@ -4,6 +4,7 @@
 /// \brief Two bodies that touch on their ways, and how they go on from there.
 
 #include "05_resolution/impacts/going_on.hpp"
+#include "05_resolution/impacts/impact.hpp"
 #include "05_resolution/impacts/impact_group.hpp"
 
 #include <algorithm>

@@ -47,7 +47,8 @@ add_impacts(IslandView world, const Island& island, double step, std::vector<Imp
       const double speed = touch_speed<double>(parting, {pull, 0, -apart});
       if (speed > fastest.speed && apart + step * (parting + step * pull) <= 0)
       {
-        fastest.place = b.motion.center + arms.b;
+        const double time = std::max(0.0, apart / speed);
+        fastest.place = b.motion.center + arms.b + time * velocity_at_arm<double>(b.motion, arms.b);
         fastest.speed = speed;
       }
     }
