@@ -194,8 +194,9 @@ TEST_CASE(
   RigidBody ball = rigid_body(ball_body("ball", 0.1, {0.8, 0.6, 0}));
   RigidBody turned = bar;
   turned.orientation = rotation_by<double>({0, 0, 1});
-  const Course of_bar = straight_course(past_of(bar), turned, 1);
-  const Course of_ball = straight_course(past_of(ball), ball, 1);
+  const Vector3<double> none = Vector3<double>::Zero();
+  const Course of_bar = pushed_course(past_of(bar), turned, 1, none);
+  const Course of_ball = pushed_course(past_of(ball), ball, 1, none);
   const BallOnCourse touch{of_ball, of_bar, 0, 1, 0};
   const auto hit = touch(SphereShape{0.1}, BoxShape{{1, 0.1, 1}});
   REQUIRE(hit);

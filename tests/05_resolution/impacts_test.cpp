@@ -422,6 +422,73 @@ TEST_CASE("nor does it get deeper in a light one that bounces a little, and to 1
   }
 }
 
+TEST_CASE("balls and cubes in a row that do not quite touch hand all speed on to the last")
+{
+  for (const char* const solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    for (const bool cubes : {false, true})
+    {
+      for (const double gap : {1e-5, 1e-3, 0.004, 0.006, 0.02})
+      {
+        for (const double speed : {0.5, 2.0, 8.0})
+        {
+          Scene scene{.bodies = {ground()}};
+          for (int i = 0; i < 4; ++i)
+          {
+            const Vector3<double> place((0.2 + gap) * i - (i == 0 ? 0.5 : 0), 0.1, 0);
+            scene.bodies.push_back(
+                cubes ? box_body("one", {0.1, 0.1, 0.1}, place) : ball_body("one", 0.1, place));
+            scene.bodies.back().restitution = 1;
+          }
+          scene.bodies[1].velocity.x() = speed;
+          for (SceneBody& body : scene.bodies)
+          {
+            body.friction = 0;
+          }
+          World world(scene, solver_named(solver));
+          while (world.time() < 0.5 / speed + 1)
+          {
+            world.step();
+          }
+          CAPTURE(solver, cubes, gap, speed);
+          for (std::size_t i = 1; i < 5; ++i)
+          {
+            const double kept = i == 4 ? 1 : 0;
+            CHECK(std::abs(world.body(i).motion.velocity.x() / speed - kept) <= 1e-3);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a ball that loses no speed comes back from one that lies just before a wall")
+{
+  for (const char* const solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    for (const double gap : {1e-4, 1e-3, 0.004, 0.008})
+    {
+      Scene scene{.gravity = {0, 0, 0}};
+      scene.bodies = {
+          box_body("wall", {0.1, 1, 1}, {0.2 + gap, 0, 0}, 0), ball_body("one", 0.1, {0, 0, 0}),
+          ball_body("other", 0.1, {-1, 0, 0})};
+      for (SceneBody& body : scene.bodies)
+      {
+        body.restitution = 1;
+      }
+      scene.bodies[2].velocity = {3, 0, 0};
+      World world(scene, solver_named(solver));
+      while (world.time() < 1)
+      {
+        world.step();
+      }
+      CAPTURE(solver, gap);
+      CHECK(world.body(1).motion.velocity.norm() <= 1e-6);
+      CHECK(world.body(2).motion.velocity.x() == Catch::Approx(-3));
+    }
+  }
+}
+
 TEST_CASE("cubes that lose no speed hand it on to as many at the end of a row")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})

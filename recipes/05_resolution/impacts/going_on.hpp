@@ -101,8 +101,10 @@ public:
     {
       return go_on(i, body, time, is_frozen(i) ? Onward::frozen : how);
     }
+    const Vector3<double> gained =
+        (step_.scene.step - time) * step_.courses[place_of(i)].acceleration;
     Motion<double>& end = ends_[place_of(i)].motion;
-    end = {end.center, body.motion.velocity, body.motion.angular_velocity};
+    end = {end.center, body.motion.velocity + gained, body.motion.angular_velocity};
   }
 
   /// Holds one of two bodies that go on from a touch back from the other.

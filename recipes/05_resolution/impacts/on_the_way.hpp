@@ -40,7 +40,7 @@ on_the_way(const StepCourses& step, int i, double time, bool own, const RigidBod
   const RigidBody pose = course.pose_at(time);
   RigidBody body = swept ? turned_like(end, pose) : pose;
   body.motion.center = pose.motion.center;
-  body.motion.velocity = end.motion.velocity;
+  body.motion.velocity = end.motion.velocity - (step.scene.step - time) * course.acceleration;
   if (!swept)
   {
     body.motion.angular_velocity = end.motion.angular_velocity;

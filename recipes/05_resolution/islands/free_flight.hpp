@@ -7,6 +7,7 @@
 #include "05_resolution/islands/past_body.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cookbook
 {
@@ -22,8 +23,16 @@ inline void fly(RigidBody& body, const Vector3<double>& gravity, double time)
   body.arms_at = body.orientation; // nothing pushes it at any
 }
 
+/// The angular momentum [kg m²/s], world, of a body that is turned like this, at a spin [rad/s].
+inline Vector3<double> angular_momentum(
+    const RigidBody& body, const Quaternion<double>& turned, const Vector3<double>& spin)
+{
+  return is_even(body) ? Vector3<double>(body.moments.x() * spin)
+                       : turned * body.moments.cwiseProduct(turned.conjugate() * spin);
+}
+
 /// Whether anything but gravity and forces has changed how a body moves, since it was at the start
-/// of a step [s].
+/// of a step [s]: its momentum, not its spin, stays as it is.
 inline bool
 was_pushed(const RigidBody& now, const PastBody& start, const Vector3<double>& gravity, double step)
 {
@@ -31,7 +40,42 @@ was_pushed(const RigidBody& now, const PastBody& start, const Vector3<double>& g
   { return (a - b).norm() > 1e-9 * b.norm(); };
   const Motion<double> alone = after_pull(start, gravity, step);
   return differs(now.motion.velocity, alone.velocity) ||
-         differs(now.motion.angular_velocity, alone.angular_velocity);
+         differs(
+             angular_momentum(now, now.orientation, now.motion.angular_velocity),
+             angular_momentum(now, start.orientation, alone.angular_velocity));
+}
+
+/// The acceleration [m/s²] of a body that gravity takes along others, by what its velocity changed
+/// in a step [s]: a part of gravity, and what is held of that lies across it, but for a share by
+/// friction. Zero where it does not slide like that.
+inline Vector3<double> sliding_pull(
+    const RigidBody& now, const PastBody& start, const Vector3<double>& gravity, double step,
+    double friction)
+{
+  const Vector3<double> changed = (now.motion.velocity - start.motion.velocity) / step;
+  const double held = (gravity - changed).dot(changed) / gravity.squaredNorm();
+  const bool slides = !is_fixed(now) && !start.acceleration.any() &&
+                      changed.norm() > 0.05 * gravity.norm() && held > -1e-4 && held < friction;
+  return slides ? changed : Vector3<double>(Vector3<double>::Zero());
+}
+
+/// Has a body that slides without friction end along its way where a parabola does, exactly, as in
+/// free flight: a solver has left it behind by a part of what that bends, and no more.
+inline void
+slide(RigidBody& now, const PastBody& start, const Vector3<double>& gravity, double step)
+{
+  const Vector3<double> pull = sliding_pull(now, start, gravity, step, 1e-4);
+  if ((gravity - pull).norm() < 5e-4 * gravity.norm())
+  {
+    return; // nothing holds it at all: it was moved out of an overlap
+  }
+  const Vector3<double> mean = (start.motion.velocity + now.motion.velocity) / 2;
+  const Vector3<double> aside = start.motion.center + step * mean - now.motion.center;
+  const double share = -aside.dot(pull) / (step * step / 2 * pull.squaredNorm());
+  if (share > 0 && share < 1.01)
+  {
+    now.motion.center += aside.dot(pull) / pull.squaredNorm() * pull;
+  }
 }
 
 /// A step of a body that was not pushed.

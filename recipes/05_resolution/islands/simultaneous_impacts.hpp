@@ -138,6 +138,9 @@ inline bool bounce(
 // [impact_points]
 
 // [impacts]
+/// How often the bodies of an island bounce in a step: what does sends others on to what is near.
+inline constexpr int most_impacts = 64;
+
 /// Lets the bodies of an island bounce, and says whether any was about to.
 inline bool simultaneous_impacts(IslandView world, const Island& island, double step)
 {
@@ -146,28 +149,38 @@ inline bool simultaneous_impacts(IslandView world, const Island& island, double 
   {
     return false;
   }
+  std::vector<RigidBody*> bodies;
   std::vector<ImpactPoint> points;
-  bool any = false;
-  for (const IslandPoint& point : points_of(world, island))
+  const auto find_points = [&]
   {
-    const double target = impact_target(point, world.gravity, step);
-    any = any || target > 0;
-    if (target >= 0 || point.apart <= 0)
+    points.clear();
+    bool any = false;
+    for (const IslandPoint& point : points_of(world, island))
     {
-      points.push_back({point, std::max(target, 0.0)});
+      const double target = impact_target(point, world.gravity, step);
+      any = any || target > 0;
+      if (target >= 0 || point.apart <= 0)
+      {
+        points.push_back({point, std::max(target, 0.0)});
+      }
+    }
+    return any;
+  };
+  int rounds = 0;
+  while (rounds < most_impacts && find_points())
+  {
+    bodies.clear();
+    for (const int i : island.bodies)
+    {
+      bodies.push_back(&world.bodies[place_of(i)]);
+    }
+    ++rounds;
+    if (!bounce(points, bodies))
+    {
+      break;
     }
   }
-  if (!any)
-  {
-    return false;
-  }
-  std::vector<RigidBody*> bodies;
-  for (const int i : island.bodies)
-  {
-    bodies.push_back(&world.bodies[place_of(i)]);
-  }
-  bounce(points, bodies);
-  return true;
+  return rounds > 0;
 }
 // [impacts]
 

@@ -3,8 +3,7 @@
 /// \file
 /// \brief How a body of a world goes through a step.
 
-#include "05_resolution/contacts/moved_body.hpp"
-#include "05_resolution/islands/past_body.hpp"
+#include "05_resolution/islands/free_flight.hpp"
 
 namespace cookbook
 {
@@ -82,13 +81,15 @@ inline Vector3<double> spin_between(const PastBody& from, const RigidBody& to, d
   return turn_between<double>(from.orientation, to.orientation) / time;
 }
 
-/// The course of a body from one pose to another in a step [s], straight.
-inline Course straight_course(const PastBody& from, const RigidBody& to, double step)
+/// The course of a body that others have pushed, from one pose to another in a step [s].
+inline Course pushed_course(
+    const PastBody& from, const RigidBody& to, double step, const Vector3<double>& gravity)
 {
-  const Vector3<double> none = Vector3<double>::Zero();
+  const Vector3<double> none = Vector3<double>::Zero(),
+                        pull = sliding_pull(to, from, gravity, step, 0.05);
   const PastBody unforced{from.motion, from.orientation, none, none};
-  const Vector3<double> velocity = (to.motion.center - from.motion.center) / step;
-  return {&to, unforced, 0, velocity, none, spin_between(from, to, step)};
+  const Vector3<double> mean = (to.motion.center - from.motion.center) / step;
+  return {&to, unforced, 0, mean - step / 2 * pull, pull, spin_between(from, to, step)};
 }
 
 /// The course of a body that nothing touches in a step [s], to a pose at its end.

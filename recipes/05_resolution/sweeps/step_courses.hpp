@@ -99,7 +99,7 @@ inline void set_out(StepCourses& step, std::span<const RigidBody> ends)
   {
     const Course course = step.falls[i]
                               ? falling_course(starts[i], ends[i], duration, step.scene.gravity)
-                              : straight_course(starts[i], ends[i], duration);
+                              : pushed_course(starts[i], ends[i], duration, step.scene.gravity);
     const double way = (ends[i].motion.center - starts[i].motion.center).norm();
     step.ways.push_back(farthest_way(step, static_cast<int>(i), course, way, duration));
     step.courses.push_back(course);

@@ -47,7 +47,7 @@ public:
   /// Moves an island on by a step [s].
   void operator()(IslandView world, const Island& island, double step)
   {
-    const DirectAnswer answer = solved(tries_of(island), world, island, step);
+    const DirectAnswer answer = solved(tries_of(world, island), world, island, step);
     if (watch_)
     {
       watch_(island, answer);
@@ -75,9 +75,15 @@ private:
     double give = 0; // how soft contacts are in the next try
   };
 
-  /// What is known of an island; of those that it was made of no more is.
-  Tries& tries_of(const Island& island)
+  /// What is known of an island; of those that it was made of no more is, nor of what is gone.
+  Tries& tries_of(IslandView world, const Island& island)
   {
+    if (tries_.size() > 2 * kept_) // bodies that were taken out are fixed
+    {
+      std::erase_if(
+          tries_, [&](const auto& one) { return is_fixed(world.bodies[place_of(one.first)]); });
+      kept_ = tries_.size() + 16;
+    }
     Tries& tries = tries_[island.bodies.front()];
     if (tries.bodies != island.bodies.size())
     {
@@ -109,6 +115,7 @@ private:
   SoftSettings soft_;
   DirectWatch watch_;
   std::map<int, Tries> tries_; // by the island's first body
+  std::size_t kept_ = 16;      // how many there were, and some more, when it was last tidied up
 };
 // [direct_or_soft]
 

@@ -75,12 +75,17 @@ inline void fall_unless_pushed(WorldState& world, const Island& island)
       world.bodies[i] = as_it_was(world.bodies[i], world.start[i]);
       fly(world.bodies[i], gravity, step);
     }
+    else if (!world.parted[i] && island.bodies.size() == 1)
+    {
+      slide(world.bodies[i], world.start[i], gravity, step);
+    }
   }
 }
 
 /// Moves all islands that are awake: bounces, contacts; and what no contact has pushed flies on.
 inline void advance(WorldState& world, const WorldSolver& solver)
 {
+  const ForcesOfStep forces{world.bodies};
   const IslandView view{world.bodies, world.contacts, world.scene.gravity, world.room};
   world.touching.clear();
   world.impacts.clear();
@@ -150,16 +155,8 @@ inline void finish(WorldState& world, std::size_t i)
   {
     return;
   }
-  const SceneBody& of = world.scene.bodies[i];
-  const double step = world.scene.step;
-  wear_off(body, of, step / 2);
-  if (world.may_sleep)
-  {
-    const double radius = bounds_of(body, of.shape, 0).sizes().norm() / 2;
-    world.sleep[i] = watched(
-        world.sleep[i], body.motion.velocity, body.motion.angular_velocity, radius, step,
-        SleepLimits<double>{});
-  }
+  wear_off(body, world.scene.bodies[i], world.scene.step / 2);
+  watch_rest(world, i);
 }
 
 COOKBOOK_WORLD_INLINE void step(WorldState& world, const WorldSolver& solver)
@@ -182,10 +179,7 @@ COOKBOOK_WORLD_INLINE void step(WorldState& world, const WorldSolver& solver)
   {
     settle(world.sleep, world.islands.numbers(), SleepLimits<double>{});
   }
-  {
-    const ForcesOfStep forces{world.bodies};
-    advance(world, solver);
-  }
+  advance(world, solver);
   sweep(world);
   for (std::size_t i = 0; i < world.bodies.size(); ++i)
   {
