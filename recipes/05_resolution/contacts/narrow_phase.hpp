@@ -99,10 +99,6 @@ inline void renew(
     {
       points[i].feature = manifold.points[i].feature;
     }
-    if (contact.points.capacity() > 2 * manifold.points.size())
-    {
-      contact.points = {}; // gives back what many points took
-    }
     contact.points.assign(points.begin(), points.begin() + manifold.points.size());
   }
   anchor(contact, manifold, a, b);
