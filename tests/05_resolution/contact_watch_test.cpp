@@ -10,6 +10,7 @@
 
 #include "tests/catch.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -169,6 +170,41 @@ TEST_CASE("two balls that meet in flight are heard once, the smaller number firs
   CHECK(heard[0].normal.isApprox(Vector3<double>(-1, 0, 0)));
   // They touch after (10 − 0.75) / 40 s, where the left one has come to −5 + 10 t.
   CHECK(heard[0].place.x() == Catch::Approx(-5 + 9.25 / 4 + 0.25));
+}
+
+TEST_CASE("without gravity rounding is not heard, and a pair is heard once in a step")
+{
+  for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    Scene scene{.gravity = {0, 0, 0}};
+    scene.bodies = {ground(), cube_body("cube", {0, 2, 0})};
+    scene.bodies[1].velocity = {0, -20, 0};
+    CAPTURE(solver);
+    const std::vector<Impact> heard = impacts_until(2, scene, solver);
+    REQUIRE_FALSE(heard.empty());
+    CHECK(heard[0].speed == Catch::Approx(20));
+    CHECK(heard.size() <= (solver == "direct" ? 1U : 2U)); // small steps do not stop it at once
+    CHECK(heard.back().speed > 1);
+
+    // A ball goes to and fro between two others that come from both sides, many times in a step.
+    scene.bodies = {
+        ball_body("left", 0.5, {-2, 0, 0}, 100), ball_body("right", 0.5, {2, 0, 0}, 100),
+        ball_body("between", 0.1, {0, 0, 0}, 0.1)};
+    scene.bodies[0].velocity = {40, 0, 0};
+    scene.bodies[1].velocity = {-40, 0, 0};
+    scene.bodies[2].restitution = 1;
+    World world(scene, solver_named(solver));
+    while (world.time() < 0.5)
+    {
+      world.step();
+      CHECK(world.impacts().size() <= 3);
+      const auto same = [](const Impact& one, const Impact& other)
+      { return one.a == other.a && one.b == other.b; };
+      CHECK(
+          std::adjacent_find(world.impacts().begin(), world.impacts().end(), same) ==
+          world.impacts().end());
+    }
+  }
 }
 
 TEST_CASE("what stands, rolls or slides is not heard")

@@ -550,6 +550,56 @@ TEST_CASE("a ball that came to a wall without gravity, and is pressed on it then
   }
 }
 
+TEST_CASE("a force that pulls a cube past the edge of another turns it by nothing")
+{
+  for (const double pull : {-500.0, -1000.0})
+  {
+    for (const char* const solver : {"direct", "soft_steps", "wide_steps"})
+    {
+      Scene scene{.gravity = {0, 0, 0}};
+      scene.bodies = {cube_body("fixed", {0, 0, 0}), cube_body("past", {1.08, 0.98, 0})};
+      scene.bodies[0].mass = 0;
+      scene.bodies[1].velocity = {0, 6, 0};
+      World world(scene, solver_named(solver));
+      world.accelerate(1, {pull, 0, 0}, {0, 0, 0});
+      world.step();
+      CAPTURE(pull, solver);
+      CHECK(world.body(1).motion.velocity.x() == Catch::Approx(pull / 60));
+      CHECK(world.body(1).motion.angular_velocity.isZero());
+    }
+  }
+}
+
+TEST_CASE("two cubes that touch and drift by less than a rest in space fall asleep")
+{
+  for (const double speed : {1e-12, 1e-4, 1e-3})
+  {
+    Scene scene{.gravity = {0, 0, 0}};
+    scene.bodies = {cube_body("one", {0, 0, 0}), cube_body("other", {1, 0, 0})};
+    scene.bodies[0].velocity = scene.bodies[1].velocity = {0, 0, speed};
+    World world(scene, solver_named("direct"), true);
+    while (world.time() < 5)
+    {
+      world.step();
+    }
+    CAPTURE(speed);
+    CHECK(world.sleeps(0));
+    CHECK(world.sleeps(1));
+  }
+}
+
+TEST_CASE("what falls through air so thick that it hardly moves does not fall asleep there")
+{
+  Scene scene{.bodies = {ball_body("ball", 0.5, {0, 100, 0})}};
+  scene.bodies[0].damping = 1000;
+  World world(scene, solver_named("direct"), true);
+  while (world.time() < 5)
+  {
+    world.step();
+    REQUIRE_FALSE(world.sleeps(0));
+  }
+}
+
 // [damped_bodies]
 TEST_CASE("what falls through thick air for long does so at g/c, to the square of c times the step")
 {

@@ -32,12 +32,16 @@ struct Encounter
   std::pair<int, int> pair() const { return std::minmax(touch.first, touch.other); }
 };
 
-/// Who has hit whom.
-inline Impact impact_of(const Encounter& of)
+/// Adds who has hit whom, unless that is but rounding.
+inline void hear(const Scene& scene, const Encounter& of, std::vector<Impact>& impacts)
 {
   const auto [a, b] = of.pair();
-  const Vector3<double> place = place_of_touch(of.met, of.a);
-  return {a, b, place, a == of.touch.first ? of.touch.normal : -of.touch.normal, of.approach};
+  if (is_heard(of.approach, scene.step, thinness(scene, of.touch.first)))
+  {
+    const Vector3<double> place = place_of_touch(of.met, of.a);
+    const Vector3<double> normal = a == of.touch.first ? of.touch.normal : -of.touch.normal;
+    impacts.push_back({a, b, place, normal, of.approach});
+  }
 }
 
 /// How the first goes on. What has come to rest leans on what does not give way; a box that touches

@@ -7,6 +7,7 @@
 #include "05_resolution/restitution/restitution.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <vector>
 
 namespace cookbook
@@ -22,6 +23,13 @@ struct Impact
   Vector3<double> normal; ///< [1], unit, world, from A to B
   double speed;           ///< [m/s], at which they closed there, along the normal
 };
+
+/// Whether two bodies that close at a speed [m/s] do more in a step [s] than their rounding, which
+/// is less than a millionth of their size [m].
+inline bool is_heard(double speed, double step, double size)
+{
+  return speed * step > 1e-6 * size;
+}
 
 /// Adds the impacts at those contacts of an island that do not press yet, and close in a step [s]
 /// faster than what comes to rest: each at the point where it does so fastest.
@@ -45,7 +53,8 @@ add_impacts(IslandView world, const Island& island, double step, std::vector<Imp
       const double parting = parting_speed<double>(a, b, contact.normal, arms);
       const double apart = gap(a, b, contact.normal, point);
       const double speed = touch_speed<double>(parting, {pull, 0, -apart});
-      if (speed > fastest.speed && apart + step * (parting + step * pull) <= 0)
+      const bool touches = apart + step * (parting + step * pull) <= 0;
+      if (speed > fastest.speed && touches && is_heard(speed, step, arms.a.norm() + arms.b.norm()))
       {
         const double time = std::max(0.0, apart / speed);
         fastest.place = b.motion.center + arms.b + time * velocity_at_arm<double>(b.motion, arms.b);
@@ -57,6 +66,18 @@ add_impacts(IslandView world, const Island& island, double step, std::vector<Imp
       impacts.push_back(fastest);
     }
   }
+}
+
+/// Leaves of all impacts of two bodies the fastest, in the order of their pairs.
+inline void keep_fastest(std::vector<Impact>& impacts)
+{
+  const auto key = [](const Impact& one) { return std::tuple(one.a, one.b, -one.speed); };
+  std::sort(
+      impacts.begin(), impacts.end(),
+      [&](const Impact& one, const Impact& other) { return key(one) < key(other); });
+  const auto same = [](const Impact& one, const Impact& other)
+  { return one.a == other.a && one.b == other.b; };
+  impacts.erase(std::unique(impacts.begin(), impacts.end(), same), impacts.end());
 }
 // [impact]
 

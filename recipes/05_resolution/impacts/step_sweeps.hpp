@@ -102,7 +102,7 @@ private:
     one.rests = one.approach <= slow;
     if (one.approach > threshold)
     {
-      impacts_.push_back(impact_of(one));
+      hear(step_.scene, one, impacts_);
       touches_.come_back(first);
       touches_.come_back(other);
       if (one.ball && touches_.hits(other) > 2) // balls may have been stopped in its way

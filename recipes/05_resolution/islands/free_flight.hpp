@@ -7,7 +7,6 @@
 #include "05_resolution/islands/past_body.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace cookbook
 {
@@ -45,17 +44,18 @@ was_pushed(const RigidBody& now, const PastBody& start, const Vector3<double>& g
              angular_momentum(now, start.orientation, alone.angular_velocity));
 }
 
-/// The acceleration [m/s²] of a body that gravity takes along others, by what its velocity changed
-/// in a step [s]: a part of gravity, and what is held of that lies across it, but for a share by
+/// The acceleration [m/s²] of a body that is pulled along others, by what its velocity changed in a
+/// step [s]: a part of the pull, and what is held of that lies across it, but for a share by
 /// friction. Zero where it does not slide like that.
 inline Vector3<double> sliding_pull(
     const RigidBody& now, const PastBody& start, const Vector3<double>& gravity, double step,
     double friction)
 {
   const Vector3<double> changed = (now.motion.velocity - start.motion.velocity) / step;
-  const double held = (gravity - changed).dot(changed) / gravity.squaredNorm();
-  const bool slides = !is_fixed(now) && !start.acceleration.any() &&
-                      changed.norm() > 0.05 * gravity.norm() && held > -1e-4 && held < friction;
+  const Vector3<double> pull = pull_on(start, gravity);
+  const double held = (pull - changed).dot(changed) / pull.squaredNorm();
+  const bool slides =
+      !is_fixed(now) && changed.norm() > 0.05 * pull.norm() && held > -1e-4 && held < friction;
   return slides ? changed : Vector3<double>(Vector3<double>::Zero());
 }
 
@@ -65,7 +65,7 @@ inline void
 slide(RigidBody& now, const PastBody& start, const Vector3<double>& gravity, double step)
 {
   const Vector3<double> pull = sliding_pull(now, start, gravity, step, 1e-4);
-  if ((gravity - pull).norm() < 5e-4 * gravity.norm())
+  if ((pull_on(start, gravity) - pull).norm() < 5e-4 * pull.norm())
   {
     return; // nothing holds it at all: it was moved out of an overlap
   }

@@ -125,9 +125,10 @@ foreseen_bounds(const Scene& scene, const RigidBody& body, const Ahead& ahead, i
       .merged(here.translated(way_on(scene, body, pushed_share)));
 }
 
-/// How far apart [m] two bodies may be and be in contact: the margin [m], and what the forces on
-/// them may close in this step; or as far as they may come closer in it, if that is more than does
-/// no harm, and they would end too deep in each other, and clearly deeper than they are.
+/// How far apart [m] two bodies may be and be in contact: the margin [m]; with what forces may
+/// close in this step, if they lead into each other; or as far as they may come closer in it, if
+/// that is more than does no harm, and they would end too deep in each other, and clearly deeper
+/// than they are.
 inline double foreseen_reach(
     const Scene& scene, std::span<const RigidBody> bodies, std::span<const Ahead> ahead, int i,
     int j, double margin)
@@ -136,18 +137,18 @@ inline double foreseen_reach(
   const RigidBody &a = bodies[place_of(i)], &b = bodies[place_of(j)];
   const double harmless = std::min(of_a.harmless, of_b.harmless);
   const bool forced = of_a.forced || of_b.forced;
-  double closing = (of_b.way - of_a.way).norm(), near = margin;
+  double closing = (of_b.way - of_a.way).norm();
   if (forced)
   {
-    near += (b.acceleration - a.acceleration).norm() * scene.step * scene.step;
     const auto pushed = [&](const RigidBody& body) { return way_on(scene, body, pushed_share); };
     closing = std::max(closing, (pushed(b) - pushed(a)).norm());
   }
   closing += of_a.turn;
   closing += of_b.turn;
-  if (!(closing > harmless) || of_a.swept || of_b.swept)
+  const bool harms = closing > harmless && !of_a.swept && !of_b.swept;
+  if (!harms && !forced)
   {
-    return near;
+    return margin;
   }
   const auto depth = [&](const RigidBody& one, const RigidBody& other) {
     return depth_between(scene, {i, j}, one, other);
@@ -156,7 +157,12 @@ inline double foreseen_reach(
   { return depth(going_on(scene, a, share), going_on(scene, b, share)); };
   const double end =
       forced ? std::max(end_of(flying_share), end_of(pushed_share)) : end_of(flying_share);
-  return end > harmless && end > depth(a, b) + harmless / 10 ? margin + closing : near;
+  if (harms && end > harmless && end > depth(a, b) + harmless / 10)
+  {
+    return margin + closing;
+  }
+  const double by_forces = scene.step * scene.step * (b.acceleration - a.acceleration).norm();
+  return end > 0 ? margin + by_forces : margin;
 }
 // [foreseen]
 

@@ -81,7 +81,12 @@ private:
     if (tries_.size() > 2 * kept_) // bodies that were taken out are fixed
     {
       std::erase_if(
-          tries_, [&](const auto& one) { return is_fixed(world.bodies[place_of(one.first)]); });
+          tries_,
+          [&](const auto& one)
+          {
+            const std::size_t first = place_of(one.first);
+            return first >= world.bodies.size() || is_fixed(world.bodies[first]);
+          });
       kept_ = tries_.size() + 16;
     }
     Tries& tries = tries_[island.bodies.front()];

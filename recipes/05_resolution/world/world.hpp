@@ -12,8 +12,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -58,7 +56,8 @@ public:
   const std::vector<RigidBody>& bodies() const { return state_.bodies; } ///< in its order, as now
   /// All contacts of the last step.
   const std::vector<WorldContact>& contacts() const { return state_.contacts; }
-  const std::vector<Impact>& impacts() const { return state_.impacts; } ///< of the same
+  /// Who hit whom in it, in the order of pairs; they may have been taken out since.
+  const std::vector<Impact>& impacts() const { return state_.impacts; }
   /// The bodies as the last step began, after its impacts.
   const std::vector<PastBody>& bodies_before() const { return state_.start; }
   double time() const { return double(state_.steps) * scene().step; } ///< [s], since the start

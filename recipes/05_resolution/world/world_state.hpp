@@ -69,19 +69,21 @@ inline bool is_still(const WorldState& world, int body)
   return is_fixed(world.bodies[place_of(body)]) || sleeps(world, body);
 }
 
-/// Watches whether a body rests, if any may sleep: what moves and falls freely does not.
+/// Watches whether a body rests, if any may sleep: what is pulled and falls freely does not.
 inline void watch_rest(WorldState& world, std::size_t i)
 {
   if (!world.may_sleep)
   {
     return;
   }
-  const auto& [center, velocity, spin] = world.bodies[i].motion;
-  const bool moves = center != world.start[i].motion.center;
+  const Motion<double>& motion = world.bodies[i].motion;
+  const bool flies = world.falls[i] && !pull_on(world.start[i], world.scene.gravity).isZero(0);
   const auto& shape = world.scene.bodies[i].shape;
   const double radius = bounds_of(world.bodies[i], shape, 0).sizes().norm() / 2;
-  const SleepState<double> before = world.falls[i] && moves ? SleepState<double>{} : world.sleep[i];
-  world.sleep[i] = watched(before, velocity, spin, radius, world.scene.step, SleepLimits<double>{});
+  const SleepState<double> before = flies ? SleepState<double>{} : world.sleep[i];
+  world.sleep[i] = watched(
+      before, motion.velocity, motion.angular_velocity, radius, world.scene.step,
+      SleepLimits<double>{});
 }
 // [world_state]
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 namespace cookbook
@@ -181,6 +182,7 @@ COOKBOOK_WORLD_INLINE void step(WorldState& world, const WorldSolver& solver)
   }
   advance(world, solver);
   sweep(world);
+  keep_fastest(world.impacts);
   for (std::size_t i = 0; i < world.bodies.size(); ++i)
   {
     finish(world, i);
