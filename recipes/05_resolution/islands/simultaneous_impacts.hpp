@@ -139,11 +139,10 @@ inline bool bounce(
 // [impact_points]
 
 // [impacts]
-/// How often the bodies of an island bounce in a step: what does sends others on to what is near.
-inline constexpr int most_impacts = 64;
+/// How often an island bounces in a step, and at how many points after the first time.
+inline constexpr std::size_t most_impacts = 64;
 
-/// Lets the bodies of an island bounce, and says whether any was about to; after the first time,
-/// only those that the time before has pushed, and whom they meet.
+/// Lets the bodies of an island bounce, then those that were pushed; says whether any was about to.
 inline bool simultaneous_impacts(IslandView world, const Island& island, double step)
 {
   const auto bouncy = [&](int i) { return world.contacts[place_of(i)].restitution > 0; };
@@ -175,8 +174,9 @@ inline bool simultaneous_impacts(IslandView world, const Island& island, double 
     }
     return any;
   };
-  int rounds = 0;
-  while (rounds < most_impacts && find_points(rounds == 0))
+  std::size_t rounds = 0;
+  while (rounds < most_impacts && find_points(rounds == 0) &&
+         (rounds == 0 || points.size() <= most_impacts))
   {
     ++rounds;
     if (!bounce(points, bodies))
