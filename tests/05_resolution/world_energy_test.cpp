@@ -5,6 +5,7 @@
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/world/solver_names.hpp"
 #include "05_resolution/world/solvers.hpp"
+#include "05_resolution/world/trial/world_measures.hpp"
 #include "05_resolution/world/trial/world_runs.hpp"
 
 #include "tests/05_resolution/evenly.hpp"
@@ -281,21 +282,6 @@ TEST_CASE(
 namespace
 {
 
-/// The energy [J] of a world, in its gravity.
-double energy_of(const World& world)
-{
-  double sum = 0;
-  for (const RigidBody& body : world.bodies())
-  {
-    if (!is_fixed(body))
-    {
-      sum +=
-          kinetic_energy(body) - world.scene().gravity.dot(body.motion.center) / body.inverse_mass;
-    }
-  }
-  return sum;
-}
-
 /// How much energy [J] a world has at most in so many seconds, and how high [m] a body of it gets
 /// in the last two.
 std::pair<double, double> most_energy(World& world, double time, std::size_t body)
@@ -304,7 +290,7 @@ std::pair<double, double> most_energy(World& world, double time, std::size_t bod
   while (world.time() < time)
   {
     world.step();
-    most = std::max(most, energy_of(world));
+    most = std::max(most, energy(world.bodies(), world.scene().gravity));
     if (world.time() > time - 2)
     {
       highest = std::max(highest, world.body(body).motion.center.y());
@@ -338,7 +324,7 @@ TEST_CASE("what leans on a smooth wall and bounces with e = 1 comes up to where 
         }
         scene.bodies[0].restitution = 1;
         World world(scene, solver_named(solver));
-        const double before = energy_of(world);
+        const double before = energy(world.bodies(), world.scene().gravity);
         const auto [most, highest] = most_energy(world, inputs(60, 6), 2);
         CAPTURE(solver, lean, cube);
         CHECK(most <= before * (1 + 1e-4));
@@ -370,7 +356,7 @@ TEST_CASE("an uneven box that tumbles and bounces for ten seconds gains no more 
         scene.bodies[0].friction = scene.bodies[1].friction = friction;
         scene.bodies[0].restitution = 1;
         World world(scene, solver_named(solver));
-        const double before = energy_of(world);
+        const double before = energy(world.bodies(), world.scene().gravity);
         const double gained = most_energy(world, 10, 1).first / before - 1;
         double& most = friction > 0 ? worst_rough : worst;
         most = std::max(most, gained);

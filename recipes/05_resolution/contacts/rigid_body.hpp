@@ -6,6 +6,7 @@
 #include "02_primitives/shapes/shapes.hpp"
 #include "05_resolution/contacts/scene.hpp"
 #include "05_resolution/impulse/body.hpp"
+#include "05_resolution/restitution/restitution.hpp"
 
 #include <algorithm>
 #include <variant>
@@ -63,6 +64,13 @@ inline double parting_pull(
   const auto pulls = [&](const RigidBody& body)
   { return is_fixed(body) ? 0.0 : pull_on(body, gravity).dot(direction); };
   return pulls(b) - pulls(a);
+}
+
+/// The fastest approach [m/s] that is a rest in a step [s], where what pulls parts two bodies at
+/// this acceleration [m/s²]: by gravity, or by what presses them, if that is more.
+inline double rest_threshold(const Vector3<double>& gravity, double parting_pull, double step)
+{
+  return bounce_threshold(std::max(gravity.norm(), -parting_pull), step);
 }
 
 /// How it moves once they have pulled it for a time [s], where it is.

@@ -45,7 +45,7 @@ add_impacts(IslandView world, const Island& island, double step, std::vector<Imp
     }
     const RigidBody &a = world.bodies[place_of(contact.a)], &b = world.bodies[place_of(contact.b)];
     const double pull = parting_pull(a, b, contact.normal, world.gravity);
-    const double slow = bounce_threshold(std::max(world.gravity.norm(), -pull), step);
+    const double slow = rest_threshold(world.gravity, pull, step);
     Impact fastest{contact.a, contact.b, b.motion.center, contact.normal, slow};
     for (const WorldPoint& point : contact.points)
     {

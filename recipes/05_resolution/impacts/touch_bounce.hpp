@@ -92,7 +92,7 @@ inline double threshold_of(const StepCourses& step, const CourseTouch& touch)
   const Course &one = step.courses[place_of(touch.first)],
                &two = step.courses[place_of(touch.other)];
   const double pressing = (one.acceleration - two.acceleration).dot(touch.normal);
-  return bounce_threshold(std::max(step.scene.gravity.norm(), pressing), step.scene.step);
+  return rest_threshold(step.scene.gravity, -pressing, step.scene.step);
 }
 
 /// Whether two bodies that touch at a speed [m/s] would get deeper into each other than does no

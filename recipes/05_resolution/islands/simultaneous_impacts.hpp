@@ -29,7 +29,7 @@ inline double impact_target(const IslandPoint& point, const Vector3<double>& gra
     return -1;
   }
   const double acceleration = parting_pull(*point.a, *point.b, point.normal, gravity);
-  const double threshold = bounce_threshold(std::max(gravity.norm(), -acceleration), step);
+  const double threshold = rest_threshold(gravity, acceleration, step);
   const double target = bounced_speed<double>(
       speed, {acceleration, 0, -apart}, point.contact->restitution, threshold);
   return target > 0 ? target : -1;
@@ -151,11 +151,6 @@ inline bool simultaneous_impacts(IslandView world, const Island& island, double 
     return false;
   }
   const std::span<const IslandPoint> all = points_of(world, island);
-  std::vector<RigidBody*> bodies;
-  for (const int i : island.bodies)
-  {
-    bodies.push_back(&world.bodies[place_of(i)]);
-  }
   std::vector<ImpactPoint> points;
   std::set<const RigidBody*> pushed; // what is fixed is not among them
   const auto find_points = [&](bool first)
@@ -174,15 +169,18 @@ inline bool simultaneous_impacts(IslandView world, const Island& island, double 
     }
     return any;
   };
-  std::size_t rounds = 0;
-  while (rounds < most_impacts && find_points(rounds == 0) &&
-         (rounds == 0 || points.size() <= most_impacts))
+  if (!find_points(true))
   {
-    ++rounds;
-    if (!bounce(points, bodies))
-    {
-      break;
-    }
+    return false;
+  }
+  std::vector<RigidBody*> bodies;
+  for (const int i : island.bodies)
+  {
+    bodies.push_back(&world.bodies[place_of(i)]);
+  }
+  bool goes_on = true;
+  for (std::size_t round = 1; goes_on && bounce(points, bodies) && round < most_impacts; ++round)
+  {
     pushed.clear();
     for (const ImpactPoint& one : points)
     {
@@ -192,8 +190,9 @@ inline bool simultaneous_impacts(IslandView world, const Island& island, double 
       }
     }
     std::erase_if(pushed, [](const RigidBody* body) { return is_fixed(*body); });
+    goes_on = find_points(false) && points.size() <= most_impacts;
   }
-  return rounds > 0;
+  return true;
 }
 // [impacts]
 

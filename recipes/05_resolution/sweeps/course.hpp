@@ -23,11 +23,11 @@ struct Ahead
 
 // [course]
 /// A body's way through a step, or through what is left of it: the centre along a parabola, or
-/// straight; the body turns steadily.
+/// straight where nothing of its pull is left; the body turns steadily.
 struct Course
 {
   const RigidBody* of;          ///< the body, kept elsewhere: for what no step changes
-  PastBody from;                ///< how it is as this course begins, which has what pulls it
+  PastBody from;                ///< how it is as this course begins; its pull is not in it
   double since;                 ///< [s], of the step, when it begins
   Vector3<double> velocity;     ///< [m/s], at which the centre sets out
   Vector3<double> acceleration; ///< [m/s²], of the centre
