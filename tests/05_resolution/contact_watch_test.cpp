@@ -184,7 +184,7 @@ TEST_CASE("without gravity rounding is not heard, and a pair is heard once in a 
     REQUIRE_FALSE(heard.empty());
     CHECK(heard[0].speed == Catch::Approx(20));
     CHECK(heard.size() <= (solver == "direct" ? 1U : 2U)); // small steps do not stop it at once
-    CHECK(heard.back().speed > 1);
+    CHECK(heard.back().speed > 0.05); // of the 20 m/s; rounding is less than 1e-4
 
     // A ball goes to and fro between two others that come from both sides, many times in a step.
     scene.bodies = {

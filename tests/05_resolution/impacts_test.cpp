@@ -130,7 +130,7 @@ TEST_CASE("what a cube will be too deep in is in reach: by the way of a step mor
     RigidBody bodies[] = {rigid_body(scene.bodies[0]), rigid_body(scene.bodies[1])};
     bodies[1].acceleration.y() = pull;
     const Ahead ahead[] = {ahead_of(scene, bodies[0], 0), ahead_of(scene, bodies[1], 1)};
-    return foreseen_reach(scene, bodies, ahead, 0, 1, contact_margin(scene));
+    return foreseen_reach(scene, bodies, ahead, 0, 1, contact_margin(scene)).reach;
   };
   CHECK(reach_of_cube(0.10, -12, 0) == Catch::Approx(margin + way));     // 0.1 deep
   CHECK(reach_of_cube(0.16, -12, 0) == Catch::Approx(margin));           // 0.04 deep
@@ -155,6 +155,37 @@ TEST_CASE("a turn takes a corner of a box along, and no point of a ball or of wh
   CHECK(way_by_turn(ground()) == 0);
 }
 // [foreseen]
+
+TEST_CASE("without gravity a box that gives nothing back stays at the wall that it meets")
+{
+  for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    for (const double half : {0.005, 0.05, 0.25, 2.5})
+    {
+      for (const double speed : {0.03, 0.1, 0.3, 0.5, 1.0, 1.5, 3.0, 5.0})
+      {
+        for (const double gap : {0.05, 0.137, 0.211})
+        {
+          Scene scene{.gravity = {0, 0, 0}};
+          scene.bodies = {
+              box_body("wall", {1, 50, 50}, {1, 0, 0}, 0),
+              box_body("box", Vector3<double>::Constant(half), {-half - gap, 0, 0}, 1)};
+          scene.bodies[1].velocity.x() = speed;
+          World world(scene, solver_named(solver));
+          while (world.time() < gap / speed + 0.5)
+          {
+            world.step();
+          }
+          CAPTURE(solver, half, speed, gap);
+          // It gets in by a tenth of its way of a step at most, and is pushed out by a fifth of
+          // that.
+          const double left = solver == "direct" ? 0.02 : 0.05;
+          CHECK(std::abs(world.body(1).motion.velocity.x()) <= left * speed);
+        }
+      }
+    }
+  }
+}
 
 // [too_deep]
 TEST_CASE("a body is swept that a step leaves deeper than 7.5 %, and not by gravity alone")

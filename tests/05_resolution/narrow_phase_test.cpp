@@ -81,7 +81,7 @@ struct Surfaces
     const SceneBody a = drawn(draw, kind_a, size), b = drawn(draw, kind_b, size);
     const RigidBody body_a = rigid_body(a), body_b = rigid_body(b);
     WorldContact contact;
-    std::visit(UpdateContact{contact, body_a, body_b, margin, margin}, a.shape, b.shape);
+    std::visit(UpdateContact{contact, body_a, body_b, {margin, margin}}, a.shape, b.shape);
     if (contact.points.empty())
     {
       return;
@@ -128,7 +128,7 @@ TEST_CASE(
     above.orientation = rotation_by<double>(V(0, turned, 0));
     const RigidBody a = rigid_body(below), b = rigid_body(above);
     WorldContact contact;
-    std::visit(UpdateContact{contact, a, b, 0.01, 0.01}, below.shape, above.shape);
+    std::visit(UpdateContact{contact, a, b, {0.01, 0.01}}, below.shape, above.shape);
     for (const WorldPoint& point : contact.points)
     {
       const V place = a.axes * point.on_a / size;
@@ -170,7 +170,7 @@ TEST_CASE("a point of a contact keeps what is known of it as long as its feature
       point.solved = true;
     }
     const RigidBody a = rigid_body(below), b = rigid_body(above);
-    std::visit(UpdateContact{contact, a, b, 0.01, 0.01}, below.shape, above.shape);
+    std::visit(UpdateContact{contact, a, b, {0.01, 0.01}}, below.shape, above.shape);
     int kept = 0, fresh = 0;
     for (const WorldPoint& point : contact.points)
     {

@@ -305,6 +305,38 @@ TEST_CASE("a crate of 1 kg that is pressed by 100 N weighs 109.81 N, and does no
 }
 // [pressed]
 
+TEST_CASE("a force that pulls as gravity does has a cube slide over flush tiles as gravity does")
+{
+  for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    for (const double speed : {0.05, 0.1, 0.3, 1.0, 3.0, 8.0})
+    {
+      const auto speed_after = [&](bool by_force)
+      {
+        Scene scene = named_scene("tiles");
+        SceneBody& cube = scene.bodies.back();
+        cube.shape = BoxShape{{0.2, 0.2, 0.2}};
+        cube.position = {0.797, 0.2, 0}; // 3 mm before it comes to the next tile
+        cube.velocity = {speed, 0, 0};
+        scene.gravity *= by_force ? 0 : 1;
+        World world(scene, solver_named(solver));
+        while (world.time() < std::min(6.0, 8 / speed))
+        {
+          if (by_force)
+          {
+            apply_force(world, scene.bodies.size() - 1, {0, -9.81 * cube.mass, 0});
+          }
+          world.step();
+        }
+        return world.bodies().back().motion.velocity.x();
+      };
+      CAPTURE(solver, speed);
+      CHECK(speed_after(true) == Catch::Approx(speed_after(false)).epsilon(0.005));
+      CHECK(speed_after(true) == Catch::Approx(speed).epsilon(solver == "direct" ? 1e-9 : 0.1));
+    }
+  }
+}
+
 TEST_CASE("8 N pull 1 kg on a floor with μ = .5 by 3.095 m/s², 4 N do not move it")
 {
   for (const std::string& solver : solver_names())

@@ -54,9 +54,8 @@ inline void merge_in(std::vector<WorldContact>& contacts, std::span<WorldContact
   }
 }
 
-/// Brings contacts up to date with these pairs of bodies; both are in order. Pairs farther apart
-/// than `reach(a, b)` [m], no less than a margin [m], have none, and neither have those that ignore
-/// each other.
+/// Brings contacts up to date with these pairs of bodies; both are in order. Pairs that are not as
+/// near as `reach(a, b)` says have none, and neither have those that ignore each other.
 ///
 /// What is known already keeps its place in the list, as long as no pair before it begins or ends.
 /// `still(i)` says that a body has not moved since; a contact of two such bodies stays as it is.
@@ -64,14 +63,14 @@ inline void merge_in(std::vector<WorldContact>& contacts, std::span<WorldContact
 template <class Reach, class Still>
 void update_contacts(
     std::vector<WorldContact>& contacts, std::vector<WorldContact>& begun, const Scene& scene,
-    std::span<const RigidBody> bodies, std::span<const std::pair<int, int>> pairs, double margin,
+    std::span<const RigidBody> bodies, std::span<const std::pair<int, int>> pairs,
     const Reach& reach, const Still& still)
 {
   begun.clear();
   const auto touches = [&](WorldContact& contact)
   {
     const std::size_t a = place_of(contact.a), b = place_of(contact.b);
-    const UpdateContact update{contact, bodies[a], bodies[b], margin, reach(contact.a, contact.b)};
+    const UpdateContact update{contact, bodies[a], bodies[b], reach(contact.a, contact.b)};
     std::visit(update, scene.bodies[a].shape, scene.bodies[b].shape);
     return !contact.points.empty();
   };

@@ -72,6 +72,13 @@ inline bool has_features_of(const WorldContact& contact, const Manifold<double>&
 // [meet]
 
 // [update_contact]
+/// How near two bodies are [m] that are in contact.
+struct ContactReach
+{
+  double margin; ///< what is so near may be a ghost: what pulls covers as much in two steps
+  double reach;  ///< how far apart they may be; no less than the margin
+};
+
 /// Writes where each point of a contact is on the surfaces of its two bodies, as its manifold says.
 inline void anchor(
     WorldContact& contact, const Manifold<double>& manifold, const RigidBody& a, const RigidBody& b)
@@ -104,15 +111,14 @@ inline void renew(
   anchor(contact, manifold, a, b);
 }
 
-/// Brings the points of a contact up to date with where its bodies are; none where they are farther
-/// apart than a reach [m], or are ghosts within a margin [m].
+/// Brings the points of a contact up to date with where its bodies are; none where they are too far
+/// apart, or are ghosts.
 struct UpdateContact
 {
   WorldContact& contact;
   const RigidBody& a;
   const RigidBody& b;
-  double margin;
-  double reach; // no less than the margin
+  ContactReach near;
 
   template <class ShapeA, class ShapeB>
   void operator()(const ShapeA& shape_a, const ShapeB& shape_b) const
@@ -120,8 +126,8 @@ struct UpdateContact
     const auto placed_a = placed(a, shape_a);
     const auto placed_b = placed(b, shape_b);
     const std::optional<Manifold<double>> met =
-        meet(axis_before(contact), placed_a, placed_b, reach);
-    if (!met || is_ghost(placed_a, placed_b, met->normal, -met->depth, margin))
+        meet(axis_before(contact), placed_a, placed_b, near.reach);
+    if (!met || is_ghost(placed_a, placed_b, met->normal, -met->depth, near.margin))
     {
       return contact.points.clear();
     }

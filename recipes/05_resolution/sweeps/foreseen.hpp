@@ -6,6 +6,7 @@
 #include "04_obb_manifolds/box_box/box_box.hpp"
 #include "05_resolution/contacts/broad_phase.hpp"
 #include "05_resolution/contacts/moved_body.hpp"
+#include "05_resolution/contacts/narrow_phase.hpp"
 #include "05_resolution/sweeps/box_on_course.hpp"
 #include "05_resolution/sweeps/step_courses.hpp"
 #include "common/simd/registers.hpp"
@@ -125,17 +126,19 @@ foreseen_bounds(const Scene& scene, const RigidBody& body, const Ahead& ahead, i
       .merged(here.translated(way_on(scene, body, pushed_share)));
 }
 
-/// How far apart [m] two bodies may be and be in contact: the margin [m]; with what forces may
+/// How near two bodies have to be to be in contact: within the margin [m]; within what forces may
 /// close in this step, if they lead into each other; or as far as they may come closer in it, if
 /// that is more than does no harm, and they would end too deep in each other, and clearly deeper
-/// than they are.
-inline double foreseen_reach(
+/// than they are. Where gravity is weak, little is harmless: it would not take back the speed with
+/// which they are moved apart.
+inline ContactReach foreseen_reach(
     const Scene& scene, std::span<const RigidBody> bodies, std::span<const Ahead> ahead, int i,
     int j, double margin)
 {
   const Ahead &of_a = ahead[place_of(i)], &of_b = ahead[place_of(j)];
   const RigidBody &a = bodies[place_of(i)], &b = bodies[place_of(j)];
-  const double harmless = std::min(of_a.harmless, of_b.harmless);
+  const double unheeded = std::min(of_a.harmless, of_b.harmless);
+  const double harmless = std::min(unheeded, 20 * margin);
   const bool forced = of_a.forced || of_b.forced;
   double closing = (of_b.way - of_a.way).norm();
   if (forced)
@@ -148,7 +151,7 @@ inline double foreseen_reach(
   const bool harms = closing > harmless && !of_a.swept && !of_b.swept;
   if (!harms && !forced)
   {
-    return margin;
+    return {margin, margin};
   }
   const auto depth = [&](const RigidBody& one, const RigidBody& other) {
     return depth_between(scene, {i, j}, one, other);
@@ -157,12 +160,13 @@ inline double foreseen_reach(
   { return depth(going_on(scene, a, share), going_on(scene, b, share)); };
   const double end =
       forced ? std::max(end_of(flying_share), end_of(pushed_share)) : end_of(flying_share);
-  if (harms && end > harmless && end > depth(a, b) + harmless / 10)
-  {
-    return margin + closing;
-  }
   const double by_forces = scene.step * scene.step * (b.acceleration - a.acceleration).norm();
-  return end > 0 ? margin + by_forces : margin;
+  const double pulled = margin + std::min(2 * by_forces, unheeded);
+  if (harms && end > std::max(harmless, closing / 10) && end > depth(a, b) + harmless / 10)
+  {
+    return {pulled, std::max(pulled, margin + closing)};
+  }
+  return {pulled, end > 0 ? margin + by_forces : margin};
 }
 // [foreseen]
 

@@ -33,7 +33,7 @@ inline void find_contacts(WorldState& world)
     bound.box = foreseen_bounds(scene, world.bodies[i], world.ahead[i], bound.body, margin);
   }
   update_contacts(
-      world.contacts, world.begun, scene, world.bodies, world.near.pairs(world.bounds), margin,
+      world.contacts, world.begun, scene, world.bodies, world.near.pairs(world.bounds),
       [&](int a, int b) { return foreseen_reach(scene, world.bodies, world.ahead, a, b, margin); },
       [&](int body) { return is_still(world, body); });
 }
