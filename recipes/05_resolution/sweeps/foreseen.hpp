@@ -127,10 +127,10 @@ foreseen_bounds(const Scene& scene, const RigidBody& body, const Ahead& ahead, i
 }
 
 /// How near two bodies have to be to be in contact: within the margin [m]; within what forces may
-/// close in this step, if they lead into each other; or as far as they may come closer in it, if
-/// that is more than does no harm, and they would end too deep in each other, and clearly deeper
-/// than they are. Where gravity is weak, little is harmless: it would not take back the speed with
-/// which they are moved apart.
+/// close in this step, if they lead into each other, or one into the other that is held; or as far
+/// as they may come closer in it, if that is more than does no harm, and they would end too deep in
+/// each other, and clearly deeper than they are. Where gravity is weak, little is harmless: it
+/// would not take back the speed with which they are moved apart.
 inline ContactReach foreseen_reach(
     const Scene& scene, std::span<const RigidBody> bodies, std::span<const Ahead> ahead, int i,
     int j, double margin)
@@ -160,13 +160,16 @@ inline ContactReach foreseen_reach(
   { return depth(going_on(scene, a, share), going_on(scene, b, share)); };
   const double end =
       forced ? std::max(end_of(flying_share), end_of(pushed_share)) : end_of(flying_share);
-  const double by_forces = scene.step * scene.step * (b.acceleration - a.acceleration).norm();
+  const double forces = std::max(a.acceleration.norm(), b.acceleration.norm());
+  const double by_forces = scene.step * scene.step * forces;
   const double pulled = margin + std::min(2 * by_forces, unheeded);
   if (harms && end > std::max(harmless, closing / 10) && end > depth(a, b) + harmless / 10)
   {
     return {pulled, std::max(pulled, margin + closing)};
   }
-  return {pulled, end > 0 ? margin + by_forces : margin};
+  const bool led = forced && (end > 0 || depth(going_on(scene, a, pushed_share), b) > 0 ||
+                              depth(a, going_on(scene, b, pushed_share)) > 0);
+  return {pulled, led ? margin + by_forces : margin};
 }
 // [foreseen]
 
