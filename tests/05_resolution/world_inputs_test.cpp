@@ -373,6 +373,48 @@ TEST_CASE("a force that pulls as gravity does has a cube slide over flush tiles 
   }
 }
 
+// [platform]
+/// Has a heavy body move as a platform in the next step, at a velocity [m/s]: so fast, and held up.
+void carry(World& world, std::size_t platform, const Vector3<double>& velocity)
+{
+  const Vector3<double> none = Vector3<double>::Zero();
+  world.set_velocity(platform, velocity, none);
+  world.accelerate(platform, Vector3<double>(0, 9.81, 0), none);
+}
+
+TEST_CASE("a platform of 1,000 t carries crates and a ball up, and draws a crate along by friction")
+{
+  for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    const double half = 0.25;
+    Scene scene{.bodies = {box_body("platform", {3, 0.1, 3}, {0, -0.1, 0}, 1e6)}};
+    scene.bodies.push_back(box_body("crate", {half, half, half}, {1, half, 0}));
+    World sideways(scene, solver_named(solver));
+    scene.bodies.push_back(box_body("upper crate", {half, half, half}, {1, 3 * half, 0}));
+    scene.bodies.push_back(ball_body("ball", half, {-1, half, 0}));
+    World up(scene, solver_named(solver));
+    while (up.time() < 4)
+    {
+      carry(up, 0, {0, 0.5, 0});
+      up.step();
+      carry(sideways, 0, {0.5, 0, 0});
+      sideways.step();
+    }
+    CAPTURE(solver);
+    CHECK(up.body(0).motion.center.y() == Catch::Approx(-0.1 + 0.5 * 4).margin(1e-5));
+    for (std::size_t i = 1; i < scene.bodies.size(); ++i)
+    {
+      const Vector3<double> carried = scene.bodies[i].position + Vector3<double>(0, 0.5 * 4, 0);
+      CHECK((up.body(i).motion.center - carried).norm() <= 0.002);
+    }
+    // The crate is as fast as the platform once it has slipped by v² / (2 μ g), 2 cm.
+    const double slipped = 1 + 0.5 * 4 - sideways.body(1).motion.center.x();
+    CHECK(slipped == Catch::Approx(0.5 * 0.5 / (2 * 0.6 * 9.81)).margin(0.5 / 60 / 2));
+    CHECK(sideways.body(1).motion.velocity.x() == Catch::Approx(0.5).margin(1e-4));
+  }
+}
+// [platform]
+
 TEST_CASE("8 N pull 1 kg on a floor with μ = .5 by 3.095 m/s², 4 N do not move it")
 {
   for (const std::string& solver : solver_names())
