@@ -373,7 +373,7 @@ TEST_CASE("a force that pulls as gravity does has a cube slide over flush tiles 
   }
 }
 
-// [platform]
+// [carry]
 /// Has a heavy body move as a platform in the next step, at a velocity [m/s]: so fast, and held up.
 void carry(World& world, std::size_t platform, const Vector3<double>& velocity)
 {
@@ -381,7 +381,9 @@ void carry(World& world, std::size_t platform, const Vector3<double>& velocity)
   world.set_velocity(platform, velocity, none);
   world.accelerate(platform, Vector3<double>(0, 9.81, 0), none);
 }
+// [carry]
 
+// [platform]
 TEST_CASE("a platform of 1,000 t carries crates and a ball up, and draws a crate along by friction")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
