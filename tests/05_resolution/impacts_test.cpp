@@ -156,6 +156,49 @@ TEST_CASE("a turn takes a corner of a box along, and no point of a ball or of wh
 }
 // [foreseen]
 
+TEST_CASE("what will be too deep in a thin plate is in reach, however fast it comes")
+{
+  Scene scene{.bodies = {box_body("plate", {1, 0.01, 1}, {0, -0.01, 0})}};
+  scene.bodies.push_back(cube_body("cube", {0, 0.5 + 10.0 / 60 - 0.002, 0})); // ends 2 mm deep
+  scene.bodies[1].velocity.y() = -10;
+  const RigidBody bodies[] = {rigid_body(scene.bodies[0]), rigid_body(scene.bodies[1])};
+  const Ahead ahead[] = {ahead_of(scene, bodies[0], 0), ahead_of(scene, bodies[1], 1)};
+  for (const double gravity : {9.81, 0.1})
+  {
+    const double margin = 2 * gravity / 3600;
+    const ContactReach found = foreseen_reach(scene, bodies, ahead, 0, 1, margin);
+    CHECK(found.reach == Catch::Approx(margin + 10.0 / 60));
+    CHECK(found.ghost == margin);
+  }
+}
+
+TEST_CASE("five balls that touch in space hand all speed on to the last, however slow the first")
+{
+  for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    for (const double speed : {0.05, 0.5, 5.0})
+    {
+      Scene scene{.gravity = {0, 0, 0}};
+      for (int i = 0; i < 6; ++i)
+      {
+        scene.bodies.push_back(ball_body(numbered("ball", i), 0.5, {i == 0 ? -0.1 : i, 0, 0}));
+        scene.bodies.back().restitution = 1;
+      }
+      scene.bodies[0].velocity.x() = speed;
+      World world(scene, solver_named(solver));
+      while (world.time() < 0.2 / speed + 0.1)
+      {
+        world.step();
+      }
+      for (std::size_t i = 0; i < 6; ++i)
+      {
+        CAPTURE(solver, speed, i);
+        CHECK(world.body(i).motion.velocity.x() == Catch::Approx(i < 5 ? 0 : speed).margin(1e-9));
+      }
+    }
+  }
+}
+
 TEST_CASE("without gravity a box that gives nothing back stays at the wall that it meets")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})

@@ -72,11 +72,11 @@ inline bool has_features_of(const WorldContact& contact, const Manifold<double>&
 // [meet]
 
 // [update_contact]
-/// How near two bodies are [m] that are in contact.
+/// Which bodies are in contact.
 struct ContactReach
 {
-  double margin; ///< what is so near may be a ghost: what pulls covers as much in two steps
-  double reach;  ///< how far apart they may be; no less than the margin
+  double reach; ///< [m], how far apart they may be
+  double ghost; ///< [m], by how much what only passes by may overlap, is_ghost()
 };
 
 /// Writes where each point of a contact is on the surfaces of its two bodies, as its manifold says.
@@ -127,7 +127,7 @@ struct UpdateContact
     const auto placed_b = placed(b, shape_b);
     const std::optional<Manifold<double>> met =
         meet(axis_before(contact), placed_a, placed_b, near.reach);
-    if (!met || is_ghost(placed_a, placed_b, met->normal, -met->depth, near.margin))
+    if (!met || is_ghost(placed_a, placed_b, met->normal, -met->depth, near.ghost))
     {
       return contact.points.clear();
     }

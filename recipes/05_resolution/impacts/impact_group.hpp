@@ -118,8 +118,7 @@ private:
     const bool counts = is_new && !is_fixed(b);
     const double apart = slack * harmless_depth(step_.scene, pair);
     const Met met = touch_manifold(step_.scene, touch, a, b, apart);
-    if (!met || (counts && driven_ == most_driven) ||
-        ghost_depth(step_.scene, touch, met, a, b) > 0)
+    if (!met || (counts && driven_ == most_driven) || ghost_depth(step_, touch, met, a, b) > 0)
     {
       return;
     }

@@ -74,7 +74,7 @@ private:
   /// Lets two boxes through a little that are about to pass each other; whether they are.
   bool pass(const Encounter& one)
   {
-    const double depth = ghost_depth(step_.scene, one.touch, one.met, one.a, one.b);
+    const double depth = ghost_depth(step_, one.touch, one.met, one.a, one.b);
     const bool passes = depth > touches_.slack_of(one.pair());
     if (passes)
     {

@@ -70,12 +70,16 @@ inline Vector3<double> place_of_touch(const Met& met, const RigidBody& body)
 /// How deep [m] two boxes that touch may be in each other and still be about to pass; zero if they
 /// are not. Both are as they are at the touch.
 inline double ghost_depth(
-    const Scene& scene, const CourseTouch& touch, const Met& met, const RigidBody& a,
+    const StepCourses& step, const CourseTouch& touch, const Met& met, const RigidBody& a,
     const RigidBody& b)
 {
+  const Scene& scene = step.scene;
   const auto* const box_a = std::get_if<BoxShape>(&scene.bodies[place_of(touch.first)].shape);
   const auto* const box_b = std::get_if<BoxShape>(&scene.bodies[place_of(touch.other)].shape);
-  const double margin = contact_margin(scene);
+  const auto force_on = [&](int i) { return step.starts[place_of(i)].acceleration; };
+  const double by_forces = way_by_forces(scene, force_on(touch.first), force_on(touch.other));
+  const double harmless = harmless_depth(scene, {touch.first, touch.other});
+  const double margin = contact_margin(scene) + std::min(by_forces, harmless);
   if (!box_a || !box_b || !met ||
       !is_ghost(placed(a, *box_a), placed(b, *box_b), met->normal, 0, margin))
   {

@@ -62,7 +62,7 @@ inline Vector3<double> way_on(const Scene& scene, const RigidBody& body, double 
   const Vector3<double> velocity = body.motion.velocity + share * scene.step * body.acceleration;
   return is_fixed(body) ? Vector3<double>::Zero() : Vector3<double>(scene.step * velocity);
 }
-inline constexpr double flying_share = 0.5, pushed_share = 1; // the share of way_on()
+inline constexpr double held_share = 0, flying_share = 0.5, pushed_share = 1; // for way_on()
 
 /// The spin [rad/s] with which it turns meanwhile.
 inline Vector3<double> spin_on(const Scene& scene, const RigidBody& body)
@@ -126,19 +126,22 @@ foreseen_bounds(const Scene& scene, const RigidBody& body, const Ahead& ahead, i
       .merged(here.translated(way_on(scene, body, pushed_share)));
 }
 
-/// How near two bodies have to be to be in contact: within the margin [m]; within what forces may
-/// close in this step, if they lead into each other, or one into the other that is held; or as far
-/// as they may come closer in it, if that is more than does no harm, and they would end too deep in
-/// each other, and clearly deeper than they are. Where gravity is weak, little is harmless: it
-/// would not take back the speed with which they are moved apart.
+/// Which two bodies are in contact: those within a margin [m]; within the way by forces, if they
+/// lead the two into each other, or one into the other while that is held; and those that would end
+/// too deep in each other, and clearly deeper than they are, if they come closer by more than does
+/// no harm.
+///
+/// Where gravity is weak, boxes are harmless only up to a tenth of their way: it would not take
+/// back the speed with which they are moved apart. Forces may press on what passes by as gravity
+/// does, so that ghosts overlap more, up to what does no harm.
 inline ContactReach foreseen_reach(
     const Scene& scene, std::span<const RigidBody> bodies, std::span<const Ahead> ahead, int i,
     int j, double margin)
 {
   const Ahead &of_a = ahead[place_of(i)], &of_b = ahead[place_of(j)];
   const RigidBody &a = bodies[place_of(i)], &b = bodies[place_of(j)];
-  const double unheeded = std::min(of_a.harmless, of_b.harmless);
-  const double harmless = std::min(unheeded, 20 * margin);
+  const double small = std::min(of_a.harmless, of_b.harmless);
+  const double harmless = a.round || b.round ? small : std::min(small, 20 * margin);
   const bool forced = of_a.forced || of_b.forced;
   double closing = (of_b.way - of_a.way).norm();
   if (forced)
@@ -156,20 +159,20 @@ inline ContactReach foreseen_reach(
   const auto depth = [&](const RigidBody& one, const RigidBody& other) {
     return depth_between(scene, {i, j}, one, other);
   };
-  const auto end_of = [&](double share)
-  { return depth(going_on(scene, a, share), going_on(scene, b, share)); };
-  const double end =
-      forced ? std::max(end_of(flying_share), end_of(pushed_share)) : end_of(flying_share);
-  const double forces = std::max(a.acceleration.norm(), b.acceleration.norm());
-  const double by_forces = scene.step * scene.step * forces;
-  const double pulled = margin + std::min(2 * by_forces, unheeded);
-  if (harms && end > std::max(harmless, closing / 10) && end > depth(a, b) + harmless / 10)
+  const auto end_of = [&](double share_of_a, double share_of_b)
+  { return depth(going_on(scene, a, share_of_a), going_on(scene, b, share_of_b)); };
+  const double flown = end_of(flying_share, flying_share);
+  const double end = forced ? std::max(flown, end_of(pushed_share, pushed_share)) : flown;
+  const double by_forces = way_by_forces(scene, a.acceleration, b.acceleration);
+  const double ghost = margin + std::min(by_forces, small);
+  const double least = std::max(harmless, std::min(small, closing / 10));
+  if (harms && end > least && end > depth(a, b) + harmless / 10)
   {
-    return {pulled, std::max(pulled, margin + closing)};
+    return {margin + closing, ghost};
   }
-  const bool led = forced && (end > 0 || depth(going_on(scene, a, pushed_share), b) > 0 ||
-                              depth(a, going_on(scene, b, pushed_share)) > 0);
-  return {pulled, led ? margin + by_forces : margin};
+  const bool led = forced && (end > 0 || end_of(pushed_share, held_share) > 0 ||
+                              end_of(held_share, pushed_share) > 0);
+  return {led ? margin + by_forces : margin, ghost};
 }
 // [foreseen]
 

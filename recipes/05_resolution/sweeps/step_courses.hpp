@@ -60,6 +60,15 @@ inline double harmless_depth(const Scene& scene, const std::pair<int, int>& pair
   return harmless_depth(std::min(thinness(scene, pair.first), thinness(scene, pair.second)));
 }
 
+/// How far [m] forces lead two bodies in two steps, that give them these accelerations [m/s²], one
+/// after the other or both towards each other.
+inline double
+way_by_forces(const Scene& scene, const Vector3<double>& of_a, const Vector3<double>& of_b)
+{
+  const double most = std::max({of_a.norm(), of_b.norm(), (of_b - of_a).norm()});
+  return 2 * scene.step * scene.step * most;
+}
+
 /// True if a body is a box some point of which went by more than half of its smallest size. What
 /// goes by less cannot get behind a surface.
 inline bool is_fast_box(const StepCourses& step, int i)
