@@ -79,7 +79,7 @@ inline double ghost_depth(
   const auto force_on = [&](int i) { return step.starts[place_of(i)].acceleration; };
   const double by_forces = way_by_forces(scene, force_on(touch.first), force_on(touch.other));
   const double harmless = harmless_depth(scene, {touch.first, touch.other});
-  const double margin = contact_margin(scene) + std::min(by_forces, harmless);
+  const double margin = ghost_margin(contact_margin(scene), by_forces, harmless);
   if (!box_a || !box_b || !met ||
       !is_ghost(placed(a, *box_a), placed(b, *box_b), met->normal, 0, margin))
   {

@@ -126,6 +126,20 @@ foreseen_bounds(const Scene& scene, const RigidBody& body, const Ahead& ahead, i
       .merged(here.translated(way_on(scene, body, pushed_share)));
 }
 
+/// How much closer [m] any points of two bodies may come in a step.
+inline double closer_by(
+    const Scene& scene, const RigidBody& a, const RigidBody& b, const Ahead& of_a,
+    const Ahead& of_b)
+{
+  double way = (of_b.way - of_a.way).norm();
+  if (of_a.forced || of_b.forced)
+  {
+    const Vector3<double> pushed = way_on(scene, b, pushed_share) - way_on(scene, a, pushed_share);
+    way = std::max(way, pushed.norm());
+  }
+  return way + of_a.turn + of_b.turn;
+}
+
 /// Which two bodies are in contact: those within a margin [m]; within the way by forces, if they
 /// lead the two into each other, or one into the other while that is held; and those that would end
 /// too deep in each other, and clearly deeper than they are, if they come closer by more than does
@@ -143,14 +157,7 @@ inline ContactReach foreseen_reach(
   const double small = std::min(of_a.harmless, of_b.harmless);
   const double harmless = a.round || b.round ? small : std::min(small, 20 * margin);
   const bool forced = of_a.forced || of_b.forced;
-  double closing = (of_b.way - of_a.way).norm();
-  if (forced)
-  {
-    const auto pushed = [&](const RigidBody& body) { return way_on(scene, body, pushed_share); };
-    closing = std::max(closing, (pushed(b) - pushed(a)).norm());
-  }
-  closing += of_a.turn;
-  closing += of_b.turn;
+  const double closing = closer_by(scene, a, b, of_a, of_b);
   const bool harms = closing > harmless && !of_a.swept && !of_b.swept;
   if (!harms && !forced)
   {
@@ -164,7 +171,7 @@ inline ContactReach foreseen_reach(
   const double flown = end_of(flying_share, flying_share);
   const double end = forced ? std::max(flown, end_of(pushed_share, pushed_share)) : flown;
   const double by_forces = way_by_forces(scene, a.acceleration, b.acceleration);
-  const double ghost = margin + std::min(by_forces, small);
+  const double ghost = ghost_margin(margin, by_forces, small);
   const double least = std::max(harmless, std::min(small, closing / 10));
   if (harms && end > least && end > depth(a, b) + harmless / 10)
   {

@@ -69,6 +69,13 @@ way_by_forces(const Scene& scene, const Vector3<double>& of_a, const Vector3<dou
   return 2 * scene.step * scene.step * most;
 }
 
+/// By how much [m] two bodies may overlap that only pass each other, is_ghost(): by the margin of
+/// contacts, and by the way by forces, up to what does no harm; each [m].
+inline double ghost_margin(double margin, double way_by_forces, double harmless)
+{
+  return margin + std::min(way_by_forces, harmless);
+}
+
 /// True if a body is a box some point of which went by more than half of its smallest size. What
 /// goes by less cannot get behind a surface.
 inline bool is_fast_box(const StepCourses& step, int i)
