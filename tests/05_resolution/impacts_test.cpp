@@ -199,7 +199,7 @@ TEST_CASE("five balls that touch in space hand all speed on to the last, however
   }
 }
 
-TEST_CASE("without gravity a box that gives nothing back stays at the wall that it meets")
+TEST_CASE("without gravity a box that gives nothing back stays at the wall that it meets", "[long]")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
   {
