@@ -305,6 +305,15 @@ TEST_CASE("a crate of 1 kg that is pressed by 100 N weighs 109.81 N, and does no
 }
 // [pressed]
 
+/// Has forces pull all bodies in the next step as this gravity [m/s²] would.
+void pull_all(World& world, const Vector3<double>& gravity)
+{
+  for (std::size_t i = 0; i < world.bodies().size(); ++i)
+  {
+    apply_force(world, i, world.scene().bodies[i].mass * gravity);
+  }
+}
+
 TEST_CASE("what stands under gravity stands where forces pull as gravity does, too", "[long]")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
@@ -323,10 +332,7 @@ TEST_CASE("what stands under gravity stands where forces pull as gravity does, t
       World by_forces(scene, solver_named(solver));
       while (by_forces.time() < 2)
       {
-        for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-        {
-          apply_force(by_forces, i, scene.bodies[i].mass * gravity);
-        }
+        pull_all(by_forces, gravity);
         by_gravity.step();
         by_forces.step();
       }
@@ -394,13 +400,14 @@ TEST_CASE("a force that pulls as gravity does has a cube slide over flush tiles 
         cube.shape = BoxShape{{0.2, 0.2, 0.2}};
         cube.position = {0.797, 0.2, 0}; // 3 mm before it comes to the next tile
         cube.velocity = {speed, 0, 0};
+        const Vector3<double> gravity = scene.gravity;
         scene.gravity *= by_force ? 0 : 1;
         World world(scene, solver_named(solver));
         while (world.time() < std::min(6.0, 8 / speed))
         {
           if (by_force)
           {
-            apply_force(world, scene.bodies.size() - 1, {0, -9.81 * cube.mass, 0});
+            pull_all(world, gravity);
           }
           world.step();
         }
@@ -420,7 +427,7 @@ void carry(World& world, std::size_t platform, const Vector3<double>& velocity)
 {
   const Vector3<double> none = Vector3<double>::Zero();
   world.set_velocity(platform, velocity, none);
-  world.accelerate(platform, Vector3<double>(0, 9.81, 0), none);
+  world.accelerate(platform, -world.scene().gravity, none);
 }
 // [carry]
 

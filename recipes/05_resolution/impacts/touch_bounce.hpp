@@ -76,16 +76,16 @@ inline double ghost_depth(
   const Scene& scene = step.scene;
   const auto* const box_a = std::get_if<BoxShape>(&scene.bodies[place_of(touch.first)].shape);
   const auto* const box_b = std::get_if<BoxShape>(&scene.bodies[place_of(touch.other)].shape);
-  const auto force_on = [&](int i) { return step.starts[place_of(i)].acceleration; };
-  const double by_forces = way_by_forces(scene, force_on(touch.first), force_on(touch.other));
-  const double harmless = harmless_depth(scene, {touch.first, touch.other});
-  const double margin = ghost_margin(contact_margin(scene), by_forces, harmless);
-  if (!box_a || !box_b || !met ||
-      !is_ghost(placed(a, *box_a), placed(b, *box_b), met->normal, 0, margin))
+  if (!box_a || !box_b || !met)
   {
     return 0;
   }
-  return 0.1 * std::min({margin, thinness_of(*box_a), thinness_of(*box_b)});
+  const auto force_on = [&](int i) { return step.starts[place_of(i)].acceleration; };
+  const double by_forces = way_by_forces(scene, force_on(touch.first), force_on(touch.other));
+  const double thin = std::min(thinness_of(*box_a), thinness_of(*box_b));
+  const double margin = ghost_margin(contact_margin(scene), by_forces, harmless_depth(thin));
+  const bool passes = is_ghost(placed(a, *box_a), placed(b, *box_b), met->normal, 0, margin);
+  return passes ? 0.1 * std::min(margin, thin) : 0;
 }
 // [touch_contact]
 

@@ -140,6 +140,9 @@ inline double closer_by(
   return way + of_a.turn + of_b.turn;
 }
 
+/// An overlap of so many margins is taken away with a speed that gravity takes back in a few steps.
+inline constexpr double margins_taken_back = 20;
+
 /// Which two bodies are in contact: those within a margin [m]; within the way by forces, if they
 /// lead the two into each other, or one into the other while that is held; and those that would end
 /// too deep in each other, and clearly deeper than they are, if they come closer by more than does
@@ -155,7 +158,7 @@ inline ContactReach foreseen_reach(
   const Ahead &of_a = ahead[place_of(i)], &of_b = ahead[place_of(j)];
   const RigidBody &a = bodies[place_of(i)], &b = bodies[place_of(j)];
   const double small = std::min(of_a.harmless, of_b.harmless);
-  const double harmless = a.round || b.round ? small : std::min(small, 20 * margin);
+  const double harmless = a.round || b.round ? small : std::min(small, margins_taken_back * margin);
   const bool forced = of_a.forced || of_b.forced;
   const double closing = closer_by(scene, a, b, of_a, of_b);
   const bool harms = closing > harmless && !of_a.swept && !of_b.swept;
@@ -170,7 +173,7 @@ inline ContactReach foreseen_reach(
   { return depth(going_on(scene, a, share_of_a), going_on(scene, b, share_of_b)); };
   const double flown = end_of(flying_share, flying_share);
   const double end = forced ? std::max(flown, end_of(pushed_share, pushed_share)) : flown;
-  const double by_forces = way_by_forces(scene, a.acceleration, b.acceleration);
+  const double by_forces = forced ? way_by_forces(scene, a.acceleration, b.acceleration) : 0;
   const double ghost = ghost_margin(margin, by_forces, small);
   const double least = std::max(harmless, std::min(small, closing / 10));
   if (harms && end > least && end > depth(a, b) + harmless / 10)
