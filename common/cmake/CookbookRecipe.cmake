@@ -147,19 +147,21 @@ function(cookbook_helper room name)
 endfunction()
 
 # cookbook_compiled(TARGET light|busy|timed): optimised a little only, or in full, with the headers that
-# are precompiled for it, where there are programs. What is busy runs for long if it is not optimised at
-# all, so that clang, which does nothing in between, optimises it in full.
+# are precompiled for it. What is busy runs for long if it is not optimised at all, so that clang, which
+# does nothing in between, optimises it in full.
 function(cookbook_compiled target kind)
   if(kind STREQUAL "busy" AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND NOT COOKBOOK_SANITIZE)
     set(kind timed)
   elseif(kind STREQUAL "busy")
     set(kind light)
   endif()
+  set(headers cookbook_timed_headers)
   if(kind STREQUAL "light")
     cookbook_lightly(${target})
+    set(headers cookbook_tools)
   endif()
-  if(TARGET cookbook_${kind}_headers)
-    target_precompile_headers(${target} REUSE_FROM cookbook_${kind}_headers)
+  if(TARGET ${headers})
+    target_precompile_headers(${target} REUSE_FROM ${headers})
   endif()
 endfunction()
 

@@ -3,6 +3,7 @@
 /// \file
 /// \brief A cube that spins on its corner, and what stops it.
 
+#include "01_math/rotations/rotation_between.hpp"
 #include "05_resolution/scenes/trial/world_scenes.hpp"
 #include "05_resolution/world/solvers.hpp"
 
@@ -19,7 +20,7 @@ inline constexpr double corner_spin = 0.05;
 inline Scene cube_on_corner()
 {
   Scene scene{.bodies = {ground(), cube_body("cube", {0, std::sqrt(0.75), 0})}};
-  scene.bodies[1].orientation.setFromTwoVectors(Vector3<double>(1, 1, 1), Vector3<double>(0, 1, 0));
+  scene.bodies[1].orientation = rotation_between<double>({1, 1, 1}, {0, 1, 0});
   scene.bodies[1].angular_velocity = {0, corner_spin, 0};
   return scene;
 }
