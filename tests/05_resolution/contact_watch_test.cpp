@@ -134,7 +134,8 @@ TEST_CASE("a ball is heard each time it bounces, at half the speed of the time b
   }
 }
 
-TEST_CASE("a cube that comes down on a tower is heard, and where it hops after that, hardly")
+TEST_CASE(
+    "a cube that comes down on a tower is heard, and where it hops after that, hardly", "[long]")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
   {

@@ -495,7 +495,8 @@ TEST_CASE("nor does it get deeper in a light one that bounces a little, and to 1
   }
 }
 
-TEST_CASE("balls and cubes in a row that do not quite touch hand all speed on to the last")
+TEST_CASE(
+    "balls and cubes in a row that do not quite touch hand all speed on to the last", "[long]")
 {
   for (const char* const solver : {"direct", "soft_steps", "wide_steps"})
   {

@@ -332,7 +332,9 @@ TEST_CASE(
 // [kept_arms]
 
 // [taken_arms]
-TEST_CASE("a slab of 4 cm by 1 m is tipped over at 0.17 rad/s, not at 0.15, by arms of either kind")
+TEST_CASE(
+    "a slab of 4 cm by 1 m is tipped over at 0.17 rad/s, not at 0.15, by arms of either kind",
+    "[long]")
 {
   SceneBody slab{.name = "slab", .shape = BoxShape{{0.02, 0.5, 0.25}}, .mass = 1};
   slab.position = {0, 0.5, 0};

@@ -472,7 +472,9 @@ TEST_CASE("one axis after the other gives a sword 100 times its energy; turned k
 // [sword]
 
 // [cost]
-TEST_CASE("at 60 Hz turned is ten times nearer than axes in turn; finely, 15 Hz beats it by far")
+TEST_CASE(
+    "at 60 Hz turned is ten times nearer than axes in turn; finely, 15 Hz beats it by far",
+    "[long]")
 {
   CHECK(orientation_error("turned", 60) < 0.1 * orientation_error("axes in turn", 60));
   CHECK(orientation_error("turned_finely", 15) < 0.1 * orientation_error("turned", 60));

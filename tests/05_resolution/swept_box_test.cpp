@@ -73,7 +73,7 @@ TEST_CASE("a rod of 4 m turns into a peg beside its middle at an angle of atan(4
 
 TEST_CASE(
     "of 2,000 pairs none overlaps before its touch; 1 hit in 50 at most stops up to 5 cm short",
-    "[P20]")
+    "[P20][long]")
 {
   RandomBoxes random;
   int hits = 0, short_of = 0;
