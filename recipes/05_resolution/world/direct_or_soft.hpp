@@ -16,6 +16,43 @@
 namespace cookbook
 {
 
+// [forget_strain]
+/// So many times what the motion of an island, gravity and forces have to give in a step, no load
+/// is: it is the strain of bodies that are jammed between others that give no way.
+inline constexpr double strain = 100;
+
+/// Forgets what the points of an island were given in the frame before if any is strained: what
+/// has held it in balance may be gone. Stiff contacts do without it, small steps begin with it.
+inline void forget_strain(IslandView world, const Island& island, double step)
+{
+  double to_give = 0; // [N s]
+  for (const int i : island.bodies)
+  {
+    const RigidBody& body = world.bodies[place_of(i)];
+    const double speed = std::sqrt(2 * body.inverse_mass * kinetic_energy(body));
+    to_give += (speed + step * pull_on(body, world.gravity).norm()) / body.inverse_mass;
+  }
+  const auto is_strained = [&](int i)
+  {
+    const auto& points = world.contacts[place_of(i)].points;
+    return std::any_of(
+        points.begin(), points.end(),
+        [&](const WorldPoint& point) { return point.impulse > strain * to_give; });
+  };
+  if (std::any_of(island.contacts.begin(), island.contacts.end(), is_strained))
+  {
+    for (const int i : island.contacts)
+    {
+      for (WorldPoint& point : world.contacts[place_of(i)].points)
+      {
+        point.impulse = 0;
+        point.friction.setZero();
+      }
+    }
+  }
+}
+// [forget_strain]
+
 // [direct_or_soft]
 /// How a frame of an island was solved.
 enum class DirectAnswer
@@ -54,6 +91,7 @@ public:
     }
     if (answer == DirectAnswer::none)
     {
+      forget_strain(world, island, step);
       return soft_steps(world, island, step, soft_);
     }
     for (const int body : island.bodies)

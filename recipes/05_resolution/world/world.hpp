@@ -3,7 +3,7 @@
 /// \file
 /// \brief A world of bodies that fall, meet, bounce and rest, for a game.
 
-#include "05_resolution/world/wake_neighbours.hpp"
+#include "05_resolution/world/world_bodies.hpp"
 #include "05_resolution/world/world_checks.hpp"
 #include "05_resolution/world/world_state.hpp"
 #if COOKBOOK_WORLD_BODIES
@@ -37,9 +37,9 @@ public:
     }
     state_.scene = checked(scene);
     state_.may_sleep = may_sleep;
-    for (const SceneBody& body : state_.scene.bodies)
+    while (bodies().size() < state_.scene.bodies.size())
     {
-      enter(body);
+      enter(state_);
     }
   }
 
@@ -85,7 +85,7 @@ public:
   std::size_t add(const SceneBody& body)
   {
     state_.scene.bodies.push_back(checked(body, bodies().size()));
-    enter(body);
+    enter(state_);
     wake_touched_by(state_, state_.bounds.back());
     return bodies().size() - 1;
   }
@@ -95,11 +95,18 @@ public:
   void remove(std::size_t body)
   {
     check_there(body);
-    wake_neighbours(state_, static_cast<int>(body));
-    fix(state_.bodies[body]);
-    state_.gone[body] = true;
-    std::erase_if(
-        state_.bounds, [body](const Bounds& bound) { return place_of(bound.body) == body; });
+    leave(state_, body);
+  }
+
+  /// Puts a body elsewhere [m], turned otherwise, world: what is on the way there is not hit, and
+  /// nobody sees it go there. It keeps its velocity, and wakes with what it touched and what it
+  /// will touch. InvalidShape, and nothing changes, if it is a plane or if that is no pose.
+  void
+  set_pose(std::size_t body, const Vector3<double>& position, const Quaternion<double>& orientation)
+  {
+    check_there(body);
+    check_can_be_put(scene().bodies[body], position, orientation);
+    put_elsewhere(state_, body, position, orientation);
   }
 
   /// Gives a body another velocity [m/s] and angular velocity [rad/s], world, and wakes it with all
@@ -165,16 +172,6 @@ public:
   void step() { cookbook::step(state_, solver_); }
 
 private:
-  void enter(const SceneBody& body)
-  {
-    state_.bodies.push_back(rigid_body(body));
-    state_.bounds.push_back(
-        {bounds_of(bodies().back(), body.shape, margin()), static_cast<int>(bodies().size()) - 1});
-    state_.gone.push_back(false);
-    state_.sleep.resize(state_.may_sleep ? bodies().size() : 0);
-    state_.has_balls = state_.has_balls || bodies().back().round;
-  }
-
   /// Wakes a body and all that hangs together with it.
   void wake_island_of(std::size_t body)
   {

@@ -73,6 +73,29 @@ check_still_if_fixed(const std::string& member, const Vector3<double>& value, do
   }
 }
 
+/// Throws InvalidShape if a quaternion is far from a rotation.
+inline void check_orientation(const Quaternion<double>& orientation)
+{
+  const double length = orientation.norm();
+  if (!(length > 0.5 && length < 2))
+  {
+    throw InvalidShape(
+        "orientation", "of length 1, or 0.5 to 2, which is made 1", "length " + text_of(length));
+  }
+}
+
+/// Throws InvalidShape unless a body may be put there.
+inline void check_can_be_put(
+    const SceneBody& body, const Vector3<double>& position, const Quaternion<double>& orientation)
+{
+  if (std::holds_alternative<PlaneShape>(body.shape))
+  {
+    throw InvalidShape("shape", "a box or a ball to be put elsewhere", "a plane");
+  }
+  check_finite("position", position);
+  check_orientation(orientation);
+}
+
 /// Throws InvalidShape unless a body of a scene can be moved as it is.
 inline void check(const SceneBody& body)
 {
@@ -87,12 +110,7 @@ inline void check(const SceneBody& body)
   check_finite("angular_velocity", body.angular_velocity);
   check_still_if_fixed("velocity", body.velocity, body.mass);
   check_still_if_fixed("angular_velocity", body.angular_velocity, body.mass);
-  const double length = body.orientation.norm();
-  if (!(length > 0.5 && length < 2))
-  {
-    throw InvalidShape(
-        "orientation", "of length 1, or 0.5 to 2, which is made 1", "length " + text_of(length));
-  }
+  check_orientation(body.orientation);
   check_range("friction", body.friction, 0, 1e6);
   check_range("restitution", body.restitution, 0, 1);
   check_range("damping", body.damping, 0, 1e6);

@@ -55,7 +55,7 @@ inline Eigen::AlignedBox<double, 3> sure_bounds(const RigidBody& body, const Sce
 inline constexpr auto everybody = [](std::size_t) { return true; };
 
 /// Answers questions about the bodies of a world as they are now; after a step, or once a body was
-/// put in, it is made anew. Who was taken out meanwhile does not answer.
+/// put in, or elsewhere, it is made anew. Who was taken out meanwhile does not answer.
 class WorldQueries
 {
 public:
