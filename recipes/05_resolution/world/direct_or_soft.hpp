@@ -17,27 +17,26 @@ namespace cookbook
 {
 
 // [forget_strain]
-/// So many times what the motion of an island, gravity and forces have to give in a step, no load
-/// is: it is the strain of bodies that are jammed between others that give no way.
+/// No load is so many times what gravity and forces give to an island in a step: it is the strain
+/// of bodies that are jammed between others which give no way, or was a hit.
 inline constexpr double strain = 100;
 
 /// Forgets what the points of an island were given in the frame before if any is strained: what
-/// has held it in balance may be gone. Stiff contacts do without it, small steps begin with it.
+/// held it in balance may be gone. Stiff contacts do without it, small steps would begin with it.
 inline void forget_strain(IslandView world, const Island& island, double step)
 {
-  double to_give = 0; // [N s]
+  double given = 0; // [N s]
   for (const int i : island.bodies)
   {
     const RigidBody& body = world.bodies[place_of(i)];
-    const double speed = std::sqrt(2 * body.inverse_mass * kinetic_energy(body));
-    to_give += (speed + step * pull_on(body, world.gravity).norm()) / body.inverse_mass;
+    given += step * pull_on(body, world.gravity).norm() / body.inverse_mass;
   }
   const auto is_strained = [&](int i)
   {
     const auto& points = world.contacts[place_of(i)].points;
     return std::any_of(
         points.begin(), points.end(),
-        [&](const WorldPoint& point) { return point.impulse > strain * to_give; });
+        [&](const WorldPoint& point) { return point.impulse > strain * given; });
   };
   if (std::any_of(island.contacts.begin(), island.contacts.end(), is_strained))
   {
