@@ -31,6 +31,7 @@ struct WorldPoint
   double impulse = 0;        ///< [N s], by the solver in this step, along the normal, zero or more
   std::uint32_t feature = 0; ///< which features of the shapes meet here
   bool solved = false;       ///< whether the impulse is more than a guess
+  bool strained = false;     ///< whether it is more than any load, is_strained()
 };
 
 /// Two bodies of a world that touch, or may in this step.

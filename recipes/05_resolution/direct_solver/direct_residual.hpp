@@ -83,6 +83,23 @@ inline double largest_impulse(const DirectSystem& system)
   return most;
 }
 
+/// No load is so many times what the bodies of an island bring into a step, each by its motion and
+/// by what pulls it. More is the strain of bodies that are jammed between others which give no way.
+inline constexpr double strain = 4;
+
+/// Whether the largest impulse [N s] of an island is such a strain.
+inline bool is_strained(const DirectSystem& system, double largest)
+{
+  double brought = 0; // [N s]
+  for (const DirectBody& body : system.bodies)
+  {
+    const Vector3<double> velocity = body.free.head<3>(), spin = body.free.tail<3>();
+    const double turning = body.inertia.trace() * spin.squaredNorm();
+    brought += std::sqrt(body.mass * (body.mass * velocity.squaredNorm() + turning));
+  }
+  return largest > strain * brought;
+}
+
 /// How much is missing [N s], as a root of a sum of squares; turns count by the radius of gyration.
 inline double size_of_missing(const DirectSystem& system)
 {

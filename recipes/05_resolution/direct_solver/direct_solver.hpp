@@ -71,8 +71,8 @@ inline bool moved_bounds(DirectSystem& system, double tolerance, bool all)
 /// Writes what was found into the world. Impulses that were missing are given, so that bodies have
 /// just what contacts gave them, and momentum is kept to rounding.
 inline void scatter(
-    const DirectSystem& system, const std::vector<Vector6>& missing, IslandView world,
-    const Island& island)
+    const DirectSystem& system, const std::vector<Vector6>& missing, bool strained,
+    IslandView world, const Island& island)
 {
   for (std::size_t i = 0; i < island.bodies.size(); ++i)
   {
@@ -89,6 +89,7 @@ inline void scatter(
       of.impulse = system.points[point].impulse;
       of.friction = system.points[point].friction;
       of.solved = true;
+      of.strained = strained;
       ++point;
     }
   }
@@ -138,7 +139,7 @@ public:
           follows && moved_bounds(system_, settings.friction_tolerance * most, stiff);
       if (found && !moved)
       {
-        scatter(system_, missing_, world, island);
+        scatter(system_, missing_, is_strained(system_, most), world, island);
         return true;
       }
     }

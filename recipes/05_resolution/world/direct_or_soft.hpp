@@ -17,26 +17,15 @@ namespace cookbook
 {
 
 // [forget_strain]
-/// No load is so many times what gravity and forces give to an island in a step: it is the strain
-/// of bodies that are jammed between others which give no way, or was a hit.
-inline constexpr double strain = 100;
-
 /// Forgets what the points of an island were given in the frame before if any is strained: what
 /// held it in balance may be gone. Stiff contacts do without it, small steps would begin with it.
-inline void forget_strain(IslandView world, const Island& island, double step)
+inline void forget_strain(IslandView world, const Island& island)
 {
-  double given = 0; // [N s]
-  for (const int i : island.bodies)
-  {
-    const RigidBody& body = world.bodies[place_of(i)];
-    given += step * pull_on(body, world.gravity).norm() / body.inverse_mass;
-  }
   const auto is_strained = [&](int i)
   {
     const auto& points = world.contacts[place_of(i)].points;
     return std::any_of(
-        points.begin(), points.end(),
-        [&](const WorldPoint& point) { return point.impulse > strain * given; });
+        points.begin(), points.end(), [](const WorldPoint& point) { return point.strained; });
   };
   if (std::any_of(island.contacts.begin(), island.contacts.end(), is_strained))
   {
@@ -46,6 +35,7 @@ inline void forget_strain(IslandView world, const Island& island, double step)
       {
         point.impulse = 0;
         point.friction.setZero();
+        point.strained = false;
       }
     }
   }
@@ -90,7 +80,7 @@ public:
     }
     if (answer == DirectAnswer::none)
     {
-      forget_strain(world, island, step);
+      forget_strain(world, island);
       return soft_steps(world, island, step, soft_);
     }
     for (const int body : island.bodies)

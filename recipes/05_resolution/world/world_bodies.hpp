@@ -27,10 +27,10 @@ inline void wake_islands_of(WorldState& world, std::span<const int> bodies)
   }
 }
 
-/// Wakes whatever touches a body, and all that hangs together with it.
-inline void wake_neighbours(WorldState& world, int body)
+/// Wakes a body, whatever touches it, and all that hangs together with them.
+inline void wake_around(WorldState& world, int body)
 {
-  std::vector<int> touching;
+  std::vector<int> touching{body};
   for (const WorldContact& contact : world.contacts)
   {
     if (contact.a == body || contact.b == body)
@@ -82,7 +82,7 @@ inline void enter(WorldState& world)
 /// Has a body leave it: it stays where it is, and nothing touches it any more.
 inline void leave(WorldState& world, std::size_t i)
 {
-  wake_neighbours(world, static_cast<int>(i));
+  wake_around(world, static_cast<int>(i));
   fix(world.bodies[i]);
   world.gone[i] = true;
   std::erase_if(world.bounds, [&](const Bounds& bound) { return place_of(bound.body) == i; });
@@ -93,9 +93,7 @@ inline void put_elsewhere(
     WorldState& world, std::size_t i, const Vector3<double>& position,
     const Quaternion<double>& orientation)
 {
-  const int number = static_cast<int>(i);
-  wake_neighbours(world, number);
-  wake_islands_of(world, {&number, 1});
+  wake_around(world, static_cast<int>(i));
   RigidBody& body = world.bodies[i];
   body.motion.center = position;
   body.orientation = orientation.normalized();
@@ -105,11 +103,7 @@ inline void put_elsewhere(
     world.start[i].motion.center = position;
     world.start[i].orientation = body.orientation;
   }
-  const Bounds bounds = bounds_now(world, i);
-  std::replace_if(
-      world.bounds.begin(), world.bounds.end(),
-      [&](const Bounds& old) { return old.body == number; }, bounds);
-  wake_touched_by(world, bounds);
+  wake_touched_by(world, bounds_now(world, i));
 }
 // [world_bodies]
 
