@@ -83,6 +83,12 @@ inline double largest_impulse(const DirectSystem& system)
   return most;
 }
 
+/// A square [m²] of the radius of gyration about all axes together: by it turns count as ways.
+inline double squared_radius(const DirectBody& body)
+{
+  return body.inertia.trace() / body.mass;
+}
+
 /// No load is so many times what the bodies of an island bring into a step, each by its motion and
 /// by what pulls it. More is the strain of bodies that are jammed between others which give no way.
 inline constexpr double strain = 4;
@@ -94,8 +100,8 @@ inline bool is_strained(const DirectSystem& system, double largest)
   for (const DirectBody& body : system.bodies)
   {
     const Vector3<double> velocity = body.free.head<3>(), spin = body.free.tail<3>();
-    const double turning = body.inertia.trace() * spin.squaredNorm();
-    brought += std::sqrt(body.mass * (body.mass * velocity.squaredNorm() + turning));
+    brought +=
+        body.mass * std::sqrt(velocity.squaredNorm() + squared_radius(body) * spin.squaredNorm());
   }
   return largest > strain * brought;
 }
@@ -106,9 +112,8 @@ inline double size_of_missing(const DirectSystem& system)
   double sum = 0;
   for (std::size_t i = 0; i < system.missing.size(); ++i)
   {
-    const double squared_radius = system.bodies[i].inertia.trace() / system.bodies[i].mass;
     sum += system.missing[i].head<3>().squaredNorm() +
-           system.missing[i].tail<3>().squaredNorm() / squared_radius;
+           system.missing[i].tail<3>().squaredNorm() / squared_radius(system.bodies[i]);
   }
   return std::sqrt(sum);
 }

@@ -21,13 +21,13 @@ namespace cookbook
 /// held it in balance may be gone. Stiff contacts do without it, small steps would begin with it.
 inline void forget_strain(IslandView world, const Island& island)
 {
-  const auto is_strained = [&](int i)
+  const auto any_strained = [&](int i)
   {
     const auto& points = world.contacts[place_of(i)].points;
     return std::any_of(
         points.begin(), points.end(), [](const WorldPoint& point) { return point.strained; });
   };
-  if (std::any_of(island.contacts.begin(), island.contacts.end(), is_strained))
+  if (std::any_of(island.contacts.begin(), island.contacts.end(), any_strained))
   {
     for (const int i : island.contacts)
     {

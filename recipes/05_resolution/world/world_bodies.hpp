@@ -30,6 +30,10 @@ inline void wake_islands_of(WorldState& world, std::span<const int> bodies)
 /// Wakes a body, whatever touches it, and all that hangs together with them.
 inline void wake_around(WorldState& world, int body)
 {
+  if (!world.may_sleep)
+  {
+    return;
+  }
   std::vector<int> touching{body};
   for (const WorldContact& contact : world.contacts)
   {
