@@ -279,6 +279,8 @@ endfunction()
 # the chapter has compiled already, as COOKBOOK_INSTANCES says, then all that they include, then each
 # test in a namespace of its own. Where all is checked, twice as many: that takes a third less time,
 # and up to 1.5 GB a source. Sanitizers leave out what is tagged [long].
+#
+# Of a function that several files hold the linker takes the first: that of COOKBOOK_OPTIMISED, a library.
 function(cookbook_tests_together)
   get_property(names DIRECTORY PROPERTY COOKBOOK_TOGETHER)
   get_property(libraries DIRECTORY PROPERTY COOKBOOK_TOGETHER_LIBRARIES)
@@ -321,6 +323,10 @@ function(cookbook_tests_together)
     set(source ${CMAKE_CURRENT_BINARY_DIR}/${program}.cpp)
     file(CONFIGURE OUTPUT ${source} CONTENT "${includes}\n${tests}" @ONLY)
     cookbook_test_program(${program} ${source} ${libraries})
+    if(COOKBOOK_OPTIMISED)
+      target_link_options(${program} PRIVATE $<TARGET_OBJECTS:${COOKBOOK_OPTIMISED}>)
+      add_dependencies(${program} ${COOKBOOK_OPTIMISED})
+    endif()
     target_compile_options(${program} PRIVATE -Wno-shadow) # a name of another test's headers
   endwhile()
 endfunction()

@@ -1,5 +1,5 @@
-// Calls what the recipes of chapters 1 to 3 offer, those whose TAKE_… is defined. check_take.sh
-// includes their headers: the house's, or one that was taken.
+// Calls what the recipes of chapter 3 offer, those whose TAKE_… is defined. check_take.sh includes
+// their headers: the house's, or one that was taken.
 
 #include "calls.hpp"
 
@@ -7,28 +7,6 @@ using namespace cookbook;
 
 int main()
 {
-#ifdef TAKE_normalize
-  print(
-      "normalize",
-      [](Draw& draw, Bits& bits)
-      {
-        const double scale = draw.scale();
-        const Eigen::Vector3d v = draw.vector(2) * scale;
-        bits(normalize(v), normalize_naive(v), normalize_threshold(v), normalize_wide(v));
-        bits(normalize_hypot(v));
-      });
-#endif
-#ifdef TAKE_closest_point_box
-  print(
-      "closest_point_box",
-      [](Draw& draw, Bits& bits)
-      {
-        const Obb<double> box = draw.box<Obb>();
-        const Eigen::Vector3d point = draw.vector(2);
-        bits(closest_point(box, point), contains(box, point));
-        bits(signed_distance_box(point, box.half_extents));
-      });
-#endif
 #ifdef TAKE_collision
   print(
       "collision",

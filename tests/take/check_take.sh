@@ -54,16 +54,20 @@ first() {
   "$compiler" --version | grep -q clang || compile first "what all read first" $bits -x c++-header -c "$work/first"
 }
 
-# Which bits come out must not depend on where a compiler puts fused multiply-adds.
+# Which bits come out must not depend on where a compiler puts fused multiply-adds, nor on packs: the
+# house's are in plain C++.
 bits="-Wpedantic -O1 -ffp-contract=off"
-calls() { # calls WHOSE CALLS [OPTION]: calls the house's headers, or those taken; what comes out is in NAME.bits
+calls() { # calls WHOSE CALLS: calls the house's headers, or those taken; what comes out is in NAME.bits
   whose=$1 calls=$(basename "$2" .cpp) source=$2
   # shellcheck disable=SC2086 # the options are words
-  set -- $bits $3 -include "$work/first"
+  set -- $bits -include "$work/first"
   # shellcheck disable=SC2013 # the names are words
   for name in $(sed -n 's/^#ifdef TAKE_//p' "$source" | sort -u); do
     case $whose in
-      house) set -- "$@" -I "$root" -I "$root/recipes" -include "$(echo "$root"/recipes/*/"$name/$name.hpp")" ;;
+      house)
+        set -- "$@" -D COOKBOOK_PLAIN -I "$root" -I "$root/recipes" \
+          -include "$(echo "$root"/recipes/*/"$name/$name.hpp")"
+        ;;
       *) set -- "$@" -Wall -Wextra -Wconversion -Wshadow -Werror -include "$work/$name.hpp" ;;
     esac
     set -- "$@" -D "TAKE_$name"
@@ -72,9 +76,9 @@ calls() { # calls WHOSE CALLS [OPTION]: calls the house's headers, or those take
   "$work/$whose.$calls" >"$work/$whose.$calls.bits" || echo "$calls: the calls of $whose headers end with an error"
 }
 
-same_bits() { # same_bits WHOSE CALLS: what was taken gives the house's bits
-  calls=$(basename "$2" .cpp)
-  diff "$work/house.$calls.bits" "$work/$1.$calls.bits" || echo "$calls: $1 headers give other bits than the house"
+same_bits() { # same_bits CALLS: what was taken gives the house's bits
+  calls=$(basename "$1" .cpp)
+  diff "$work/house.$calls.bits" "$work/taken.$calls.bits" || echo "$calls: taken headers give other bits than the house"
 }
 
 # What all headers that read Eigen include first, compiled once for the web and once for this machine.
@@ -127,29 +131,20 @@ together() {
     $(cut -d ' ' -f 1 "$work/sizes" | sed "s|.*|-include $work/&.hpp|") /dev/null || true
 }
 
-# A header that does not speak of COOKBOOK_PLAIN is the same text with it.
-plainly() { # plainly NAME...: whether one of them speaks of it
-  for name in "$@"; do
-    ! grep -q COOKBOOK_PLAIN "$work/$name.hpp" || return 0
-  done
-  return 1
-}
-
-alone() { # the largest come first
+alone() { # the largest come first; one that does not speak of COOKBOOK_PLAIN is the same text with it
   echo together
   sort -k 2,2nr "$work/sizes" | while read -r name _; do
     echo "taken $name"
-    ! plainly "$name" || echo "taken $name -DCOOKBOOK_PLAIN"
+    ! grep -q COOKBOOK_PLAIN "$work/$name.hpp" || echo "taken $name -DCOOKBOOK_PLAIN"
   done
   echo compiled_once
 }
 
-compared() { # compared calls|same_bits: two lines or three for each file of calls
+all_calls() { # all_calls WHAT...: a line with each of these for each file of calls
   for source in "$root"/tests/take/calls_*.cpp; do
-    [ "$1" = same_bits ] || echo "calls house $source"
-    echo "$1 taken $source"
-    # shellcheck disable=SC2046 # the names are words
-    ! plainly $(sed -n 's/^#ifdef TAKE_//p' "$source") || echo "$1 plain $source -DCOOKBOOK_PLAIN"
+    for what in "$@"; do
+      echo "$what $source"
+    done
   done
 }
 
@@ -168,8 +163,8 @@ complaints=$(
     ! eigen_first || alone | two_at_a_time
   elif first; then
     # shellcheck disable=SC2086 # the names are words
-    { compared calls; printf 'taken %s\n' $only_declare; echo compiled_once; } | two_at_a_time
-    compared same_bits | one_by_one
+    { all_calls "calls house" "calls taken"; printf 'taken %s\n' $only_declare; echo compiled_once; } | two_at_a_time
+    all_calls same_bits | one_by_one
   fi
 )
 [ -z "$complaints" ] || { echo "$complaints"; exit 1; }
