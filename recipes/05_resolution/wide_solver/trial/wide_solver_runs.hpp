@@ -17,14 +17,8 @@
 namespace cookbook
 {
 
-/// A world under wide steps in these passes.
-inline World wide_world(const Scene& scene, const WidePasses& passes, const SoftSettings& how = {})
-{
-  return World(
-      scene, [how, lanes = WideContacts(passes)](
-                 IslandView view, std::span<const Island> islands, double step) mutable
-      { wide_steps(view, islands, step, how, lanes); });
-}
+/// A world under wide steps in these passes; compiled once, with the solvers.
+World wide_world(const Scene& scene, const WidePasses& passes, const SoftSettings& how = {});
 
 // [two_runs]
 /// The same scene under both.
