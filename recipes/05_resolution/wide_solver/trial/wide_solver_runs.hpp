@@ -17,7 +17,7 @@
 namespace cookbook
 {
 
-/// A world under wide steps in these passes; compiled once, with the solvers.
+/// A world under wide steps in these passes; compiled once.
 World wide_world(const Scene& scene, const WidePasses& passes, const SoftSettings& how = {});
 
 // [two_runs]
