@@ -4,21 +4,17 @@
 /// \brief Scenes under soft steps, one contact at a time in double and many at a time in float.
 
 #include "05_resolution/scenes/trial/world_scenes.hpp"
-#include "05_resolution/wide_solver/wide_solver.hpp"
 #include "05_resolution/world/solvers.hpp"
+#include "05_resolution/world/trial/wide_world.hpp"
 #include "05_resolution/world/trial/world_runs.hpp"
 #include "common/plot/charts/chart.hpp"
 
 #include <algorithm>
-#include <span>
 #include <string>
 #include <vector>
 
 namespace cookbook
 {
-
-/// A world under wide steps in these passes; compiled once.
-World wide_world(const Scene& scene, const WidePasses& passes, const SoftSettings& how = {});
 
 // [two_runs]
 /// The same scene under both.

@@ -2,7 +2,21 @@
 /// \brief The solvers of the world, compiled once for programs and tests.
 
 #include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
+#include "05_resolution/world/trial/wide_world.hpp"
 
 // [solvers_compiled_once]
 #include "05_resolution/world/solver_named.hpp"
 // [solvers_compiled_once]
+
+namespace cookbook
+{
+
+World wide_world(const Scene& scene, const WidePasses& passes, const SoftSettings& how)
+{
+  return World(
+      scene, [how, lanes = WideContacts(passes)](
+                 IslandView view, std::span<const Island> islands, double step) mutable
+      { wide_steps(view, islands, step, how, lanes); });
+}
+
+} // namespace cookbook
