@@ -225,7 +225,7 @@ TEST_CASE("whatever the width of the registers, a scene comes out to the bit", "
     std::vector<World> worlds;
     for (const InstructionSet set : instruction_sets())
     {
-      worlds.push_back(wide_world(named_scene(name), wide_passes(set)));
+      worlds.push_back(wide_world(named_scene(name), wide_passes(set), {}));
     }
     for (int step = 0; step < 180; ++step)
     {

@@ -113,7 +113,7 @@ inline std::vector<double> width_costs(const Scene& scene, double duration, int 
   {
     const auto build = [scene, set]() -> std::function<void()>
     {
-      return [world = std::make_shared<World>(wide_world(scene, wide_passes(set)))]
+      return [world = std::make_shared<World>(wide_world(scene, wide_passes(set), {}))]
       { world->step(); };
     };
     worlds.push_back({name_of(set), build});

@@ -16,6 +16,8 @@ namespace cookbook
 {
 
 class World;
+struct SoftSettings;
+struct WidePasses;
 
 // [world_run]
 /// How a scene is to be run.
@@ -53,6 +55,9 @@ struct WorldRun
 WorldRun run_world(
     const Scene& scene, const RunSettings& settings = {},
     const std::function<void(std::size_t)>& watch = {});
+
+/// A world under wide steps in registers of any width: in these passes.
+World wide_world(const Scene& scene, const WidePasses& passes, const SoftSettings& how);
 
 /// The impulses [N s] that each body gets from all contacts with bodies before it in the scene,
 /// along gravity, at the end of a run of so many steps: what carries it.
