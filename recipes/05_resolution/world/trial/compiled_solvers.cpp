@@ -2,7 +2,9 @@
 /// \brief The solvers of the world, compiled once for programs and tests.
 
 #include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
+#include "05_resolution/wide_solver/wide_solver.hpp"
 #include "05_resolution/world/trial/world_runs.hpp"
+#include "05_resolution/world/world.hpp"
 
 // [solvers_compiled_once]
 #include "05_resolution/world/solver_named.hpp"
