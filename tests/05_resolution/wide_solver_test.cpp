@@ -198,7 +198,7 @@ TEST_CASE("bodies turn in lanes of every width as one alone does: uneven ones to
       std::vector<RigidBody> alone = bodies;
       IslandsTogether islands;
       islands.add({numbers, {}}, 1);
-      turns.move(bodies, islands, 1.0 / 240);
+      turns.move(bodies, islands, 1.0 / 240, [](int, const RigidBody&) {});
       for (std::size_t i = 0; i < bodies.size(); ++i)
       {
         move(alone[i], 1.0 / 240);

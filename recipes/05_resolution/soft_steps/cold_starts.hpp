@@ -44,17 +44,13 @@ struct TurningBody
   double energy;
 };
 
-/// Adds those of an island that do so in a time [s].
+/// Adds a body by its number if it does so in a time [s].
 inline void
-add_turning(IslandView world, const Island& island, double time, std::vector<TurningBody>& turning)
+add_turning(int number, const RigidBody& body, double time, std::vector<TurningBody>& turning)
 {
-  for (const int i : island.bodies)
+  if (turns_noticeably(body, time))
   {
-    const RigidBody& body = world.bodies[place_of(i)];
-    if (turns_noticeably(body, time))
-    {
-      turning.push_back({i, kinetic_energy(body)});
-    }
+    turning.push_back({number, kinetic_energy(body)});
   }
 }
 
@@ -79,7 +75,10 @@ inline void
 warm_start(IslandView world, const Island& island, double small, std::span<IslandPoint> points)
 {
   std::vector<TurningBody> turning;
-  add_turning(world, island, small, turning);
+  for (const int i : island.bodies)
+  {
+    add_turning(i, world.bodies[place_of(i)], small, turning);
+  }
   for (const IslandPoint& point : points)
   {
     warm_start(point);

@@ -32,37 +32,26 @@ inline bool fits_floats(IslandView world, const Island& island, double step)
 // [fits_floats]
 
 // [wide_turning]
-/// Finds what impulses feel, once bodies of an island have turned by what is noticed in a time [s].
-inline void take_turned(IslandView world, double time, WideContacts& lanes)
+/// Has forces pull all bodies for a small step [s]; those that turn noticeably in it.
+inline std::vector<TurningBody> pull(IslandView world, double small, WideContacts& lanes)
 {
-  bool any = false;
-  for (const Island& island : lanes.islands.all())
-  {
-    if (any_turns_noticeably(world, island, time))
-    {
-      any = true;
-      for (const int i : island.bodies)
+  std::vector<TurningBody> turning;
+  lanes.islands.for_each_body(
+      [&](int i)
       {
-        update_axes(world.bodies[place_of(i)]);
-        put_inverse_masses(world.bodies[place_of(i)], lanes.body(i));
-      }
-    }
-  }
-  if (any)
-  {
-    lanes.find_masses();
-  }
+        RigidBody& body = world.bodies[place_of(i)];
+        take_motion(lanes.body(i), body);
+        pull(body, world.gravity, small);
+        put_motion(body, lanes.body(i));
+        add_turning(i, body, small, turning);
+      });
+  return turning;
 }
 
 /// Pushes as the step before has ended; whom that would give energy starts from nothing, if he
-/// turns noticeably in a small step [s].
-inline void warm_start(IslandView world, double small, WideContacts& lanes)
+/// turns noticeably.
+inline void warm_start(IslandView world, std::span<TurningBody> turning, WideContacts& lanes)
 {
-  std::vector<TurningBody> turning;
-  for (const Island& island : lanes.islands.all())
-  {
-    add_turning(world, island, small, turning);
-  }
   lanes.warm_start();
   const auto gains = [&](const TurningBody& one)
   {
@@ -78,6 +67,39 @@ inline void warm_start(IslandView world, double small, WideContacts& lanes)
   lanes.start_cold(world, {turning.begin(), cold});
   lanes.islands.for_each_body([&](int i) { put_motion(world.bodies[place_of(i)], lanes.body(i)); });
   lanes.warm_start();
+}
+
+/// Moves all bodies on by a small step [s], and finds what impulses feel, where any of an island
+/// turns by what is noticed.
+inline void move(IslandView world, double small, WideContacts& lanes)
+{
+  lanes.turns.move(
+      world.bodies, lanes.islands, small,
+      [&](int i, RigidBody& body) { take_motion(lanes.body(i), body); });
+  bool any = false;
+  for (const Island& island : lanes.islands.all())
+  {
+    bool turned = false;
+    for (const int i : island.bodies)
+    {
+      const RigidBody& body = world.bodies[place_of(i)];
+      put_motion(body, lanes.body(i));
+      turned = turned || turns_noticeably(body, small);
+    }
+    if (turned)
+    {
+      any = true;
+      for (const int i : island.bodies)
+      {
+        update_axes(world.bodies[place_of(i)]);
+        put_inverse_masses(world.bodies[place_of(i)], lanes.body(i));
+      }
+    }
+  }
+  if (any)
+  {
+    lanes.find_masses();
+  }
 }
 // [wide_turning]
 
@@ -106,33 +128,21 @@ inline void wide_steps(
     }
   }
   const double small = step / settings.substeps;
-  const auto each_body = [&](const auto& change) {
-    lanes.islands.for_each_body([&](int i) { change(world.bodies[place_of(i)], lanes.body(i)); });
-  };
   lanes.take(world, settings.substeps);
   for (int i = 0; i < settings.substeps; ++i)
   {
-    each_body(
-        [&](RigidBody& body, LaneBody& lane)
-        {
-          take_motion(lane, body);
-          pull(body, world.gravity, small);
-          put_motion(body, lane);
-        });
-    warm_start(world, small, lanes);
+    std::vector<TurningBody> turning = pull(world, small, lanes);
+    warm_start(world, turning, lanes);
     lanes.correct(spring_for(small, settings), small);
-    each_body([](RigidBody& body, LaneBody& lane) { take_motion(lane, body); });
-    lanes.turns.move(world.bodies, lanes.islands, small);
-    each_body([](RigidBody& body, LaneBody& lane) { put_motion(body, lane); });
+    move(world, small, lanes);
     lanes.part(small);
-    take_turned(world, small, lanes);
     lanes.correct(rigid<double>(), small);
   }
-  each_body(
-      [](RigidBody& body, const LaneBody& lane)
+  lanes.islands.for_each_body(
+      [&](int i)
       {
-        take_motion(lane, body);
-        update_axes(body);
+        take_motion(lanes.body(i), world.bodies[place_of(i)]);
+        update_axes(world.bodies[place_of(i)]);
       });
   lanes.store(world, settings.substeps);
   for (const Island& island : lanes.islands.all())

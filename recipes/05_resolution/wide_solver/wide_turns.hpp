@@ -25,9 +25,11 @@ public:
   /// Turns them by these passes.
   explicit WideTurns(const WidePasses& passes) : turn_(passes.turn), lanes_(passes.lanes / 2) {}
 
-  /// Moves the bodies of islands with their velocities for a time [s]; their matrices are left for
-  /// update_axes().
-  void move(std::span<RigidBody> bodies, const IslandsTogether& islands, double time)
+  /// Moves the bodies of islands with the velocities that `take(number, body)` gives each of them,
+  /// for a time [s]; their matrices are left for update_axes().
+  template <class Take>
+  void
+  move(std::span<RigidBody> bodies, const IslandsTogether& islands, double time, const Take& take)
   {
     little_.clear();
     make_room(little_, bodies.size());
@@ -35,6 +37,7 @@ public:
         [&](int i)
         {
           RigidBody& body = bodies[place_of(i)];
+          take(i, body);
           body.motion.center += time * body.motion.velocity;
           if (turns_little(body, time))
           {
