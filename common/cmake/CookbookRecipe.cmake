@@ -280,7 +280,8 @@ endfunction()
 # test in a namespace of its own. Where all is checked, twice as many: that takes a third less time,
 # and up to 1.5 GB a source. Sanitizers leave out what is tagged [long].
 #
-# Of a function that several files hold the linker takes the first: that of COOKBOOK_OPTIMISED, a library.
+# Where a chapter sets COOKBOOK_OPTIMISED, a library of its tests, that is linked first: of a function that
+# several files hold the linker takes the first. Tests alone do without.
 function(cookbook_tests_together)
   get_property(names DIRECTORY PROPERTY COOKBOOK_TOGETHER)
   get_property(libraries DIRECTORY PROPERTY COOKBOOK_TOGETHER_LIBRARIES)

@@ -3,10 +3,16 @@
 
 #include "calls.hpp"
 
+#include <span>
+
 using namespace cookbook;
 
+namespace
+{
+
+#if defined(TAKE_matrices) || defined(TAKE_transforms)
 /// A matrix of any size; every eighth has two equal columns.
-inline Eigen::Matrix3d drawn_matrix(Draw& draw)
+Eigen::Matrix3d drawn_matrix(Draw& draw)
 {
   Eigen::Matrix3d m;
   m << draw.vector(1), draw.vector(1), draw.vector(1);
@@ -16,6 +22,9 @@ inline Eigen::Matrix3d drawn_matrix(Draw& draw)
   }
   return m * draw.scale();
 }
+#endif
+
+} // namespace
 
 int main()
 {

@@ -3,6 +3,8 @@
 
 #include "calls.hpp"
 
+#include <vector>
+
 using namespace cookbook;
 
 namespace

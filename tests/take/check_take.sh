@@ -26,8 +26,8 @@ among() { # among WORD LIST
   case " $2 " in *" $1 "*) return 0 ;; *) return 1 ;; esac
 }
 
-one_by_one() { # each line is a function and its arguments, three at most
-  while read -r call one two three; do "$call" "$one" "$two" "$three"; done
+one_by_one() { # each line is a function and its arguments, two at most
+  while read -r call one two; do "$call" "$one" "$two"; done
 }
 
 two_at_a_time() { # every other line each
@@ -61,13 +61,11 @@ calls() { # calls WHOSE CALLS: calls the house's headers, or those taken; what c
   whose=$1 calls=$(basename "$2" .cpp) source=$2
   # shellcheck disable=SC2086 # the options are words
   set -- $bits -include "$work/first"
+  [ "$whose" = taken ] || set -- "$@" -D COOKBOOK_PLAIN -I "$root" -I "$root/recipes"
   # shellcheck disable=SC2013 # the names are words
   for name in $(sed -n 's/^#ifdef TAKE_//p' "$source" | sort -u); do
     case $whose in
-      house)
-        set -- "$@" -D COOKBOOK_PLAIN -I "$root" -I "$root/recipes" \
-          -include "$(echo "$root"/recipes/*/"$name/$name.hpp")"
-        ;;
+      house) set -- "$@" -include "$(echo "$root"/recipes/*/"$name/$name.hpp")" ;;
       *) set -- "$@" -Wall -Wextra -Wconversion -Wshadow -Werror -include "$work/$name.hpp" ;;
     esac
     set -- "$@" -D "TAKE_$name"
@@ -131,12 +129,14 @@ together() {
     $(cut -d ' ' -f 1 "$work/sizes" | sed "s|.*|-include $work/&.hpp|") /dev/null || true
 }
 
-alone() { # the largest come first; one that does not speak of COOKBOOK_PLAIN is the same text with it
+plainly() { # a header that does not speak of COOKBOOK_PLAIN is the same text with it
+  grep -l COOKBOOK_PLAIN "$work"/*.hpp | sed 's|.*/\(.*\)\.hpp|taken \1 -DCOOKBOOK_PLAIN|'
+}
+
+alone() { # the largest come first
   echo together
-  sort -k 2,2nr "$work/sizes" | while read -r name _; do
-    echo "taken $name"
-    ! grep -q COOKBOOK_PLAIN "$work/$name.hpp" || echo "taken $name -DCOOKBOOK_PLAIN"
-  done
+  plainly
+  sort -k 2,2nr "$work/sizes" | sed 's/^\([^ ]*\).*/taken \1/'
   echo compiled_once
 }
 
@@ -163,7 +163,8 @@ complaints=$(
     ! eigen_first || alone | two_at_a_time
   elif first; then
     # shellcheck disable=SC2086 # the names are words
-    { all_calls "calls house" "calls taken"; printf 'taken %s\n' $only_declare; echo compiled_once; } | two_at_a_time
+    { all_calls "calls house" "calls taken"; plainly; printf 'taken %s\n' $only_declare; echo compiled_once; } |
+      two_at_a_time
     all_calls same_bits | one_by_one
   fi
 )

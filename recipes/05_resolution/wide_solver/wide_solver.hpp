@@ -31,7 +31,7 @@ inline bool fits_floats(IslandView world, const Island& island, double step)
 }
 // [fits_floats]
 
-// [wide_turning]
+// [wide_bodies]
 /// Has forces pull all bodies for a small step [s]; those that turn noticeably in it.
 inline std::vector<TurningBody> pull(IslandView world, double small, WideContacts& lanes)
 {
@@ -48,8 +48,8 @@ inline std::vector<TurningBody> pull(IslandView world, double small, WideContact
   return turning;
 }
 
-/// Pushes as the step before has ended; whom that would give energy starts from nothing, if he
-/// turns noticeably.
+/// Pushes as the step before has ended; of those that turn noticeably, which are reordered, whoever
+/// would gain energy by it starts from nothing.
 inline void warm_start(IslandView world, std::span<TurningBody> turning, WideContacts& lanes)
 {
   lanes.warm_start();
@@ -101,7 +101,7 @@ inline void move(IslandView world, double small, WideContacts& lanes)
     lanes.find_masses();
   }
 }
-// [wide_turning]
+// [wide_bodies]
 
 // [wide_steps]
 /// Moves the bodies of islands on by a step [s], as soft_steps() does, a contact in every lane of a

@@ -25,8 +25,8 @@ public:
   /// Turns them by these passes.
   explicit WideTurns(const WidePasses& passes) : turn_(passes.turn), lanes_(passes.lanes / 2) {}
 
-  /// Moves the bodies of islands with the velocities that `take(number, body)` gives each of them,
-  /// for a time [s]; their matrices are left for update_axes().
+  /// Moves the bodies of islands with their velocities, which `take(number, body)` may give them
+  /// first, for a time [s]; their matrices are left for update_axes().
   template <class Take>
   void
   move(std::span<RigidBody> bodies, const IslandsTogether& islands, double time, const Take& take)

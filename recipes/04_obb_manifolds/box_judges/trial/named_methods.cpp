@@ -32,10 +32,6 @@ TimedMethod own_contender(const std::string& name, const Method& method)
 
 } // namespace
 
-template ManifoldCheck manifold_check(const BoxPair<float>&, const std::optional<Manifold<float>>&);
-template ManifoldCheck
-manifold_check(const BoxPair<double>&, const std::optional<Manifold<double>>&);
-
 std::vector<std::string> box_manifold_names()
 {
   std::vector<std::string> names;

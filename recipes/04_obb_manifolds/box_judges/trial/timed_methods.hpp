@@ -97,10 +97,4 @@ std::vector<TimedMethod> own_contenders();
 /// Prints the manifolds of --pairs by the method that --method names.
 void print_own_manifolds(const Arguments& arguments);
 
-// Compiled with them, not again in each source that times methods.
-extern template ManifoldCheck
-manifold_check(const BoxPair<float>&, const std::optional<Manifold<float>>&);
-extern template ManifoldCheck
-manifold_check(const BoxPair<double>&, const std::optional<Manifold<double>>&);
-
 } // namespace cookbook

@@ -5,10 +5,11 @@
 /// they have settled, and in their worst frame.
 
 #include "05_resolution/scenes/trial/world_scenes.hpp"
+#include "05_resolution/soft_steps/soft_settings.hpp"
 #include "05_resolution/wide_passes/wide_passes.hpp"
-#include "05_resolution/wide_solver/trial/wide_solver_runs.hpp"
 #include "05_resolution/world/trial/world_cost_measured.hpp"
 #include "05_resolution/world/trial/world_runs.hpp"
+#include "05_resolution/world/world.hpp"
 #include "05_resolution/world_chart/trial/world_chart.hpp"
 
 #include <algorithm>

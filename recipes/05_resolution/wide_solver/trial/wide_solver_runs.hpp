@@ -4,8 +4,6 @@
 /// \brief Scenes under soft steps, one contact at a time in double and many at a time in float.
 
 #include "05_resolution/scenes/trial/world_scenes.hpp"
-#include "05_resolution/wide_solver/wide_solver.hpp"
-#include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/world_runs.hpp"
 #include "common/plot/charts/chart.hpp"
 

@@ -6,6 +6,8 @@
 #include "05_resolution/world/trial/world_runs.hpp"
 #include "05_resolution/world/world.hpp"
 
+#include <span>
+
 // [solvers_compiled_once]
 #include "05_resolution/world/solver_named.hpp"
 // [solvers_compiled_once]

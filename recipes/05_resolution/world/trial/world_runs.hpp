@@ -56,7 +56,8 @@ WorldRun run_world(
     const Scene& scene, const RunSettings& settings = {},
     const std::function<void(std::size_t)>& watch = {});
 
-/// A world under wide steps in registers of any width: in these passes.
+/// A world under wide steps by these passes, in registers of their width; compiled with the
+/// solvers.
 World wide_world(const Scene& scene, const WidePasses& passes, const SoftSettings& how);
 
 /// The impulses [N s] that each body gets from all contacts with bodies before it in the scene,
