@@ -326,7 +326,6 @@ function(cookbook_tests_together)
     cookbook_test_program(${program} ${source} ${libraries})
     if(COOKBOOK_OPTIMISED)
       target_link_options(${program} PRIVATE $<TARGET_OBJECTS:${COOKBOOK_OPTIMISED}>)
-      add_dependencies(${program} ${COOKBOOK_OPTIMISED})
     endif()
     target_compile_options(${program} PRIVATE -Wno-shadow) # a name of another test's headers
   endwhile()
