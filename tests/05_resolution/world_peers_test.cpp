@@ -11,7 +11,10 @@
 
 using namespace cookbook;
 
-TEST_CASE("worlds are timed in turns, step by step, each repetition from a new start", "[peers]")
+TEST_CASE(
+    "worlds are timed in turns, step by step, each repetition from a new start, after a first step "
+    "that does not count",
+    "[peers]")
 {
   std::string log;
   const auto world = [&log](const std::string& name) -> TimedWorld
@@ -24,7 +27,7 @@ TEST_CASE("worlds are timed in turns, step by step, each repetition from a new s
         }};
   };
   const std::vector<double> seconds = step_seconds({world("a"), world("b")}, 3, 2);
-  CHECK(log == "+a+bababab+a+bababab");
+  CHECK(log == "+aa+a+bb+bababab+aa+a+bb+bababab");
   REQUIRE(seconds.size() == 2);
   CHECK((seconds[0] >= 0 && seconds[0] < 1 && seconds[1] >= 0 && seconds[1] < 1));
 }

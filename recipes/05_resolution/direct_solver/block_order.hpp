@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -15,11 +16,35 @@ namespace cookbook
 {
 
 // [ordering]
+/// Whether unknowns that are eliminated in the order of their numbers fill nothing in: each is
+/// coupled to at most one that comes later, as in a tower.
+inline bool fill_nothing(std::size_t count, const std::vector<std::pair<int, int>>& coupled)
+{
+  std::vector<bool> has_later(count, false);
+  for (const auto& [i, j] : coupled)
+  {
+    const std::size_t first = static_cast<std::size_t>(std::min(i, j));
+    if (has_later[first])
+    {
+      return false;
+    }
+    has_later[first] = true;
+  }
+  return true;
+}
+
 /// An order of elimination of `count` unknowns that keeps the fill small, from which pairs of them
-/// are coupled: approximate minimum degree. The k-th entry says what comes k-th.
+/// are coupled: that of their numbers if it fills nothing in, otherwise approximate minimum degree.
+/// The k-th entry says what comes k-th.
 inline std::vector<int>
 elimination_order(int count, const std::vector<std::pair<int, int>>& coupled)
 {
+  std::vector<int> numbers(static_cast<std::size_t>(count));
+  std::iota(numbers.begin(), numbers.end(), 0);
+  if (fill_nothing(numbers.size(), coupled))
+  {
+    return numbers;
+  }
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(static_cast<std::size_t>(count) + coupled.size());
   for (int i = 0; i < count; ++i)

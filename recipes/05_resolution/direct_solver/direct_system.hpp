@@ -5,6 +5,7 @@
 
 #include "05_resolution/direct_solver/direct_blocks.hpp"
 #include "05_resolution/direct_solver/direct_give.hpp"
+#include "05_resolution/islands/make_room.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -83,15 +84,31 @@ inline void gather(
        system.points.size(), stiffness});
 }
 
+/// Makes a system one of nobody, with room for all of an island.
+inline void clear(DirectSystem& system, IslandView world, const Island& island)
+{
+  std::size_t points = 0;
+  for (const int i : island.contacts)
+  {
+    points += world.contacts[place_of(i)].points.size();
+  }
+  const auto clear = [](auto& list, std::size_t count)
+  {
+    list.clear();
+    make_room(list, count);
+  };
+  clear(system.bodies, island.bodies.size());
+  clear(system.velocities, island.bodies.size());
+  clear(system.contacts, island.contacts.size());
+  clear(system.points, points);
+}
+
 /// Makes a system of an island, at the velocities before the step [s].
 inline void gather(
     DirectSystem& system, IslandView world, const Island& island, double step,
     const DirectSettings& settings)
 {
-  system.bodies.clear();
-  system.velocities.clear();
-  system.contacts.clear();
-  system.points.clear();
+  clear(system, world, island);
   for (const int i : island.bodies)
   {
     const RigidBody& body = world.bodies[place_of(i)];

@@ -12,16 +12,6 @@
 namespace cookbook
 {
 
-/// Room for so many, and for an eighth more where there has to be more than there was.
-template <class List>
-void make_room(List& all, std::size_t count)
-{
-  if (all.capacity() < count)
-  {
-    all.reserve(count + count / 8);
-  }
-}
-
 // [islands_together]
 /// Islands, and their contacts one after the other.
 class IslandsTogether

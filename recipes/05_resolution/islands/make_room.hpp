@@ -1,0 +1,21 @@
+#pragma once
+
+/// \file
+/// \brief Room in lists that are filled anew in every step.
+
+#include <cstddef>
+
+namespace cookbook
+{
+
+/// Room for so many, and for an eighth more where there has to be more than there was.
+template <class List>
+void make_room(List& all, std::size_t count)
+{
+  if (all.capacity() < count)
+  {
+    all.reserve(count + count / 8);
+  }
+}
+
+} // namespace cookbook
