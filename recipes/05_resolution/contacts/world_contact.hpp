@@ -37,8 +37,8 @@ struct WorldPoint
 /// Two bodies of a world that touch, or may in this step.
 struct WorldContact
 {
-  int a = 0;                                        ///< the number of body A
-  int b = 0;                                        ///< the number of body B, greater than a
+  int a = 0;                                        ///< the place of body A in the world's lists
+  int b = 0;                                        ///< that of body B, greater than a
   double friction = 0;                              ///< [1], of the two surfaces together
   double restitution = 0;                           ///< [1], of the two surfaces together
   Vector3<double> normal = Vector3<double>::Zero(); ///< [1], unit, world, from A to B

@@ -17,8 +17,8 @@ namespace cookbook
 /// Two bodies that have hit each other in a step.
 struct Impact
 {
-  int a;                  ///< the number of body A
-  int b;                  ///< the number of body B, greater than a
+  int a;                  ///< the place of body A in the world's lists
+  int b;                  ///< that of body B, greater than a
   Vector3<double> place;  ///< [m], world, where they met
   Vector3<double> normal; ///< [1], unit, world, from A to B
   double speed;           ///< [m/s], at which they closed there, along the normal

@@ -23,8 +23,10 @@ namespace cookbook
 /// Bodies in motion, from a scene that makes sense. No body of it becomes NaN or infinite. A copy
 /// goes on as the original would, to the bit.
 ///
-/// Bodies are known by numbers, those of the scene first; a number is never given to another body.
-/// What is asked of a body that is not there, or not any more, is answered by std::out_of_range.
+/// Bodies are known by ids, 0, 1, 2, … of those of the scene; an id is never given to another body.
+/// Lists, contacts and impacts have a body at its place, which is its id until one is put in where
+/// another was taken out. What is asked of a body that is not there, or not any more, is answered
+/// by std::out_of_range.
 class World
 {
 public:
@@ -39,7 +41,7 @@ public:
     state_.may_sleep = may_sleep;
     while (bodies().size() < state_.scene.bodies.size())
     {
-      enter(state_);
+      enter(state_, state_.scene.bodies[bodies().size()]);
     }
   }
 
@@ -51,7 +53,8 @@ public:
   {
   }
 
-  /// The bodies as they were put in, also those taken out; where they are now, bodies() says.
+  /// The bodies as they were put in, also those taken out until others have their places; where
+  /// they are now, bodies() says.
   const Scene& scene() const { return state_.scene; }
   const std::vector<RigidBody>& bodies() const { return state_.bodies; } ///< in its order, as now
   /// All contacts of the last step.
@@ -61,64 +64,61 @@ public:
   /// The bodies as the last step began, after its impacts.
   const std::vector<PastBody>& bodies_before() const { return state_.start; }
   double time() const { return double(state_.steps) * scene().step; } ///< [s], since the start
-  /// A body.
-  const RigidBody& body(std::size_t body) const
-  {
-    check_there(body);
-    return bodies()[body];
-  }
-  /// Whether a body sleeps.
-  bool sleeps(std::size_t body) const
-  {
-    check_there(body);
-    return cookbook::sleeps(state_, static_cast<int>(body));
-  }
   /// Whether a body is there: it was put in, and not taken out.
-  bool has(std::size_t body) const { return body < bodies().size() && !state_.gone[body]; }
+  bool has(BodyId body) const { return is_there(state_, body); }
+  /// The place of a body in lists.
+  std::size_t place(BodyId body) const
+  {
+    if (!has(body))
+    {
+      throw not_there(state_, body);
+    }
+    return place_in_lists(body);
+  }
+  /// Who has a place, or had it last.
+  BodyId id(std::size_t place) const
+  {
+    return place < bodies().size() ? id_at(state_, place) : throw not_there(state_, place);
+  }
+  const RigidBody& body(BodyId body) const { return bodies()[place(body)]; } ///< A body.
+  /// Whether a body sleeps.
+  bool sleeps(BodyId body) const { return cookbook::sleeps(state_, static_cast<int>(place(body))); }
 
   /// How far apart [m] two bodies may be and still be in contact, but for impacts that are
   /// foreseen.
   double margin() const { return contact_margin(scene()); }
 
-  /// Puts a body in, and says its number; InvalidScene, and nothing changes, if it makes no sense.
-  /// What sleeps where it is put wakes.
-  std::size_t add(const SceneBody& body)
+  /// Puts a body in, and says its id; InvalidScene, and nothing changes, if it makes no sense. What
+  /// sleeps where it is put wakes.
+  BodyId add(const SceneBody& body)
   {
-    state_.scene.bodies.push_back(checked(body, bodies().size()));
-    enter(state_);
+    const std::size_t place = enter(state_, checked(body, next_place(state_)));
     wake_touched_by(state_, state_.bounds.back());
-    return bodies().size() - 1;
+    return id(place);
   }
 
   /// Takes a body out: from the next step on it stays where it is, and nothing touches it. What has
-  /// leaned on it wakes. Its place in the lists remains, and costs a little in each step.
-  void remove(std::size_t body)
-  {
-    check_there(body);
-    leave(state_, body);
-  }
+  /// leaned on it wakes. After that step its place is given to the next body that is put in.
+  void remove(BodyId body) { leave(state_, place(body)); }
 
   /// Puts a body elsewhere [m], turned otherwise, world: what is on the way there is not hit, and
   /// nobody sees it go there. It keeps its velocity, and wakes with what it touched and what it
   /// will touch. InvalidShape, and nothing changes, if it is a plane or if that is no pose.
-  void
-  set_pose(std::size_t body, const Vector3<double>& position, const Quaternion<double>& orientation)
+  void set_pose(BodyId body, const Vector3<double>& position, const Quaternion<double>& orientation)
   {
-    check_there(body);
-    check_can_be_put(scene().bodies[body], position, orientation);
-    put_elsewhere(state_, body, position, orientation);
+    check_can_be_put(scene().bodies[place(body)], position, orientation);
+    put_elsewhere(state_, place(body), position, orientation);
   }
 
   /// Gives a body another velocity [m/s] and angular velocity [rad/s], world, and wakes it with all
   /// that hangs together with it. A fixed one stays as it is. InvalidShape, and nothing changes, if
   /// a number is not finite.
   void set_velocity(
-      std::size_t body, const Vector3<double>& velocity, const Vector3<double>& angular_velocity)
+      BodyId body, const Vector3<double>& velocity, const Vector3<double>& angular_velocity)
   {
-    check_there(body);
+    RigidBody& set = state_.bodies[place(body)];
     check_finite("velocity", velocity);
     check_finite("angular_velocity", angular_velocity);
-    RigidBody& set = state_.bodies[body];
     if (!is_fixed(set))
     {
       wake_island_of(body);
@@ -128,17 +128,15 @@ public:
 
   /// Pulls a body in the next step, beside gravity, by an acceleration [m/s²] and an angular one
   /// [rad/s²], world, more; otherwise as set_velocity().
-  void
-  accelerate(std::size_t body, const Vector3<double>& more, const Vector3<double>& angular_more)
+  void accelerate(BodyId body, const Vector3<double>& more, const Vector3<double>& angular_more)
   {
-    check_there(body);
-    RigidBody pulled = bodies()[body];
+    RigidBody pulled = this->body(body);
     check_finite("acceleration", pulled.acceleration += more);
     check_finite("angular_acceleration", pulled.angular_acceleration += angular_more);
     if (!is_fixed(pulled))
     {
       wake_island_of(body);
-      state_.bodies[body] = pulled;
+      state_.bodies[place(body)] = pulled;
     }
   }
 
@@ -153,13 +151,11 @@ public:
 
   /// Has two bodies pass through each other from the next step on, and wakes both; InvalidScene if
   /// they are one.
-  void ignore(std::size_t a, std::size_t b)
+  void ignore(BodyId a, BodyId b)
   {
-    check_there(a);
-    check_there(b);
     std::vector<std::pair<int, int>>& ignored = state_.scene.ignored;
     const std::pair<int, int> pair =
-        checked_pair({static_cast<int>(a), static_cast<int>(b)}, bodies().size());
+        checked_pair({static_cast<int>(place(a)), static_cast<int>(place(b))}, bodies().size());
     if (!ignores(scene(), pair))
     {
       ignored.insert(std::upper_bound(ignored.begin(), ignored.end(), pair), pair);
@@ -173,18 +169,10 @@ public:
 
 private:
   /// Wakes a body and all that hangs together with it.
-  void wake_island_of(std::size_t body)
+  void wake_island_of(BodyId body)
   {
-    const int number = static_cast<int>(body);
+    const int number = static_cast<int>(place(body));
     wake_islands_of(state_, {&number, 1});
-  }
-
-  void check_there(std::size_t body) const
-  {
-    if (!has(body))
-    {
-      throw not_there(body, bodies().size());
-    }
   }
 
   WorldSolver solver_;

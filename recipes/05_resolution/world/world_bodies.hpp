@@ -72,24 +72,61 @@ inline Bounds bounds_now(const WorldState& world, std::size_t i)
   return {bounds_of(world.bodies[i], shape, margin), static_cast<int>(i)};
 }
 
-/// Has the scene's next body enter the world.
-inline void enter(WorldState& world)
+/// Puts something at a place of a list, or behind all.
+template <class List, class Item>
+void put_at(List& list, std::size_t place, const Item& item)
 {
-  const std::size_t i = world.bodies.size();
-  world.bodies.push_back(rigid_body(world.scene.bodies[i]));
-  world.bounds.push_back(bounds_now(world, i));
-  world.gone.push_back(false);
-  world.sleep.resize(world.may_sleep ? world.bodies.size() : 0);
-  world.has_balls = world.has_balls || world.bodies[i].round;
+  place < list.size() ? list[place] = item : list.emplace_back(item);
 }
 
-/// Has a body leave it: it stays where it is, and nothing touches it any more.
+/// The place that the next body is given: that of one who was taken out, or a new one.
+inline std::size_t next_place(const WorldState& world)
+{
+  return world.free.empty() ? world.bodies.size() : world.free.back();
+}
+
+/// Has a body enter the world, and says at which place.
+inline std::size_t enter(WorldState& world, const SceneBody& body)
+{
+  const std::size_t i = next_place(world);
+  const bool had_another = i < world.bodies.size();
+  if (had_another)
+  {
+    world.free.pop_back();
+  }
+  put_at(world.generations, i, had_another ? world.generations[i] + 1 : 0);
+  put_at(world.gone, i, false);
+  put_at(world.scene.bodies, i, body);
+  put_at(world.bodies, i, rigid_body(body));
+  if (i < world.start.size())
+  {
+    world.start[i] = past_of(world.bodies[i]);
+  }
+  world.sleep.resize(world.may_sleep ? world.bodies.size() : 0); // who has left was woken before
+  world.bounds.push_back(bounds_now(world, i));
+  world.has_balls = world.has_balls || world.bodies[i].round;
+  return i;
+}
+
+/// Has a body leave it: it stays where it is, and nothing touches it any more. A step later its
+/// place is free.
 inline void leave(WorldState& world, std::size_t i)
 {
   wake_around(world, static_cast<int>(i));
   fix(world.bodies[i]);
   world.gone[i] = true;
+  world.left.push_back(i);
   std::erase_if(world.bounds, [&](const Bounds& bound) { return place_of(bound.body) == i; });
+  std::erase_if(
+      world.scene.ignored,
+      [&](const auto& pair) { return place_of(pair.first) == i || place_of(pair.second) == i; });
+}
+
+/// Frees the places of those who had left before a step.
+inline void free_places(WorldState& world)
+{
+  world.free.insert(world.free.end(), world.left.begin(), world.left.end());
+  world.left.clear();
 }
 
 /// Puts a body elsewhere, also before the step that was the last.

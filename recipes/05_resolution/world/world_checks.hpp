@@ -136,13 +136,6 @@ inline const SceneBody& checked(const SceneBody& body, std::size_t number)
   return body;
 }
 
-/// What is thrown where a body is asked for that is not there, of so many that ever were.
-inline std::out_of_range not_there(std::size_t body, std::size_t bodies)
-{
-  const std::string none = "there is no body " + std::to_string(body);
-  return std::out_of_range(body < bodies ? none + " any more: it was taken out" : none);
-}
-
 /// Two bodies that pass through each other, the smaller number first; InvalidScene unless they are
 /// two of so many.
 inline std::pair<int, int> checked_pair(std::pair<int, int> pair, std::size_t bodies)

@@ -14,7 +14,7 @@ namespace cookbook
 /// is. std::out_of_range if there is no such body; InvalidShape, and nothing changes, if a number
 /// is not finite.
 inline void apply_impulse(
-    World& world, std::size_t body, const Vector3<double>& impulse, const Vector3<double>& point)
+    World& world, BodyId body, const Vector3<double>& impulse, const Vector3<double>& point)
 {
   check_finite("impulse", impulse);
   check_finite("point", point);
@@ -24,14 +24,14 @@ inline void apply_impulse(
 }
 
 /// The same at a body's centre, so that it does not turn.
-inline void apply_impulse(World& world, std::size_t body, const Vector3<double>& impulse)
+inline void apply_impulse(World& world, BodyId body, const Vector3<double>& impulse)
 {
   apply_impulse(world, body, impulse, world.body(body).motion.center);
 }
 
 /// Has a force [N], world, act on a body at a point [m], world, all through the next step.
-inline void apply_force(
-    World& world, std::size_t body, const Vector3<double>& force, const Vector3<double>& point)
+inline void
+apply_force(World& world, BodyId body, const Vector3<double>& force, const Vector3<double>& point)
 {
   check_finite("force", force);
   check_finite("point", point);
@@ -41,13 +41,13 @@ inline void apply_force(
 }
 
 /// The same at a body's centre.
-inline void apply_force(World& world, std::size_t body, const Vector3<double>& force)
+inline void apply_force(World& world, BodyId body, const Vector3<double>& force)
 {
   apply_force(world, body, force, world.body(body).motion.center);
 }
 
 /// Has a torque [N m], world, act on a body all through the next step.
-inline void apply_torque(World& world, std::size_t body, const Vector3<double>& torque)
+inline void apply_torque(World& world, BodyId body, const Vector3<double>& torque)
 {
   check_finite("torque", torque);
   world.accelerate(body, {0, 0, 0}, world.body(body).inverse_inertia * torque);

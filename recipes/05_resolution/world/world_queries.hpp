@@ -29,14 +29,14 @@ namespace cookbook
 /// What a ray has met.
 struct BodyHit
 {
-  std::size_t body;   ///< its number
+  BodyId body;        ///< whom
   Hit<double, 3> hit; ///< where, as chapter 2's casts say
 };
 
 /// What a ball that is moved has met.
 struct BallHit
 {
-  std::size_t body;     ///< its number
+  BodyId body;          ///< whom
   SweptHit<double> hit; ///< which share of the way is free, and the normal: out of the ball, into
                         ///< the body, where that of a ray's hit points out of the body
 };
@@ -52,7 +52,7 @@ inline Eigen::AlignedBox<double, 3> sure_bounds(const RigidBody& body, const Sce
 }
 
 /// Asks every body.
-inline constexpr auto everybody = [](std::size_t) { return true; };
+inline constexpr auto everybody = [](BodyId) { return true; };
 
 /// Answers questions about the bodies of a world as they are now; after a step, or once a body was
 /// put in, or elsewhere, it is made anew. Who was taken out meanwhile does not answer.
@@ -66,7 +66,7 @@ public:
     std::vector<Bounds> bounds;
     for (std::size_t i = 0; i < world.bodies().size(); ++i)
     {
-      if (world.has(i))
+      if (world.has(world.id(i)))
       {
         bounds.push_back(
             {sure_bounds(world.bodies()[i], world.scene().bodies[i]), static_cast<int>(i)});
@@ -75,8 +75,8 @@ public:
     tree_.build(bounds);
   }
 
-  /// The body that a ray meets first, of those for which `asked(number)`, the one with the least
-  /// number of several; nothing if none. InvalidShape if the ray is none.
+  /// The body that a ray meets first, of those for which `asked(id)`, the one with the least
+  /// id of several; nothing if none. InvalidShape if the ray is none.
   template <class Asked = decltype(everybody)>
   std::optional<BodyHit> cast(const Ray<double>& ray, const Asked& asked = everybody) const
   {
@@ -88,7 +88,7 @@ public:
   }
 
   /// The body that a ball meets first which is moved by a way [m], world, of those for which
-  /// `asked(number)`, the one with the least number of several; nothing if none, or if there is no
+  /// `asked(id)`, the one with the least number of several; nothing if none, or if there is no
   /// way to go. One that it overlaps is met at once, if the way leads deeper into it. InvalidShape
   /// if the ball is none, or the way not finite.
   template <class Asked = decltype(everybody)>
@@ -103,25 +103,25 @@ public:
         [&](const auto& shape) { return sweep(ball, way, shape); });
   }
 
-  /// The numbers of all bodies that a ball or a box overlaps or touches, the least first;
+  /// The ids of all bodies that a ball or a box overlaps or touches, the least first;
   /// InvalidShape if it is none.
   template <class Shape>
-  std::vector<std::size_t> overlapping(const Shape& shape) const
+  std::vector<BodyId> overlapping(const Shape& shape) const
   {
     static_assert(
         std::is_same_v<Shape, Sphere<double>> || std::is_same_v<Shape, Obb<double>>,
         "a ball is a Sphere<double>, a box an Obb<double>");
     checked(shape);
     const Eigen::AlignedBox<double, 3> around = bounds_of(shape);
-    std::vector<std::size_t> found;
+    std::vector<BodyId> found;
     tree_.each_that(
         [&](const Eigen::AlignedBox<double, 3>& box) { return box.intersects(around); },
         [&](int body)
         {
           const auto meets = [&](const auto& of) { return overlaps(placed(at(body), of), shape); };
-          if (world_.has(place_of(body)) && std::visit(meets, shape_of(body)))
+          if (world_.has(id_of(body)) && std::visit(meets, shape_of(body)))
           {
-            found.push_back(place_of(body));
+            found.push_back(id_of(body));
           }
         });
     std::sort(found.begin(), found.end());
@@ -166,24 +166,25 @@ private:
     };
     const auto ask = [&](int body)
     {
-      if (!world_.has(place_of(body)) || !asked(place_of(body)))
+      const BodyId id = id_of(body);
+      if (!world_.has(id) || !asked(id))
       {
         return;
       }
       const auto hit = std::visit(
           [&](const auto& shape) { return meet(placed(at(body), shape)); }, shape_of(body));
-      const std::size_t number = place_of(body);
       const auto sooner = [&](const Met& other)
-      { return std::pair(when(*hit), number) < std::pair(when(other.hit), other.body); };
+      { return std::pair(when(*hit), id) < std::pair(when(other.hit), other.body); };
       if (hit && (!first || sooner(*first)))
       {
-        first = Met{number, *hit};
+        first = Met{id, *hit};
       }
     };
     tree_.each_that(may_come_first, ask);
     return first;
   }
 
+  BodyId id_of(int body) const { return world_.id(place_of(body)); }
   const RigidBody& at(int body) const { return world_.bodies()[place_of(body)]; }
   const decltype(SceneBody::shape)& shape_of(int body) const
   {

@@ -9,6 +9,7 @@
 #include "05_resolution/islands/simultaneous_impacts.hpp"
 #include "05_resolution/sweeps/foreseen.hpp"
 #include "05_resolution/sweeps/too_deep.hpp"
+#include "05_resolution/world/world_bodies.hpp"
 #include "05_resolution/world/world_state.hpp"
 
 #include <algorithm>
@@ -187,6 +188,7 @@ COOKBOOK_WORLD_INLINE void step(WorldState& world, const WorldSolver& solver)
   {
     finish(world, i);
   }
+  free_places(world);
   ++world.steps;
 }
 // [world_step]
