@@ -70,14 +70,14 @@ TEST_CASE("a cube that falls on another begins to press on it once, and ends whe
   scene.bodies.push_back(cube_body("late", {0, 2.5, 0}));
   World world(scene, solver_named("direct"), true);
   ContactWatch watch;
-  using Pairs = std::vector<std::pair<int, int>>;
+  using Pairs = std::vector<ContactWatch::Pair>;
   Pairs begun, ended;
   const auto watched_until = [&](double time)
   {
     while (world.time() < time)
     {
       world.step();
-      watch.look(world.contacts());
+      watch.look(world.contacts(), world.bodies());
       begun.insert(begun.end(), watch.begun().begin(), watch.begun().end());
       ended.insert(ended.end(), watch.ended().begin(), watch.ended().end());
     }
@@ -91,6 +91,26 @@ TEST_CASE("a cube that falls on another begins to press on it once, and ends whe
   watched_until(4.5);
   CHECK(ended == Pairs{{1, 2}});
   CHECK(watch.pressing() == Pairs{{0, 1}});
+}
+
+TEST_CASE("who is put in at the place of another has not parted from whom that has touched")
+{
+  World world({.bodies = {ground(), ball_body("ball", 0.5, {0, 0.5, 0})}}, solver_named("direct"));
+  ContactWatch watch;
+  const auto look = [&] { watch.look(world.contacts(), world.bodies()); };
+  world.step();
+  world.step();
+  look();
+  CHECK(watch.pressing() == std::vector<ContactWatch::Pair>{{0, 1}});
+  world.remove(1);
+  world.step();
+  const BodyId next = world.add(ball_body("next", 0.5, {5, 0.5, 0}));
+  REQUIRE(world.place(next) == 1);
+  world.step();
+  world.step();
+  look();
+  CHECK(watch.ended() == std::vector<ContactWatch::Pair>{{0, 1}});
+  CHECK(watch.begun() == std::vector<ContactWatch::Pair>{{0, next}});
 }
 // [contact_watch]
 

@@ -488,16 +488,6 @@ TEST_CASE("a force that pulls as gravity does has a cube slide over flush tiles 
   }
 }
 
-// [carry]
-/// Has a heavy body move as a platform in the next step, at a velocity [m/s]: so fast, and held up.
-void carry(World& world, std::size_t platform, const Vector3<double>& velocity)
-{
-  const Vector3<double> none = Vector3<double>::Zero();
-  world.set_velocity(platform, velocity, none);
-  world.accelerate(platform, -world.scene().gravity, none);
-}
-// [carry]
-
 // [platform]
 TEST_CASE("a platform of 1,000 t carries crates and a ball up, and draws a crate along by friction")
 {

@@ -106,6 +106,7 @@ TEST_CASE("a place is given on after a step, and its ids differ")
 {
   World world = one_has_left("direct", false);
   CHECK(world.add(thrown("at once")) == 3);
+  CHECK(world.bodies_before().size() == 4);
   CHECK(world.id(1) == 1);
   on(world, 2);
   const BodyId next = world.add(thrown("later"));
@@ -139,6 +140,30 @@ TEST_CASE("who passed through the ground leaves nothing of that to the next at i
   CHECK(world.place(next) == 1);
   on(world, 120);
   CHECK(world.body(next).motion.center.y() == Catch::Approx(0.5).margin(1e-3));
+}
+
+TEST_CASE("a solver that found no answer for who has left is as new for the next at its place")
+{
+  const auto slid = [](const std::vector<SceneBody>& bodies)
+  {
+    World world({.bodies = bodies}, solver_named("direct"));
+    on(world, 21);
+    if (world.has(1))
+    {
+      world.remove(1);
+    }
+    on(world, 1);
+    SceneBody crate = box_body("crate", {0.2, 0.2, 0.2}, {0, 0.2, 0}, 5);
+    crate.velocity.x() = 3;
+    const BodyId id = world.add(crate);
+    on(world, 180);
+    return world.body(id).motion.center.x();
+  };
+  SceneBody tumbles = box_body("tumbles", {0.3, 0.1, 0.2}, {0, 0.4, 0}, 5);
+  tumbles.orientation = {1, 0.5, 0.3, 0.2};
+  tumbles.velocity = {3, -4, 1};
+  tumbles.angular_velocity = {8, -5, 6};
+  CHECK(slid({ground(), tumbles}) == slid({ground()}));
 }
 
 TEST_CASE("rays, overlaps and contacts say who is at a place now")

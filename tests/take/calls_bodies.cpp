@@ -383,6 +383,7 @@ int main()
       [watch = ContactWatch()](Draw& draw, Bits& bits) mutable
       {
         std::vector<WorldContact> contacts;
+        const std::vector<RigidBody> bodies(5, rigid_body({.shape = SphereShape{1}, .mass = 1}));
         for (int b = 1; b < 5; ++b)
         {
           WorldContact contact{};
@@ -390,7 +391,7 @@ int main()
           contact.points.emplace_back().impulse = draw.number(-1, 1);
           contacts.push_back(contact);
         }
-        watch.look(contacts);
+        watch.look(contacts, bodies);
         bits(int(watch.pressing().size()), int(watch.begun().size()), int(watch.ended().size()));
       });
 #endif

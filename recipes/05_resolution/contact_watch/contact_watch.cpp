@@ -9,8 +9,10 @@
 #include "common/program/program.hpp"
 #include "common/program/table.hpp"
 
+#include <algorithm>
 #include <iostream>
 #include <map>
+#include <vector>
 
 namespace
 {
@@ -39,21 +41,21 @@ Table game(int crates)
   ContactWatch watch;
   Table told({"time [s]", "what happens"});
   const auto tell = [&](const std::string& what) { told.row({number(world.time()), what}); };
-  const auto name = [&](std::size_t body) { return world.scene().bodies[body].name; };
+  const auto name = [&](BodyId id) { return world.scene().bodies[world.place(id)].name; };
   const int second = 60;
-  std::map<std::pair<int, int>, double> parted; // [s]
+  std::vector<BodyId> fallen;
+  std::map<ContactWatch::Pair, double> parted; // [s]
   for (int frame = 0; frame < (crates + 6) * second; ++frame)
   {
     if (frame % second == 0 && frame / second < crates)
     {
       const auto top = WorldQueries(world).cast({{0, 10, 0}, {0, -1, 0}});
-      world.add(crate(frame / second + 1, 10 - top->hit.t + 1));
+      fallen.push_back(world.add(crate(frame / second + 1, 10 - top->hit.t + 1)));
     }
     if (frame == (crates + 1) * second)
     {
-      const std::size_t last = world.bodies().size() - 1;
-      apply_impulse(world, last, {60, 0, 0}, world.bodies()[last].motion.center);
-      tell(name(last) + " is shot at: 60 N s");
+      apply_impulse(world, fallen.back(), {60, 0, 0});
+      tell(name(fallen.back()) + " is shot at: 60 N s");
     }
     if (frame == (crates + 3) * second)
     {
@@ -61,12 +63,12 @@ Table game(int crates)
       tell("the table is taken away");
     }
     world.step();
-    watch.look(world.contacts());
+    watch.look(world.contacts(), world.bodies());
     for (const auto& [a, b] : watch.begun())
     {
       if (!parted.count({a, b}) || world.time() - parted[{a, b}] > 0.5) // more than a hop
       {
-        tell(name(place_of(b)) + " lands on " + name(place_of(a)));
+        tell(name(b) + " lands on " + name(a));
       }
     }
     for (const auto& pair : watch.ended())
@@ -74,11 +76,8 @@ Table game(int crates)
       parted[pair] = world.time();
     }
   }
-  int asleep = 0;
-  for (std::size_t i = 2; i < world.bodies().size(); ++i)
-  {
-    asleep += world.sleeps(i) ? 1 : 0;
-  }
+  const auto asleep =
+      std::count_if(fallen.begin(), fallen.end(), [&](BodyId id) { return world.sleeps(id); });
   tell(std::to_string(asleep) + " of " + std::to_string(crates) + " crates sleep");
   return told;
 }

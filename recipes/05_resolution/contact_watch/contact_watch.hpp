@@ -15,15 +15,16 @@ namespace cookbook
 {
 
 // [contact_watch]
-/// Compares the contacts of a world from one look to the next; pairs have the smaller number first.
+/// Compares the contacts of a world from one look to the next; pairs are those of ids.
 ///
 /// What touches and parts between two looks is not seen, and neither is what a sweep has bounced
 /// off within a step.
 class ContactWatch
 {
 public:
-  /// Looks at the contacts of the last step, ordered by their bodies as a world has them.
-  void look(std::span<const WorldContact> contacts)
+  using Pair = std::pair<BodyId, BodyId>; ///< two bodies
+  /// Looks at the contacts of a world's last step, and whose they are.
+  void look(std::span<const WorldContact> contacts, std::span<const RigidBody> bodies)
   {
     std::swap(now_, before_);
     now_.clear();
@@ -31,9 +32,10 @@ public:
     {
       if (presses(contact))
       {
-        now_.push_back(pair_of(contact));
+        now_.emplace_back(id_at(bodies, place_of(contact.a)), id_at(bodies, place_of(contact.b)));
       }
     }
+    std::sort(now_.begin(), now_.end());
     begun_.clear();
     ended_.clear();
     const auto only = [](const auto& in, const auto& not_in, auto& found)
@@ -45,12 +47,12 @@ public:
     only(before_, now_, ended_);
   }
 
-  const std::vector<std::pair<int, int>>& pressing() const { return now_; } ///< in order
-  const std::vector<std::pair<int, int>>& begun() const { return begun_; }  ///< since the last look
-  const std::vector<std::pair<int, int>>& ended() const { return ended_; }  ///< since the last look
+  const std::vector<Pair>& pressing() const { return now_; } ///< in order
+  const std::vector<Pair>& begun() const { return begun_; }  ///< since the last look
+  const std::vector<Pair>& ended() const { return ended_; }  ///< since the last look
 
 private:
-  std::vector<std::pair<int, int>> now_, before_, begun_, ended_;
+  std::vector<Pair> now_, before_, begun_, ended_;
 };
 // [contact_watch]
 

@@ -140,7 +140,7 @@ private:
     {
       centers.extend(center(leaves_[i]));
     }
-    int axis = 0;
+    Eigen::Index axis = 0;
     (centers.max() / 2 - centers.min() / 2).maxCoeff(&axis);
     const auto before = [axis](const Bounds& a, const Bounds& b)
     { return std::pair(center(a)[axis], a.body) < std::pair(center(b)[axis], b.body); };

@@ -9,6 +9,9 @@
 #include "05_resolution/restitution/restitution.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -16,6 +19,10 @@ namespace cookbook
 {
 
 // [rigid_body]
+/// What a body of a world is known by: its place in lists, and above that how many had the place
+/// before.
+using BodyId = std::uint64_t;
+
 /// A body as a world moves it: one that can be pushed, and how it is turned.
 struct RigidBody : Body<double>
 {
@@ -23,10 +30,23 @@ struct RigidBody : Body<double>
   Vector3<double> moments;        ///< [kg m²], along the body's axes; 0 where it is fixed
   Matrix3<double> axes;           ///< [1], the orientation as a matrix; a ball's stay the world's
   bool round;                     ///< a ball: where it touches does not turn with it
+  std::uint32_t generation;       ///< how many had its place in the world before
   Quaternion<double> arms_at;     ///< as it was turned when a solver took its arms, kept_arms()
   Vector3<double> acceleration = Vector3<double>::Zero(); ///< [m/s²], world, by this step's forces
   Vector3<double> angular_acceleration = Vector3<double>::Zero(); ///< [rad/s²], world, by the same
 };
+
+/// The place of a body in lists.
+inline std::size_t place_in_lists(BodyId id)
+{
+  return static_cast<std::size_t>(id & 0xFFFF'FFFF);
+}
+
+/// Whose place in a list of bodies that is.
+inline BodyId id_at(std::span<const RigidBody> bodies, std::size_t place)
+{
+  return BodyId(bodies[place].generation) << 32 | place;
+}
 
 /// True if no push moves the body.
 inline bool is_fixed(const RigidBody& body)
@@ -157,7 +177,7 @@ inline RigidBody rigid_body(const SceneBody& body)
   const Body<double> pushed =
       fixed ? Body<double>{motion, 0, Matrix3<double>::Zero()} : movable(motion, mass, axes);
   const Quaternion<double> orientation = body.orientation.normalized();
-  RigidBody made{pushed, orientation, mass.moments, axes, round, orientation};
+  RigidBody made{pushed, orientation, mass.moments, axes, round, 0, orientation};
   update_axes(made);
   return made;
 }

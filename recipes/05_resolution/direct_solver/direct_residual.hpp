@@ -106,6 +106,22 @@ inline bool is_strained(const DirectSystem& system, double largest)
   return largest > strain * brought;
 }
 
+/// How fast [m/s] overlaps open, at that point among those that push where it is fastest.
+inline double fastest_opening(const DirectSystem& system)
+{
+  double fastest = 0;
+  for (const DirectContact& contact : system.contacts)
+  {
+    for (std::size_t i = contact.first; i < contact.end; ++i)
+    {
+      const DirectPoint& point = system.points[i];
+      const double opening = -point.bias - point.impulse / contact.stiffness.push;
+      fastest = point.pressed && point.bias < 0 ? std::max(fastest, opening) : fastest;
+    }
+  }
+  return fastest;
+}
+
 /// How much is missing [N s], as a root of a sum of squares; turns count by the radius of gyration.
 inline double size_of_missing(const DirectSystem& system)
 {

@@ -146,6 +146,9 @@ public:
     return false;
   }
 
+  /// How fast [m/s] any overlap opens by what was found last.
+  double opening() const { return fastest_opening(system_); }
+
 private:
   /// Factors the matrix of the system; false if it has none.
   bool factor()

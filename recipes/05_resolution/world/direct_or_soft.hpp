@@ -5,6 +5,7 @@
 
 #include "05_resolution/contacts/moved_body.hpp"
 #include "05_resolution/direct_solver/direct_solver.hpp"
+#include "05_resolution/direct_solver/open_overlaps.hpp"
 #include "05_resolution/soft_steps/soft_steps.hpp"
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <functional>
 #include <map>
 #include <utility>
+#include <vector>
 
 namespace cookbook
 {
@@ -73,7 +75,13 @@ public:
   /// Moves an island on by a step [s].
   void operator()(IslandView world, const Island& island, double step)
   {
-    const DirectAnswer answer = solved(tries_of(world, island), world, island, step);
+    Tries& tries = tries_of(world, island);
+    motions_.clear();
+    for (const int body : island.bodies)
+    {
+      motions_.push_back(world.bodies[place_of(body)].motion);
+    }
+    const DirectAnswer answer = solved(tries, world, island, step);
     if (watch_)
     {
       watch_(island, answer);
@@ -83,9 +91,13 @@ public:
       forget_strain(world, island);
       return soft_steps(world, island, step, soft_);
     }
+    if (answer == DirectAnswer::exact && tries.direct.opening() > slow)
+    {
+      return open_overlaps(tries.direct, world, island, step, motions_);
+    }
     for (const int body : island.bodies)
     {
-      move(world.bodies[static_cast<std::size_t>(body)], step);
+      move(world.bodies[place_of(body)], step);
     }
   }
 
@@ -93,6 +105,7 @@ public:
   std::size_t remembered() const { return tries_.size(); }
 
 private:
+  static constexpr double slow = 1e-3; // [m/s], an opening that does no harm
   struct Tries
   {
     DirectSolver direct;
@@ -105,24 +118,26 @@ private:
   /// What is known of an island; of those that it was made of no more is, nor of what is gone.
   Tries& tries_of(IslandView world, const Island& island)
   {
+    const auto id = [&](int body) { return id_at(world.bodies, place_of(body)); };
     if (tries_.size() > 2 * kept_) // bodies that were taken out are fixed
     {
       std::erase_if(
           tries_,
           [&](const auto& one)
           {
-            const std::size_t first = place_of(one.first);
-            return first >= world.bodies.size() || is_fixed(world.bodies[first]);
+            const std::size_t first = place_in_lists(one.first);
+            return first >= world.bodies.size() || is_fixed(world.bodies[first]) ||
+                   id_at(world.bodies, first) != one.first;
           });
       kept_ = tries_.size() + 16;
     }
-    Tries& tries = tries_[island.bodies.front()];
+    Tries& tries = tries_[id(island.bodies.front())];
     if (tries.bodies != island.bodies.size())
     {
       tries.bodies = island.bodies.size();
       for (std::size_t i = 1; i < tries.bodies; ++i)
       {
-        tries_.erase(island.bodies[i]);
+        tries_.erase(id(island.bodies[i]));
       }
     }
     return tries;
@@ -145,9 +160,10 @@ private:
   }
 
   SoftSettings soft_;
+  std::vector<Motion<double>> motions_; // of an island's bodies before a step
   DirectWatch watch_;
-  std::map<int, Tries> tries_; // by the island's first body
-  std::size_t kept_ = 16;      // how many there were, and some more, when it was last tidied up
+  std::map<BodyId, Tries> tries_; // by the island's first body
+  std::size_t kept_ = 16;         // how many there were, and some more, when it was last tidied up
 };
 // [direct_or_soft]
 

@@ -25,8 +25,8 @@ namespace cookbook
 ///
 /// Bodies are known by ids, 0, 1, 2, … of those of the scene; an id is never given to another body.
 /// Lists, contacts and impacts have a body at its place, which is its id until one is put in where
-/// another was taken out. What is asked of a body that is not there, or not any more, is answered
-/// by std::out_of_range.
+/// another was taken out; till then who was taken out stays in lists, fixed. What is asked of a
+/// body that is not there, or not any more, is answered by std::out_of_range.
 class World
 {
 public:
@@ -61,7 +61,7 @@ public:
   const std::vector<WorldContact>& contacts() const { return state_.contacts; }
   /// Who hit whom in it, in the order of pairs; they may have been taken out since.
   const std::vector<Impact>& impacts() const { return state_.impacts; }
-  /// The bodies as the last step began, after its impacts.
+  /// The bodies as the last step began, after its impacts; those put in since as they are.
   const std::vector<PastBody>& bodies_before() const { return state_.start; }
   double time() const { return double(state_.steps) * scene().step; } ///< [s], since the start
   /// Whether a body is there: it was put in, and not taken out.
@@ -78,7 +78,7 @@ public:
   /// Who has a place, or had it last.
   BodyId id(std::size_t place) const
   {
-    return place < bodies().size() ? id_at(state_, place) : throw not_there(state_, place);
+    return place < bodies().size() ? id_at(bodies(), place) : throw not_there(state_, place);
   }
   const RigidBody& body(BodyId body) const { return bodies()[place(body)]; } ///< A body.
   /// Whether a body sleeps.
@@ -97,7 +97,7 @@ public:
     return id(place);
   }
 
-  /// Takes a body out: from the next step on it stays where it is, and nothing touches it. What has
+  /// Takes a body out: has() says so at once; from the next step on nothing touches it. What has
   /// leaned on it wakes. After that step its place is given to the next body that is put in.
   void remove(BodyId body) { leave(state_, place(body)); }
 

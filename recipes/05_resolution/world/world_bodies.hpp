@@ -16,14 +16,22 @@
 namespace cookbook
 {
 
-/// Wakes bodies, with all that hangs together with them; where none may sleep, none has to be
-/// found.
+/// Wakes bodies, with all that hangs together with them. Who is awake only has not rested yet, so
+/// that nothing has to be found.
 inline void wake_islands_of(WorldState& world, std::span<const int> bodies)
 {
-  if (world.may_sleep)
+  const auto asleep = [&](int body) { return sleeps(world, body); };
+  if (std::any_of(bodies.begin(), bodies.end(), asleep))
   {
     world.islands.find(world.bodies, world.contacts);
     wake(world.sleep, world.islands.numbers(), bodies);
+  }
+  else if (world.may_sleep)
+  {
+    for (const int body : bodies)
+    {
+      world.sleep[place_of(body)] = {};
+    }
   }
 }
 
@@ -89,19 +97,16 @@ inline std::size_t next_place(const WorldState& world)
 inline std::size_t enter(WorldState& world, const SceneBody& body)
 {
   const std::size_t i = next_place(world);
-  const bool had_another = i < world.bodies.size();
-  if (had_another)
+  RigidBody made = rigid_body(body);
+  if (i < world.bodies.size())
   {
     world.free.pop_back();
+    made.generation = world.bodies[i].generation + 1;
   }
-  put_at(world.generations, i, had_another ? world.generations[i] + 1 : 0);
   put_at(world.gone, i, false);
   put_at(world.scene.bodies, i, body);
-  put_at(world.bodies, i, rigid_body(body));
-  if (i < world.start.size())
-  {
-    world.start[i] = past_of(world.bodies[i]);
-  }
+  put_at(world.bodies, i, made);
+  put_at(world.start, i, past_of(made));
   world.sleep.resize(world.may_sleep ? world.bodies.size() : 0); // who has left was woken before
   world.bounds.push_back(bounds_now(world, i));
   world.has_balls = world.has_balls || world.bodies[i].round;
@@ -139,11 +144,8 @@ inline void put_elsewhere(
   body.motion.center = position;
   body.orientation = orientation.normalized();
   update_axes(body);
-  if (i < world.start.size())
-  {
-    world.start[i].motion.center = position;
-    world.start[i].orientation = body.orientation;
-  }
+  world.start[i].motion.center = position;
+  world.start[i].orientation = body.orientation;
   wake_touched_by(world, bounds_now(world, i));
 }
 // [world_bodies]

@@ -52,6 +52,14 @@ inline void apply_torque(World& world, BodyId body, const Vector3<double>& torqu
   check_finite("torque", torque);
   world.accelerate(body, {0, 0, 0}, world.body(body).inverse_inertia * torque);
 }
+
+/// Has a heavy body move as a platform in the next step, at a velocity [m/s]: so fast, and held up.
+inline void carry(World& world, BodyId platform, const Vector3<double>& velocity)
+{
+  const Vector3<double> none = Vector3<double>::Zero();
+  world.set_velocity(platform, velocity, none);
+  world.accelerate(platform, -world.scene().gravity, none);
+}
 // [world_inputs]
 
 } // namespace cookbook

@@ -55,7 +55,8 @@ inline Eigen::AlignedBox<double, 3> sure_bounds(const RigidBody& body, const Sce
 inline constexpr auto everybody = [](BodyId) { return true; };
 
 /// Answers questions about the bodies of a world as they are now; after a step, or once a body was
-/// put in, or elsewhere, it is made anew. Who was taken out meanwhile does not answer.
+/// put in, or elsewhere, or the world is another, it is made anew. Who was taken out meanwhile does
+/// not answer.
 class WorldQueries
 {
 public:
@@ -88,7 +89,7 @@ public:
   }
 
   /// The body that a ball meets first which is moved by a way [m], world, of those for which
-  /// `asked(id)`, the one with the least number of several; nothing if none, or if there is no
+  /// `asked(id)`, the one with the least id of several; nothing if none, or if there is no
   /// way to go. One that it overlaps is met at once, if the way leads deeper into it. InvalidShape
   /// if the ball is none, or the way not finite.
   template <class Asked = decltype(everybody)>

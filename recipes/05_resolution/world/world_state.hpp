@@ -11,7 +11,6 @@
 #include "05_resolution/sweeps/course.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -34,64 +33,47 @@ namespace cookbook
 {
 
 // [world_state]
-/// What a body of a world is known by. The lower half is its place in lists, the upper half says
-/// how many had that place before.
-using BodyId = std::uint64_t;
-
-/// The place of a body in lists.
-inline std::size_t place_in_lists(BodyId id)
-{
-  return static_cast<std::size_t>(id & 0xFFFF'FFFF);
-}
-
 /// All that a world knows; copied, it goes on as the original does.
 struct WorldState
 {
-  Scene scene;                            ///< what the bodies are, and what pulls them
-  bool may_sleep = false;                 ///< whether bodies that rest fall asleep
-  bool has_balls = false;                 ///< whether any body is a ball
-  long steps = 0;                         ///< since the start
-  std::vector<RigidBody> bodies;          ///< in the order of the scene
-  std::vector<PastBody> start;            ///< as the last step began, after its impacts
-  std::vector<bool> gone;                 ///< where nobody is any more
-  std::vector<std::uint32_t> generations; ///< how many had each place before
-  std::vector<std::size_t> left;          ///< places of those taken out since the last step
-  std::vector<std::size_t> free;          ///< places that may be given to others
-  std::vector<bool> falls;                ///< who fell freely in the last step
-  std::vector<bool> parted;               ///< who was moved out of an overlap, but not pushed
-  std::vector<SleepState<double>> sleep;  ///< who rests; empty if none may sleep
-  std::vector<Bounds> bounds;             ///< of all that are there
-  std::vector<Ahead> ahead;               ///< where each goes if nothing pushes it
-  BroadPhase near;                        ///< who may touch
-  std::vector<WorldContact> contacts;     ///< of the last step
-  std::vector<WorldContact> begun;        ///< those that began with it
-  std::vector<Impact> impacts;            ///< of the last step
-  Islands islands;                        ///< who hangs together
-  std::vector<Island> touching;           ///< those that a step gives to the solver
-  std::vector<IslandPoint> room;          ///< for the points of an island
-  std::vector<Course> courses;            ///< room for those of a sweep
-  std::vector<double> ways;               ///< [m], how far any point of a body went
-  std::vector<bool> too_deep;             ///< whom a solver left too deep, or who is swept by now
+  Scene scene;                           ///< what the bodies are, and what pulls them
+  bool may_sleep = false;                ///< whether bodies that rest fall asleep
+  bool has_balls = false;                ///< whether any body is a ball
+  long steps = 0;                        ///< since the start
+  std::vector<RigidBody> bodies;         ///< in the order of the scene
+  std::vector<PastBody> start;           ///< as the last step began, after its impacts
+  std::vector<bool> gone;                ///< where nobody is any more
+  std::vector<std::size_t> left;         ///< places of those taken out since the last step
+  std::vector<std::size_t> free;         ///< places that may be given to others
+  std::vector<bool> falls;               ///< who fell freely in the last step
+  std::vector<bool> parted;              ///< who was moved out of an overlap, but not pushed
+  std::vector<SleepState<double>> sleep; ///< who rests; empty if none may sleep
+  std::vector<Bounds> bounds;            ///< of all that are there
+  std::vector<Ahead> ahead;              ///< where each goes if nothing pushes it
+  BroadPhase near;                       ///< who may touch
+  std::vector<WorldContact> contacts;    ///< of the last step
+  std::vector<WorldContact> begun;       ///< those that began with it
+  std::vector<Impact> impacts;           ///< of the last step
+  Islands islands;                       ///< who hangs together
+  std::vector<Island> touching;          ///< those that a step gives to the solver
+  std::vector<IslandPoint> room;         ///< for the points of an island
+  std::vector<Course> courses;           ///< room for those of a sweep
+  std::vector<double> ways;              ///< [m], how far any point of a body went
+  std::vector<bool> too_deep;            ///< whom a solver left too deep, or who is swept by now
 };
-
-/// Who has a place, or had it last.
-inline BodyId id_at(const WorldState& world, std::size_t place)
-{
-  return BodyId(world.generations[place]) << 32 | place;
-}
 
 /// Whether a body is there: it was put in, and not taken out.
 inline bool is_there(const WorldState& world, BodyId id)
 {
   const std::size_t place = place_in_lists(id);
-  return place < world.bodies.size() && !world.gone[place] && id_at(world, place) == id;
+  return place < world.bodies.size() && !world.gone[place] && id_at(world.bodies, place) == id;
 }
 
 /// What is thrown where a body is asked for that is not there.
 inline std::out_of_range not_there(const WorldState& world, BodyId id)
 {
   const std::size_t place = place_in_lists(id);
-  const bool was_there = place < world.bodies.size() && id <= id_at(world, place);
+  const bool was_there = place < world.bodies.size() && id <= id_at(world.bodies, place);
   const std::string none = "there is no body " + std::to_string(id);
   return std::out_of_range(was_there ? none + " any more: it was taken out" : none);
 }
