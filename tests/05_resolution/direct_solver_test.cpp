@@ -16,6 +16,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -139,6 +140,13 @@ WorldRun directly(const std::string& scene, double duration)
 } // namespace
 
 // [opens]
+/// The angular momentum [kg m²/s], world, of a body of so many kilograms about the origin.
+Vector3<double> about_origin(const RigidBody& body, double mass)
+{
+  return mass * body.motion.center.cross(body.motion.velocity) +
+         world_inertia(body.moments, body.axes) * body.motion.angular_velocity;
+}
+
 TEST_CASE("a crate that gives nothing back stays at the wall that it meets, on ice and in space")
 {
   for (const double gravity : {9.81, 0.0})
@@ -187,11 +195,34 @@ TEST_CASE("two bricks that are put into each other come apart by 1 mm/s at most,
     }
     const RigidBody &one = world.body(0), &two = world.body(1);
     CHECK((two.motion.velocity - one.motion.velocity).norm() <= 1.1e-3);
+    CHECK(one.motion.angular_velocity.norm() <= 0.01);
+    CHECK(two.motion.angular_velocity.norm() <= 0.01);
+    CHECK(about_origin(one, 1).isApprox(-about_origin(two, 2), 1e-9));
     CHECK((one.motion.velocity + 2 * two.motion.velocity).norm() <= 1e-12);
     CHECK(
         (one.motion.center + 2 * two.motion.center - Vector3<double>(1.4, 0.2, 0.1)).norm() <=
         1e-12);
     CHECK((two.motion.center - one.motion.center).norm() > 0.75); // .707 apart at first
+  }
+}
+
+TEST_CASE("a cube that is deep in the ground comes out of it before it falls asleep")
+{
+  for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    for (const double height : {-0.4, 0.0, 0.3, 0.45})
+    {
+      CAPTURE(solver, height);
+      const Scene scene{.bodies = {ground(), cube_body("cube", {0, height, 0})}};
+      World world(scene, solver_named(solver), true);
+      while (world.time() < 5)
+      {
+        world.step();
+      }
+      CHECK(world.sleeps(1));
+      // It may sleep once it goes less than 2 mm in half a second.
+      CHECK(world.body(1).motion.center.y() == Catch::Approx(0.5).margin(3e-3));
+    }
   }
 }
 // [opens]
@@ -239,6 +270,42 @@ TEST_CASE("a factor of blocks solves 20 random systems of 12 bodies as a dense o
     {
       // Some hundred roundings of numbers of size one.
       CHECK((x[i] - expected.segment<6>(static_cast<Eigen::Index>(6 * i))).norm() <= 1e-13);
+    }
+  }
+}
+
+TEST_CASE("a chain is eliminated in the order of its numbers, a star from its points inwards")
+{
+  const std::vector<std::pair<int, int>> chain{{0, 1}, {2, 1}, {2, 3}},
+      star{{0, 1}, {0, 2}, {0, 3}};
+  CHECK(elimination_order(4, chain) == std::vector<int>{0, 1, 2, 3});
+  CHECK(elimination_order(4, star).front() != 0);
+  for (const auto& coupled : {chain, star})
+  {
+    BlockCholesky factor;
+    factor.lay_out(4, coupled, 10);
+    CHECK(factor.products() == 0);
+    factor.clear();
+    for (int i = 0; i < 4; ++i)
+    {
+      factor.diagonal(i) = 4 * Matrix6::Identity();
+    }
+    for (const auto& [i, j] : coupled)
+    {
+      factor.add_coupling(i, j, -Matrix6::Identity());
+    }
+    REQUIRE(factor.factor());
+    std::vector<Vector6> x;
+    for (int i = 0; i < 4; ++i)
+    {
+      const auto of_i = [i](const auto& pair) { return pair.first == i || pair.second == i; };
+      const auto neighbours = std::count_if(coupled.begin(), coupled.end(), of_i);
+      x.push_back(Vector6::Constant(4 - double(neighbours))); // what ones give
+    }
+    factor.solve(x);
+    for (const Vector6& one : x)
+    {
+      CHECK((one - Vector6::Ones()).norm() <= 1e-14);
     }
   }
 }

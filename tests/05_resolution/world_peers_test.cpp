@@ -27,7 +27,7 @@ TEST_CASE(
         }};
   };
   const std::vector<double> seconds = step_seconds({world("a"), world("b")}, 3, 2);
-  CHECK(log == "+aa+a+bb+bababab+aa+a+bb+bababab");
+  CHECK(log == "+aa+bb+a+bababab+aa+bb+a+bababab");
   REQUIRE(seconds.size() == 2);
   CHECK((seconds[0] >= 0 && seconds[0] < 1 && seconds[1] >= 0 && seconds[1] < 1));
 }

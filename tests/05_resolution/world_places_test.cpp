@@ -13,6 +13,7 @@
 #include <deque>
 #include <set>
 #include <string>
+#include <vector>
 
 using namespace cookbook;
 
@@ -95,11 +96,27 @@ TEST_CASE("who is put in where another was goes on as at a new place, to the bit
       {
         on(world, 1);
         on(other, 1);
-        CHECK(world.body(at_old).motion.center == other.body(at_new).motion.center);
+        const RigidBody &old = world.body(at_old), &fresh = other.body(at_new);
+        CHECK(old.motion.center == fresh.motion.center);
+        CHECK(old.motion.velocity == fresh.motion.velocity);
+        CHECK(old.orientation.coeffs() == fresh.orientation.coeffs());
+        CHECK(world.sleeps(at_old) == other.sleeps(at_new));
+        CHECK(world.sleeps(2) == other.sleeps(2));
         CHECK(world.body(2).motion.center == other.body(2).motion.center);
       }
     }
   }
+}
+
+TEST_CASE("who is put on a sleeper wakes it, also at the place of another")
+{
+  World world = one_has_left("direct", true);
+  on(world, 1);
+  REQUIRE(world.sleeps(2));
+  const BodyId next = world.add(cube_body("next", {5, 1.499, 0}));
+  CHECK(world.place(next) == 1);
+  CHECK_FALSE(world.sleeps(2));
+  CHECK_FALSE(world.sleeps(next));
 }
 
 TEST_CASE("a place is given on after a step, and its ids differ")

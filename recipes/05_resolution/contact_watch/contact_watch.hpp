@@ -18,7 +18,7 @@ namespace cookbook
 /// Compares the contacts of a world from one look to the next; pairs are those of ids.
 ///
 /// What touches and parts between two looks is not seen, and neither is what a sweep has bounced
-/// off within a step.
+/// off within a step. Who is only moved out of an overlap does not press.
 class ContactWatch
 {
 public:

@@ -19,8 +19,8 @@ namespace cookbook
 {
 
 // [rigid_body]
-/// What a body of a world is known by: its place in lists, and above that how many had the place
-/// before.
+/// What a body of a world is known by: its place in lists, and in the upper 32 bits how many had
+/// that place before.
 using BodyId = std::uint64_t;
 
 /// A body as a world moves it: one that can be pushed, and how it is turned.

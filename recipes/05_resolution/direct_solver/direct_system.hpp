@@ -84,7 +84,7 @@ inline void gather(
        system.points.size(), stiffness});
 }
 
-/// Makes a system one of nobody, with room for all of an island.
+/// Empties a system, with room for all of an island.
 inline void clear(DirectSystem& system, IslandView world, const Island& island)
 {
   std::size_t points = 0;
@@ -92,15 +92,15 @@ inline void clear(DirectSystem& system, IslandView world, const Island& island)
   {
     points += world.contacts[place_of(i)].points.size();
   }
-  const auto clear = [](auto& list, std::size_t count)
+  const auto empty = [](auto& list, std::size_t count)
   {
     list.clear();
     make_room(list, count);
   };
-  clear(system.bodies, island.bodies.size());
-  clear(system.velocities, island.bodies.size());
-  clear(system.contacts, island.contacts.size());
-  clear(system.points, points);
+  empty(system.bodies, island.bodies.size());
+  empty(system.velocities, island.bodies.size());
+  empty(system.contacts, island.contacts.size());
+  empty(system.points, points);
 }
 
 /// Makes a system of an island, at the velocities before the step [s].

@@ -5,6 +5,7 @@
 
 #include "05_resolution/contacts/moved_body.hpp"
 #include "05_resolution/direct_solver/direct_solver.hpp"
+#include "05_resolution/islands/island_points.hpp"
 
 #include <cstddef>
 #include <utility>

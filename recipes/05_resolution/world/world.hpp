@@ -23,7 +23,7 @@ namespace cookbook
 /// Bodies in motion, from a scene that makes sense. No body of it becomes NaN or infinite. A copy
 /// goes on as the original would, to the bit.
 ///
-/// Bodies are known by ids, 0, 1, 2, … of those of the scene; an id is never given to another body.
+/// Bodies are known by ids; those of the scene are 0, 1, 2, … An id is never given to another body.
 /// Lists, contacts and impacts have a body at its place, which is its id until one is put in where
 /// another was taken out; till then who was taken out stays in lists, fixed. What is asked of a
 /// body that is not there, or not any more, is answered by std::out_of_range.
@@ -61,7 +61,7 @@ public:
   const std::vector<WorldContact>& contacts() const { return state_.contacts; }
   /// Who hit whom in it, in the order of pairs; they may have been taken out since.
   const std::vector<Impact>& impacts() const { return state_.impacts; }
-  /// The bodies as the last step began, after its impacts; those put in since as they are.
+  /// The bodies as the last step began, after its impacts; those put in since as they were put in.
   const std::vector<PastBody>& bodies_before() const { return state_.start; }
   double time() const { return double(state_.steps) * scene().step; } ///< [s], since the start
   /// Whether a body is there: it was put in, and not taken out.

@@ -16,8 +16,8 @@
 namespace cookbook
 {
 
-/// Wakes bodies, with all that hangs together with them. Who is awake only has not rested yet, so
-/// that nothing has to be found.
+/// Wakes bodies, with all that hangs together with them. For those that are awake it is enough to
+/// begin their watch anew.
 inline void wake_islands_of(WorldState& world, std::span<const int> bodies)
 {
   const auto asleep = [&](int body) { return sleeps(world, body); };
@@ -97,19 +97,20 @@ inline std::size_t next_place(const WorldState& world)
 inline std::size_t enter(WorldState& world, const SceneBody& body)
 {
   const std::size_t i = next_place(world);
+  const bool had_another = i < world.bodies.size();
   RigidBody made = rigid_body(body);
-  if (i < world.bodies.size())
-  {
-    world.free.pop_back();
-    made.generation = world.bodies[i].generation + 1;
-  }
-  put_at(world.gone, i, false);
+  made.generation = had_another ? world.bodies[i].generation + 1 : 0;
   put_at(world.scene.bodies, i, body);
   put_at(world.bodies, i, made);
   put_at(world.start, i, past_of(made));
   world.sleep.resize(world.may_sleep ? world.bodies.size() : 0); // who has left was woken before
   world.bounds.push_back(bounds_now(world, i));
-  world.has_balls = world.has_balls || world.bodies[i].round;
+  world.balls += made.round ? 1 : 0;
+  put_at(world.gone, i, false);
+  if (had_another)
+  {
+    world.free.pop_back();
+  }
   return i;
 }
 
@@ -119,6 +120,7 @@ inline void leave(WorldState& world, std::size_t i)
 {
   wake_around(world, static_cast<int>(i));
   fix(world.bodies[i]);
+  world.balls -= world.bodies[i].round ? 1 : 0;
   world.gone[i] = true;
   world.left.push_back(i);
   std::erase_if(world.bounds, [&](const Bounds& bound) { return place_of(bound.body) == i; });

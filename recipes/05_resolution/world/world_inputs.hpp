@@ -53,7 +53,8 @@ inline void apply_torque(World& world, BodyId body, const Vector3<double>& torqu
   world.accelerate(body, {0, 0, 0}, world.body(body).inverse_inertia * torque);
 }
 
-/// Has a heavy body move as a platform in the next step, at a velocity [m/s]: so fast, and held up.
+/// Has a heavy body move as a platform in the next step, at a velocity [m/s]: so fast, without
+/// spin, and held up against gravity. It is called once a step; a fixed body stays where it is.
 inline void carry(World& world, BodyId platform, const Vector3<double>& velocity)
 {
   const Vector3<double> none = Vector3<double>::Zero();

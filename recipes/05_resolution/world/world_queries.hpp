@@ -54,9 +54,9 @@ inline Eigen::AlignedBox<double, 3> sure_bounds(const RigidBody& body, const Sce
 /// Asks every body.
 inline constexpr auto everybody = [](BodyId) { return true; };
 
-/// Answers questions about the bodies of a world as they are now; after a step, or once a body was
-/// put in, or elsewhere, or the world is another, it is made anew. Who was taken out meanwhile does
-/// not answer.
+/// Answers questions about the bodies of a world as they are now. It is made anew after a step,
+/// once a body was put in, or elsewhere, and once the world is another. Who was taken out meanwhile
+/// does not answer.
 class WorldQueries
 {
 public:

@@ -3,6 +3,7 @@
 /// \file
 /// \brief What a world knows, and that it goes on by a step.
 
+#include "01_math/turning/rotation_by.hpp"
 #include "05_resolution/contacts/broad_phase.hpp"
 #include "05_resolution/impacts/impact.hpp"
 #include "05_resolution/islands/island_points.hpp"
@@ -38,7 +39,7 @@ struct WorldState
 {
   Scene scene;                           ///< what the bodies are, and what pulls them
   bool may_sleep = false;                ///< whether bodies that rest fall asleep
-  bool has_balls = false;                ///< whether any body is a ball
+  int balls = 0;                         ///< how many of those that are there
   long steps = 0;                        ///< since the start
   std::vector<RigidBody> bodies;         ///< in the order of the scene
   std::vector<PastBody> start;           ///< as the last step began, after its impacts
@@ -90,21 +91,27 @@ inline bool is_still(const WorldState& world, int body)
   return is_fixed(world.bodies[place_of(body)]) || sleeps(world, body);
 }
 
-/// Watches whether a body rests, if any may sleep: what is pulled and falls freely does not.
+/// Watches whether a body rests, if any may sleep: what is pulled and falls freely does not, nor
+/// what is moved out of an overlap, whatever its velocity.
 inline void watch_rest(WorldState& world, std::size_t i)
 {
   if (!world.may_sleep)
   {
     return;
   }
-  const Motion<double>& motion = world.bodies[i].motion;
-  const bool flies = world.falls[i] && !pull_on(world.start[i], world.scene.gravity).isZero(0);
-  const auto& shape = world.scene.bodies[i].shape;
-  const double radius = bounds_of(world.bodies[i], shape, 0).sizes().norm() / 2;
+  const double step = world.scene.step;
+  const RigidBody& body = world.bodies[i];
+  const PastBody& start = world.start[i];
+  const auto larger = [](const Vector3<double>& one, const Vector3<double>& other)
+  { return one.squaredNorm() > other.squaredNorm() ? one : other; };
+  const Vector3<double> way = body.motion.center - start.motion.center;
+  const Vector3<double> turn = turn_between<double>(start.orientation, body.orientation);
+  const bool flies = world.falls[i] && !pull_on(start, world.scene.gravity).isZero(0);
+  const double radius = bounds_of(body, world.scene.bodies[i].shape, 0).sizes().norm() / 2;
   const SleepState<double> before = flies ? SleepState<double>{} : world.sleep[i];
-  world.sleep[i] = watched(
-      before, motion.velocity, motion.angular_velocity, radius, world.scene.step,
-      SleepLimits<double>{});
+  world.sleep[i] = watched<double>(
+      before, larger(body.motion.velocity, way / step),
+      larger(body.motion.angular_velocity, turn / step), radius, step, SleepLimits<double>{});
 }
 // [world_state]
 

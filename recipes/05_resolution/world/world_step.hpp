@@ -128,7 +128,7 @@ inline void sweep(WorldState& world)
 {
   StepCourses step{world.scene,       world.start,   world.contacts, world.falls,   world.gone,
                    world.near.last(), world.courses, world.ways,     world.too_deep};
-  if (!has_boxes_to_sweep(step, world.ahead, world.bodies) && !world.has_balls)
+  if (!has_boxes_to_sweep(step, world.ahead, world.bodies) && world.balls == 0)
   {
     return world.courses.shrink_to_fit(); // as long as nothing is swept
   }

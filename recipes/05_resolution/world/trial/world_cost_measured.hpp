@@ -36,8 +36,8 @@ inline double seconds_of(const std::function<void()>& run)
 ///
 /// The worlds take turns at every step, and all of it is repeated: a step is the same work each
 /// time, so the least of its times counts, and whatever else the machine does is left out. Before
-/// each start all worlds are made once to take a step, so that the code of a first one has been
-/// read as recently as that of every other.
+/// each start every world is built once more, and takes a step that does not count, so that the
+/// code of first steps has been read lately.
 inline std::vector<std::vector<double>>
 each_step_seconds(const std::vector<TimedWorld>& worlds, int steps, int repetitions = 3)
 {
@@ -46,10 +46,13 @@ each_step_seconds(const std::vector<TimedWorld>& worlds, int steps, int repetiti
   std::vector<std::vector<double>> least(worlds.size(), std::vector<double>(count, never));
   for (int repetition = 0; repetition < repetitions; ++repetition)
   {
-    std::vector<std::function<void()>> built;
     for (const TimedWorld& world : worlds)
     {
       world.build()();
+    }
+    std::vector<std::function<void()>> built;
+    for (const TimedWorld& world : worlds)
+    {
       built.push_back(world.build());
     }
     for (std::size_t step = 0; step < count; ++step)
