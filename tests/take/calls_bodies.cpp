@@ -383,7 +383,9 @@ int main()
       [watch = ContactWatch()](Draw& draw, Bits& bits) mutable
       {
         std::vector<WorldContact> contacts;
-        const std::vector<RigidBody> bodies(5, rigid_body({.shape = SphereShape{1}, .mass = 1}));
+        SceneBody ball;
+        ball.shape = SphereShape{1};
+        const std::vector<RigidBody> bodies(5, rigid_body(ball));
         for (int b = 1; b < 5; ++b)
         {
           WorldContact contact{};
