@@ -63,7 +63,7 @@ TEST_CASE("a body that is put in while others sleep wakes whom it hits only, and
     world.step();
   }
   REQUIRE((world.sleeps(1) && world.sleeps(4)));
-  const std::size_t added = world.add(cube_body("late", {0, 3.6, 0}));
+  const BodyId added = world.add(cube_body("late", {0, 3.6, 0}));
   CHECK(added == 5);
   while (!(world.bodies()[added].motion.velocity.y() > -0.1 && world.time() > 2.1))
   {

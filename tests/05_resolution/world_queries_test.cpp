@@ -123,7 +123,7 @@ TEST_CASE("balls and boxes in a pile overlap what they overlap when every body i
   for (int i = 0; i < inputs(500, 25); ++i)
   {
     const Sphere<double> ball{draw.vector(-3, 3), draw.between(0.1, 1)};
-    std::vector<std::size_t> wanted;
+    std::vector<BodyId> wanted;
     for (std::size_t j = 0; j < world.bodies().size(); ++j)
     {
       const bool meets = std::visit(
@@ -147,7 +147,7 @@ TEST_CASE("a ray down on a tower meets the top at 1.5 m, and the ground once it 
   CHECK((top->body == 2 && top->hit.t == 0.75));
   CHECK(top->hit.normal == Vector3<double>(0, 1, 0));
   const Obb<double> around{{0, 1, 0}, Matrix3<double>::Identity(), {0.1, 0.2, 0.1}};
-  CHECK(WorldQueries(world).overlapping(around) == std::vector<std::size_t>{1, 2});
+  CHECK(WorldQueries(world).overlapping(around) == std::vector<BodyId>{1, 2});
   world.remove(1);
   world.remove(2);
   CHECK(WorldQueries(world).cast(down)->body == 0);
@@ -189,33 +189,33 @@ TEST_CASE(
   const WorldQueries queries(world);
   const Vector3<double> eye(0.1, 3.5, 0.2), down(0, -2, 0);
   const Sphere<double> above{eye, 0.25};
-  const auto not_top = [](std::size_t body) { return body != 2; };
+  const auto not_top = [](BodyId body) { return body != 2; };
   CHECK(queries.cast({eye, down}, not_top)->body == 1);
   CHECK(queries.cast({eye, down}, not_top)->hit.t == 1.25);
-  CHECK_FALSE(queries.cast({eye, down}, [](std::size_t) { return false; }));
+  CHECK_FALSE(queries.cast({eye, down}, [](BodyId) { return false; }));
   CHECK(queries.cast(above, down)->body == 2);
   CHECK_FALSE(queries.cast(above, down, not_top)); // it ends at 1.25 m
   CHECK(queries.cast(above, {0, -4, 0}, not_top)->body == 1);
-  CHECK(queries.overlapping(Sphere<double>{{0, 1, 0}, 0.25}) == std::vector<std::size_t>{1, 2});
+  CHECK(queries.overlapping(Sphere<double>{{0, 1, 0}, 0.25}) == std::vector<BodyId>{1, 2});
   world.remove(2);
   CHECK(queries.cast({eye, down})->body == 1);
   CHECK_FALSE(queries.cast(above, down));
-  CHECK(queries.overlapping(Sphere<double>{{0, 1, 0}, 0.25}) == std::vector<std::size_t>{1});
+  CHECK(queries.overlapping(Sphere<double>{{0, 1, 0}, 0.25}) == std::vector<BodyId>{1});
 }
 
 // [shot]
 TEST_CASE("a shot past oneself meets the tower, and an explosion beside it throws what is near")
 {
   World world(named_scene("tower_2"), solver_named("direct"));
-  const std::size_t player = world.add(ball_body("player", 0.5, {3, 0.5, 0}));
+  const BodyId player = world.add(ball_body("player", 0.5, {3, 0.5, 0}));
   const Vector3<double> eye = world.body(player).motion.center, forward(-1, 0, 0);
 
   const WorldQueries queries(world);
-  const auto met = queries.cast({eye, forward}, [&](std::size_t body) { return body != player; });
+  const auto met = queries.cast({eye, forward}, [&](BodyId body) { return body != player; });
   CHECK(met->body == 1);
 
   const Vector3<double> center = eye + met->hit.t * forward;
-  for (const std::size_t body : queries.overlapping(Sphere<double>{center, 1.2}))
+  for (const BodyId body : queries.overlapping(Sphere<double>{center, 1.2}))
   {
     apply_impulse(world, body, 20 * (world.body(body).motion.center - center).normalized());
   }
