@@ -23,6 +23,7 @@ class ContactWatch
 {
 public:
   using Pair = std::pair<BodyId, BodyId>; ///< two bodies
+
   /// Looks at the contacts of a world's last step, and whose they are.
   void look(std::span<const WorldContact> contacts, std::span<const RigidBody> bodies)
   {

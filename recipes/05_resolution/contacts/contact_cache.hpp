@@ -5,6 +5,7 @@
 
 #include "05_resolution/contacts/broad_phase.hpp"
 #include "05_resolution/contacts/narrow_phase.hpp"
+#include "05_resolution/lanes/make_room.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,10 +42,7 @@ inline WorldContact new_contact(const Scene& scene, int a, int b)
 inline void merge_in(std::vector<WorldContact>& contacts, std::span<WorldContact> others)
 {
   std::size_t known = contacts.size(), other = others.size();
-  if (known + other > contacts.capacity())
-  {
-    contacts.reserve((known + other) * 9 / 8);
-  }
+  make_room(contacts, known + other);
   contacts.resize(known + other);
   while (other > 0)
   {

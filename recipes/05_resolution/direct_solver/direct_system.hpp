@@ -5,7 +5,7 @@
 
 #include "05_resolution/direct_solver/direct_blocks.hpp"
 #include "05_resolution/direct_solver/direct_give.hpp"
-#include "05_resolution/islands/make_room.hpp"
+#include "05_resolution/lanes/make_room.hpp"
 
 #include <algorithm>
 #include <cmath>

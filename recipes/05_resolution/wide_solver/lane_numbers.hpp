@@ -3,8 +3,8 @@
 /// \file
 /// \brief The numbers of contacts in groups, as they lie in memory.
 
-#include "05_resolution/islands/make_room.hpp"
 #include "05_resolution/lanes/line_allocator.hpp"
+#include "05_resolution/lanes/make_room.hpp"
 #include "05_resolution/wide_solver/wide_contact.hpp"
 #include "05_resolution/wide_solver/wide_groups.hpp"
 

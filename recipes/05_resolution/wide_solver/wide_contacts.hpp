@@ -3,7 +3,7 @@
 /// \file
 /// \brief The contacts of islands side by side, colour by colour, and all that is done to them.
 
-#include "05_resolution/islands/make_room.hpp"
+#include "05_resolution/lanes/make_room.hpp"
 #include "05_resolution/wide_solver/islands_together.hpp"
 #include "05_resolution/wide_solver/lane_numbers.hpp"
 #include "05_resolution/wide_solver/passes_in_lanes.hpp"

@@ -7,7 +7,7 @@
 #include "05_resolution/contact_graph/contact_graph.hpp"
 #include "05_resolution/contacts/groups.hpp"
 #include "05_resolution/islands/island_points.hpp"
-#include "05_resolution/islands/make_room.hpp"
+#include "05_resolution/lanes/make_room.hpp"
 #include "05_resolution/wide_solver/wide_view.hpp"
 
 #include <cstddef>

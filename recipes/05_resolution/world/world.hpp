@@ -80,7 +80,7 @@ public:
   {
     return place < bodies().size() ? id_at(bodies(), place) : throw not_there(state_, place);
   }
-  const RigidBody& body(BodyId body) const { return bodies()[place(body)]; } ///< A body.
+  const RigidBody& body(BodyId body) const { return bodies()[place(body)]; } ///< a body
   /// Whether a body sleeps.
   bool sleeps(BodyId body) const { return cookbook::sleeps(state_, static_cast<int>(place(body))); }
 
