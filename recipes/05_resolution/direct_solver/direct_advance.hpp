@@ -13,6 +13,7 @@
 namespace cookbook
 {
 
+// [direct_advance]
 /// How fast the energy falls along a change of velocities.
 inline double missing_along(const DirectSystem& system, const std::vector<Vector6>& change)
 {
@@ -34,7 +35,6 @@ push_as_before(const std::vector<DirectPoint>& now, const std::vector<PushingWay
       { return one == then && one.grip != Grip::slip; });
 }
 
-// [direct_advance]
 /// How far a change of velocities was followed.
 struct Advance
 {

@@ -17,8 +17,8 @@ namespace cookbook
 {
 
 // [direct_bounds]
-/// Takes all new points for pressed that gravity, in one step, could bring to a speed [m/s]: so a
-/// tower stands from the first iteration on, not box upon box. Whether there are any: then the
+/// Takes all new points for pressed whose gaps a speed [m/s] could close in a step: so a tower
+/// stands from the first iteration on, not box upon box. Whether there are any: then the
 /// first change, which takes what is missing without them, leads past the answer.
 inline bool guess(DirectSystem& system, double speed)
 {

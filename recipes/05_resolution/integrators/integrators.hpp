@@ -73,7 +73,7 @@ struct VerletPoint
 };
 
 /// One step by velocity Verlet: the position along a parabola, the velocity by the mean of the
-/// accelerations at both ends; R22. Exact in free fall.
+/// accelerations at both ends. Exact in free fall.
 ///
 /// One evaluation; the acceleration it finds serves the next step.
 template <class Place, class Real, class Acceleration>
