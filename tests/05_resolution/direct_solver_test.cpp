@@ -225,6 +225,80 @@ TEST_CASE("a cube that is deep in the ground comes out of it before it falls asl
 }
 // [opens]
 
+namespace
+{
+
+/// How fast [m/s] any body of a scene without gravity is after ten seconds under the direct solver.
+double fastest_in_the_end(Scene scene)
+{
+  scene.gravity.setZero();
+  World world(scene, solver_named("direct"));
+  while (world.time() < 10)
+  {
+    world.step();
+  }
+  double fastest = 0;
+  for (const RigidBody& body : world.bodies())
+  {
+    fastest = std::max(fastest, body.motion.velocity.norm());
+  }
+  return fastest;
+}
+
+} // namespace
+
+TEST_CASE("what is put into another at rest, with friction, parts and stays at rest")
+{
+  BoxDraw draw(17);
+  const Vector3<double> half{0.3, 0.4, 0.5};
+  int turned_are_fast = 0;
+  for (int i = 0; i < inputs(100, 3); ++i)
+  {
+    CAPTURE(i);
+    const Vector3<double> beside = draw.direction();
+    Scene balls{.bodies = {ball_body("one", 0.5, {0, 0, 0})}};
+    balls.bodies.push_back(ball_body("other", 0.5, draw.between(0.8, 0.95) * beside));
+    CHECK(fastest_in_the_end(balls) <= 1.1e-3);
+
+    Scene cubes{.bodies = {cube_body("one", {0, 0, 0}), cube_body("other", 0.85 * beside)}};
+    CHECK(fastest_in_the_end(cubes) <= 1.1e-3);
+
+    cubes.bodies[0].mass = 0;
+    CHECK(fastest_in_the_end(cubes) <= 1.1e-3);
+
+    Scene crate{.bodies = {box_body("wall", {5, 0.5, 5}, {0, -0.5, 0}, 0)}};
+    crate.bodies.push_back(box_body("crate", half, {0, 0.2, 0}));
+    crate.bodies[1].orientation = Quaternion<double>(draw.rotation());
+    turned_are_fast += fastest_in_the_end(crate) > 0.01;
+  }
+  CHECK(turned_are_fast <= 10);
+}
+
+TEST_CASE(
+    "what hangs tilted between walls that are too close gathers no speed, and is not shot out")
+{
+  const double tilt = std::numbers::pi / 9, half = 0.4 * std::cos(tilt) + 0.2 * std::sin(tilt);
+  const double out = 0.5 + half - 0.01;
+  Scene scene{.bodies = {ground(), box_body("brick", {0.4, 0.2, 0.2}, {0, 5, 0})}};
+  scene.bodies[1].orientation = Eigen::AngleAxisd(tilt, Vector3<double>::UnitZ());
+  scene.bodies.push_back(box_body("left", {0.5, 9, 9}, {-out, 9, 0}, 0));
+  scene.bodies.push_back(box_body("right", {0.5, 9, 9}, {out, 9, 0}, 0));
+  World world(scene, solver_named("direct"));
+  while (world.time() < 4)
+  {
+    world.step();
+    CHECK(world.body(1).motion.velocity.norm() <= 0.5);
+  }
+  CHECK(world.body(1).motion.velocity.norm() <= 1e-3);
+  CHECK(world.body(1).motion.center.y() > 4.9);
+  world.remove(3);
+  for (int i = 0; i < 20; ++i)
+  {
+    world.step();
+  }
+  CHECK(world.body(1).motion.velocity.norm() <= 20.5 * 9.81 / 60); // what falls is as fast
+}
+
 // [cholesky]
 TEST_CASE("a factor of blocks solves 20 random systems of 12 bodies as a dense one does")
 {
@@ -652,14 +726,74 @@ TEST_CASE("a soft contact gives way to what it carried at 1 cm/s, and is never s
   CHECK(held_friction(contact, point, 8, 1).isApprox(Vector3<double>(0.9 * 3, 0, 0)));
   CHECK(held_friction(contact, point, 2, 1).isApprox(Vector3<double>(0.5 * 2, 0, 0)));
   CHECK(held_friction(contact, point, -1, 1).norm() == 0);
+  point.strained = true;
+  CHECK(held_friction(contact, point, 8, 1).norm() == 0);
 }
 // [give]
+
+TEST_CASE("a strain is more than four times what all bodies bring, in a push or in friction")
+{
+  DirectSystem system;
+  system.bodies.resize(1);
+  system.bodies[0] = {2, Matrix3<double>::Identity(), Vector6::Zero()};
+  system.bodies[0].free[1] = -3; // 6 N s
+  system.points.resize(1);
+  system.points[0].friction = {0, 0, 23};
+  CHECK_FALSE(is_strained(system, 24));
+  CHECK(is_strained(system, 25));
+  system.points[0].friction = {0, 15, 20};
+  CHECK(is_strained(system, 24));
+}
+
+TEST_CASE("24 bodies with friction of a million fall into a bin: no step throws them up")
+{
+  for (int seed = 0; seed < inputs(40, 1); ++seed)
+  {
+    BoxDraw draw(static_cast<std::uint32_t>(seed));
+    Scene scene{.bodies = {ground()}};
+    for (const double side : {-1.0, 1.0})
+    {
+      scene.bodies.push_back(box_body("wall", {0.5, 6, 1.5}, {1.5 * side, 3, 0}, 0));
+      scene.bodies.push_back(box_body("wall", {1.5, 6, 0.5}, {0, 3, 1.5 * side}, 0));
+    }
+    double mass = 0;
+    for (int i = 0; i < 24; ++i)
+    {
+      SceneBody body = box_body("box", draw.vector(0.08, 0.3), {0, 0, 0});
+      if (draw.whole(3) == 0)
+      {
+        body = ball_body("ball", draw.between(0.1, 0.3), {0, 0, 0});
+      }
+      body.mass = seed % 2 == 0 ? 1 : draw.between(1, 10) * draw.between(1, 10);
+      body.position = {draw.between(-0.6, 0.6), 0.6 + 0.35 * i, draw.between(-0.6, 0.6)};
+      body.orientation = Quaternion<double>(draw.rotation());
+      body.angular_velocity = draw.between(0, 10) * draw.direction();
+      mass += body.mass;
+      scene.bodies.push_back(body);
+    }
+    for (SceneBody& body : scene.bodies)
+    {
+      body.friction = 1e6;
+    }
+    World world(scene, solver_named("direct"));
+    double most = 0, before = energy(world.bodies(), scene.gravity);
+    while (world.time() < 4)
+    {
+      world.step();
+      const double now = energy(world.bodies(), scene.gravity);
+      most = std::max(most, now - before);
+      before = now;
+    }
+    CAPTURE(seed);
+    CHECK(most / (mass * 9.81) <= 0.1); // m, by which it would lift all of them
+  }
+}
 
 // [factored_points]
 TEST_CASE("a factor is at hand if the same points push, in the same way, where they did")
 {
   const Vector3<double> none = Vector3<double>::Zero();
-  const DirectPoint idle{{false, Grip::none}, {none, none}, 0, 0, false, none, 0, none, none};
+  const DirectPoint idle{{false, Grip::none}, {none, none}, 0, 0, 0, false, none, 0, none, none};
   DirectPoint held = idle;
   held.pressed = true;
   held.grip = Grip::stick;

@@ -309,6 +309,29 @@ TEST_CASE("nor is a cube that bears a thousand times its weight meanwhile")
 }
 // [jammed]
 
+TEST_CASE("a step that is refused changes no body, and its forces are forgotten", "[case:L3]")
+{
+  Scene scene{.gravity = {0, 0, 0}};
+  scene.bodies.assign(300, cube_body("heaped", {0, 0, 0}));
+  scene.bodies.push_back(cube_body("damped", {100, 0, 0}));
+  scene.bodies.back().damping = 6;
+  scene.bodies.back().velocity = {1, 0, 0};
+  World world(scene, solver_named("direct"));
+  for (int i = 0; i < 3; ++i)
+  {
+    world.accelerate(300, {60, 0, 0}, {0, 0, 0});
+    CHECK_THROWS_AS(world.step(), TooManyContacts);
+  }
+  CHECK(world.time() == 0);
+  CHECK(world.body(300).motion.velocity == Vector3<double>(1, 0, 0));
+  for (BodyId id = 0; id < 300; ++id)
+  {
+    world.remove(id);
+  }
+  world.step();
+  CHECK(world.body(300).motion.velocity.x() == Catch::Approx(std::exp(-0.1)).epsilon(1e-12));
+}
+
 TEST_CASE("what is asked of a body that is not there, or not any more, says so", "[case:L3]")
 {
   World world(named_scene("tower_2"), solver_named("direct"));

@@ -61,7 +61,7 @@ inline void forget_forces(RigidBody& body)
   body.angular_acceleration.setZero();
 }
 
-/// Forces last as long as this, also where a solver throws.
+/// Forces last as long as this, also where a step throws.
 struct ForcesOfStep
 {
   std::vector<RigidBody>& bodies; ///< whose forces they are

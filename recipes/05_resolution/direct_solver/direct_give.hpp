@@ -45,11 +45,12 @@ stiffness_of(const WorldContact& contact, double inverse_mass, const DirectSetti
 }
 
 /// The friction [N s] that a soft point keeps from the frame before: no more than its overlap
-/// alone, which pushes by so much [N s], would bear. Stiff points need none.
+/// alone, which pushes by so much [N s], would bear. Stiff points need none; of a strain none is
+/// kept, for what held it in balance may be gone.
 inline Vector3<double>
 held_friction(const WorldContact& contact, const WorldPoint& point, double push, double give)
 {
-  if (give == 0)
+  if (give == 0 || point.strained)
   {
     return Vector3<double>::Zero();
   }
@@ -65,6 +66,7 @@ inline DirectSettings settings_at(double give)
   if (give > 0)
   {
     settings.tolerance = GiveSettings().tolerance;
+    settings.bounds_move = false;
   }
   return settings;
 }

@@ -25,7 +25,13 @@ struct DirectSettings
   int iterations = 8;               ///< of Newton's method, after which it gives up
   std::size_t products = 100'000;   ///< of blocks, above which factoring takes too long
   double give = 0;                  ///< [1], 0: contacts are stiff; 1: soft, as GiveSettings says
+  double missing = 0;               ///< [N s], may be missing in any case
+  bool bounds_move = true;   ///< whether friction is bounded by the pushes found here, or before
+  bool opening_grips = true; ///< whether there is friction where an overlap opens
 };
+
+/// An overlap that opens no faster than this [m/s] does no harm.
+inline constexpr double slow_opening = 1e-3;
 // [direct_settings]
 
 // [direct_point]
@@ -63,6 +69,7 @@ inline bool pushes(const PushingWay& way)
 struct DirectPoint : PushingWay
 {
   Arms<double> arms;        ///< [m], world, from the centres of mass
+  double coefficient;       ///< [1], of friction
   double bias;              ///< [m/s], the speed at which the gap may close, or is to open
   double bound;             ///< [N s], the most that friction can do; infinite: not known yet
   bool solved;              ///< whether the frame before knew it

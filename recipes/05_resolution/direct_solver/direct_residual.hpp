@@ -93,9 +93,13 @@ inline double squared_radius(const DirectBody& body)
 /// by what pulls it. More is the strain of bodies that are jammed between others which give no way.
 inline constexpr double strain = 4;
 
-/// Whether the largest impulse [N s] of an island is such a strain.
+/// Whether the largest impulse [N s] of an island, or its friction, is such a strain.
 inline bool is_strained(const DirectSystem& system, double largest)
 {
+  for (const DirectPoint& point : system.points)
+  {
+    largest = std::max(largest, point.friction.norm());
+  }
   double brought = 0; // [N s]
   for (const DirectBody& body : system.bodies)
   {
@@ -120,6 +124,14 @@ inline double fastest_opening(const DirectSystem& system)
     }
   }
   return fastest;
+}
+
+/// Whether there is friction at any point whose overlap opens.
+inline bool holds_openings(const DirectSystem& system)
+{
+  return std::any_of(
+      system.points.begin(), system.points.end(),
+      [](const DirectPoint& point) { return point.bias < -slow_opening && point.coefficient > 0; });
 }
 
 /// How much is missing [N s], as a root of a sum of squares; turns count by the radius of gyration.

@@ -50,7 +50,7 @@ inline bool moved_bounds(DirectSystem& system, double tolerance, bool all)
       {
         continue;
       }
-      const double bound = contact.of->friction * point.impulse;
+      const double bound = point.coefficient * point.impulse;
       const double above = point.friction.norm() - bound;
       const auto off_by_more_than = [&](double most)
       { return above > most || (point.grip != Grip::stick && -above > most); };
@@ -130,13 +130,14 @@ public:
       matrix_.solve(change_);
       const Advance gone = advance(system_, change_);
       const double most = largest_impulse(system_);
-      const double small = std::max(settings.tolerance * most, rounding_of(system_));
+      small_ = std::max({settings.tolerance * most, rounding_of(system_), settings.missing});
       const bool exact = gone.exact && fresh && (i > 0 || !guessed);
-      const bool found = exact || size_of_missing(system_) <= small;
+      const bool found = exact || size_of_missing(system_) <= small_;
       missing_ = system_.missing; // before the bounds move
       const bool follows = found || gone.stuck || (stiff && gone.part >= 0.5);
       const bool moved =
-          follows && moved_bounds(system_, settings.friction_tolerance * most, stiff);
+          follows &&
+          moved_bounds(system_, settings.friction_tolerance * most, settings.bounds_move);
       if (found && !moved)
       {
         scatter(system_, missing_, is_strained(system_, most), world, island);
@@ -146,7 +147,11 @@ public:
     return false;
   }
 
-  /// How fast [m/s] any overlap opens by what was found last.
+  /// How much [N s] might be missing in what was found last.
+  double small() const { return small_; }
+  /// Whether there was friction, with an answer or without, where an overlap opens.
+  bool holds_openings() const { return cookbook::holds_openings(system_); }
+  /// How fast [m/s] any overlap opens by it.
   double opening() const { return fastest_opening(system_); }
 
 private:
@@ -188,6 +193,7 @@ private:
   FactoredPoints factored_;
   std::vector<Vector6> change_, missing_;
   std::vector<std::pair<int, int>> coupled_, laid_out_;
+  double small_ = 0;
 };
 // [direct_solver]
 

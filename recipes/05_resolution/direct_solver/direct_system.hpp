@@ -75,8 +75,9 @@ inline void gather(
     made.bias = apart > 0 ? apart : -opening;
     made.solved = point.solved;
     made.held = held_friction(contact, point, opening * stiffness.push, settings.give);
-    made.bound = point.impulse > 0 || contact.friction == 0
-                     ? contact.friction * point.impulse
+    made.coefficient = settings.opening_grips || opening <= slow_opening ? contact.friction : 0;
+    made.bound = point.impulse > 0 || made.coefficient == 0
+                     ? made.coefficient * point.impulse
                      : std::numeric_limits<double>::infinity();
   }
   system.contacts.push_back(

@@ -16,8 +16,8 @@ namespace cookbook
 
 // [open_overlaps]
 /// Solves an island, of which these are the motions before a step [s], once more, without the speed
-/// that opens overlaps, and moves it on with that speed; then takes it back, so that nobody is shot
-/// out of where he was too deep.
+/// that opens overlaps but with the friction that it allows, and moves it on with that speed; then
+/// takes it back, so that nobody is shot out of where he was too deep.
 inline void open_overlaps(
     DirectSolver& solver, IslandView world, const Island& island, double step,
     std::vector<Motion<double>>& motions)
@@ -30,7 +30,8 @@ inline void open_overlaps(
     }
   };
   swap_motions();
-  const bool found = solver.solve(world, island, step, {.correction = 0});
+  const bool found = solver.solve(
+      world, island, step, {.correction = 0, .missing = solver.small(), .bounds_move = false});
   swap_motions();
   for (std::size_t i = 0; i < motions.size(); ++i)
   {

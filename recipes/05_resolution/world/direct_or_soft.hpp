@@ -91,7 +91,7 @@ public:
       forget_strain(world, island);
       return soft_steps(world, island, step, soft_);
     }
-    if (answer == DirectAnswer::exact && tries.direct.opening() > slow)
+    if (answer == DirectAnswer::exact && tries.direct.opening() > slow_opening)
     {
       return open_overlaps(tries.direct, world, island, step, motions_);
     }
@@ -105,7 +105,6 @@ public:
   std::size_t remembered() const { return tries_.size(); }
 
 private:
-  static constexpr double slow = 1e-3; // [m/s], an opening that does no harm
   struct Tries
   {
     DirectSolver direct;
@@ -152,7 +151,11 @@ private:
       return DirectAnswer::none;
     }
     const bool soft = tries.give > 0;
-    const bool found = tries.direct.solve(world, island, step, settings_at(tries.give));
+    bool found = tries.direct.solve(world, island, step, settings_at(tries.give));
+    if (!found && !soft && tries.direct.holds_openings())
+    {
+      found = tries.direct.solve(world, island, step, {.opening_grips = false});
+    }
     tries.frames_to_wait = found ? 0 : tries.pause;
     tries.pause = found ? 1 : std::min(2 * tries.pause, 16);
     tries.give = next_give(tries.give, found);

@@ -164,7 +164,8 @@ public:
     wake_island_of(b);
   }
 
-  /// Goes on by one step of the scene.
+  /// Goes on by one step of the scene. Where it throws TooManyContacts, all bodies are as before;
+  /// forces are forgotten.
   void step() { cookbook::step(state_, solver_); }
 
 private:

@@ -87,7 +87,6 @@ inline void fall_unless_pushed(WorldState& world, const Island& island)
 /// Moves all islands that are awake: bounces, contacts; and what no contact has pushed flies on.
 inline void advance(WorldState& world, const WorldSolver& solver)
 {
-  const ForcesOfStep forces{world.bodies};
   const IslandView view{world.bodies, world.contacts, world.scene.gravity, world.room};
   world.touching.clear();
   world.impacts.clear();
@@ -163,25 +162,28 @@ inline void finish(WorldState& world, std::size_t i)
 
 COOKBOOK_WORLD_INLINE void step(WorldState& world, const WorldSolver& solver)
 {
-  for (std::size_t i = 0; i < world.bodies.size(); ++i)
   {
-    if (!is_still(world, static_cast<int>(i)))
+    const ForcesOfStep forces{world.bodies};
+    find_contacts(world); // before anything changes: it throws where bodies are all in one place
+    for (std::size_t i = 0; i < world.bodies.size(); ++i)
     {
-      wear_off(world.bodies[i], world.scene.bodies[i], world.scene.step / 2); // and half at its end
+      if (!is_still(world, static_cast<int>(i)))
+      {
+        wear_off(world.bodies[i], world.scene.bodies[i], world.scene.step / 2); // half at the end
+      }
     }
+    world.start.clear();
+    std::transform(
+        world.bodies.begin(), world.bodies.end(), std::back_inserter(world.start), past_of);
+    world.falls.assign(world.bodies.size(), false);
+    world.parted.assign(world.bodies.size(), false);
+    world.islands.find(world.bodies, world.contacts);
+    if (world.may_sleep)
+    {
+      settle(world.sleep, world.islands.numbers(), SleepLimits<double>{});
+    }
+    advance(world, solver);
   }
-  find_contacts(world);
-  world.start.clear();
-  std::transform(
-      world.bodies.begin(), world.bodies.end(), std::back_inserter(world.start), past_of);
-  world.falls.assign(world.bodies.size(), false);
-  world.parted.assign(world.bodies.size(), false);
-  world.islands.find(world.bodies, world.contacts);
-  if (world.may_sleep)
-  {
-    settle(world.sleep, world.islands.numbers(), SleepLimits<double>{});
-  }
-  advance(world, solver);
   sweep(world);
   keep_fastest(world.impacts);
   for (std::size_t i = 0; i < world.bodies.size(); ++i)
