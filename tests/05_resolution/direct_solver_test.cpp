@@ -274,6 +274,39 @@ TEST_CASE("what is put into another at rest, with friction, parts and stays at r
   CHECK(turned_are_fast <= 10);
 }
 
+TEST_CASE("a row of two to five boxes stays at a wall, but for a millimetre a second for each box")
+{
+  for (const double gravity : {9.81, 0.0})
+  {
+    for (int count = 2; count <= 5; ++count)
+    {
+      Scene scene{.gravity = {0, -gravity, 0}, .bodies = {ground()}};
+      scene.bodies.push_back(box_body("wall", {0.5, 5, 5}, {0.5, 5, 0}, 0));
+      for (int i = 0; i < count; ++i)
+      {
+        scene.bodies.push_back(box_body("box", {0.25, 0.25, 0.25}, {-0.75 - 0.5 * i, 0.25, 0}, 5));
+        scene.bodies.back().velocity.x() = 2;
+      }
+      for (SceneBody& body : scene.bodies)
+      {
+        body.friction = 0;
+      }
+      World world(scene, solver_named("direct"));
+      double back = 0;
+      while (world.time() < 4)
+      {
+        world.step();
+        for (const RigidBody& body : world.bodies())
+        {
+          back = std::max(back, -body.motion.velocity.x());
+        }
+      }
+      CAPTURE(gravity, count, back);
+      CHECK(back <= 1.1e-3 * count);
+    }
+  }
+}
+
 TEST_CASE(
     "what hangs tilted between walls that are too close gathers no speed, and is not shot out")
 {

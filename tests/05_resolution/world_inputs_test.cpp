@@ -201,6 +201,47 @@ TEST_CASE("two that sleep are woken, both of them, when they are told to ignore 
   CHECK_FALSE(world.sleeps(2));
   CHECK(world.sleeps(3));
 }
+
+TEST_CASE("a shelf lets fall through what ignores it, and holds it again when it does so no more")
+{
+  Scene scene{.bodies = {ground(), box_body("shelf", {1, 0.1, 1}, {0, 2, 0}, 0)}};
+  scene.bodies.push_back(cube_body("crate", {0, 2.6, 0}));
+  World world(scene, solver_named("direct"), true);
+  const auto height_after = [&](double time)
+  {
+    for (int i = 0; i < 60 * time; ++i)
+    {
+      world.step();
+    }
+    return world.body(2).motion.center.y();
+  };
+  CHECK(height_after(2) == Catch::Approx(2.6).margin(1e-6));
+  CHECK(world.sleeps(2));
+  world.ignore(1, 2);
+  CHECK(height_after(2) == Catch::Approx(0.5).margin(1e-6));
+  CHECK(world.sleeps(2));
+  world.stop_ignoring(2, 1);
+  CHECK_FALSE(world.sleeps(2));
+  CHECK(world.scene().ignored.empty());
+  world.set_pose(2, {0, 3, 0}, Quaternion<double>::Identity());
+  CHECK(height_after(2) == Catch::Approx(2.6).margin(1e-6));
+  world.stop_ignoring(2, 1); // which it does not
+  CHECK(height_after(2) == Catch::Approx(2.6).margin(1e-6));
+  CHECK_THROWS_AS(world.stop_ignoring(2, 2), InvalidScene);
+}
+
+TEST_CASE("the same gravity once more wakes nobody")
+{
+  World world(named_scene("tower_2"), solver_named("direct"), true);
+  while (!world.sleeps(2))
+  {
+    world.step();
+  }
+  world.set_gravity(world.scene().gravity);
+  CHECK(world.sleeps(2));
+  world.set_gravity({0, -9, 0});
+  CHECK_FALSE(world.sleeps(2));
+}
 // [ignore]
 
 TEST_CASE("pairs that ignore each other may be named in any order")

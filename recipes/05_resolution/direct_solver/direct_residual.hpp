@@ -126,14 +126,6 @@ inline double fastest_opening(const DirectSystem& system)
   return fastest;
 }
 
-/// Whether there is friction at any point whose overlap opens.
-inline bool holds_openings(const DirectSystem& system)
-{
-  return std::any_of(
-      system.points.begin(), system.points.end(),
-      [](const DirectPoint& point) { return point.bias < -slow_opening && point.coefficient > 0; });
-}
-
 /// How much is missing [N s], as a root of a sum of squares; turns count by the radius of gyration.
 inline double size_of_missing(const DirectSystem& system)
 {

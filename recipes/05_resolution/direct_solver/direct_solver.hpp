@@ -149,8 +149,6 @@ public:
 
   /// How much [N s] might be missing in what was found last.
   double small() const { return small_; }
-  /// Whether there was friction, with an answer or without, where an overlap opens.
-  bool holds_openings() const { return cookbook::holds_openings(system_); }
   /// How fast [m/s] any overlap opens by it.
   double opening() const { return fastest_opening(system_); }
 

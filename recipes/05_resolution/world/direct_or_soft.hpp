@@ -105,6 +105,7 @@ public:
   std::size_t remembered() const { return tries_.size(); }
 
 private:
+  static constexpr std::size_t few = 8; // bodies, of which it costs little to try again
   struct Tries
   {
     DirectSolver direct;
@@ -152,7 +153,7 @@ private:
     }
     const bool soft = tries.give > 0;
     bool found = tries.direct.solve(world, island, step, settings_at(tries.give));
-    if (!found && !soft && tries.direct.holds_openings())
+    if (!found && !soft && island.bodies.size() <= few)
     {
       found = tries.direct.solve(world, island, step, {.opening_grips = false});
     }

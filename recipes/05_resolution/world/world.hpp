@@ -140,13 +140,16 @@ public:
     }
   }
 
-  /// Pulls all bodies by another gravity [m/s²], world, from the next step on; they wake.
-  /// InvalidShape, and nothing changes, if it is not finite.
+  /// Pulls all bodies by another gravity [m/s²], world, from the next step on; they wake, unless it
+  /// is the same. InvalidShape, and nothing changes, if it is not finite.
   void set_gravity(const Vector3<double>& gravity)
   {
     check_finite("gravity", gravity);
-    state_.scene.gravity = gravity;
-    state_.sleep.assign(state_.sleep.size(), {});
+    if (gravity != scene().gravity)
+    {
+      state_.scene.gravity = gravity;
+      state_.sleep.assign(state_.sleep.size(), {});
+    }
   }
 
   /// Has two bodies pass through each other from the next step on, and wakes both; InvalidScene if
@@ -154,15 +157,15 @@ public:
   void ignore(BodyId a, BodyId b)
   {
     std::vector<std::pair<int, int>>& ignored = state_.scene.ignored;
-    const std::pair<int, int> pair =
-        checked_pair({static_cast<int>(place(a)), static_cast<int>(place(b))}, bodies().size());
+    const std::pair<int, int> pair = woken_pair(a, b);
     if (!ignores(scene(), pair))
     {
       ignored.insert(std::upper_bound(ignored.begin(), ignored.end(), pair), pair);
     }
-    wake_island_of(a);
-    wake_island_of(b);
   }
+
+  /// Has two bodies that ignore each other meet again from the next step on, and wakes both.
+  void stop_ignoring(BodyId a, BodyId b) { std::erase(state_.scene.ignored, woken_pair(a, b)); }
 
   /// Goes on by one step of the scene. Where it throws TooManyContacts, all bodies are as before;
   /// forces are forgotten.
@@ -174,6 +177,16 @@ private:
   {
     const int number = static_cast<int>(place(body));
     wake_islands_of(state_, {&number, 1});
+  }
+
+  /// The places of two bodies, the smaller one first; they wake. InvalidScene if they are one.
+  std::pair<int, int> woken_pair(BodyId a, BodyId b)
+  {
+    const std::pair<int, int> pair =
+        checked_pair({static_cast<int>(place(a)), static_cast<int>(place(b))}, bodies().size());
+    wake_island_of(a);
+    wake_island_of(b);
+    return pair;
   }
 
   WorldSolver solver_;
