@@ -17,8 +17,8 @@ inline auto ContainsSubstring(const std::string& text)
 }
 } // namespace Matchers
 
-/// Version 3 has its matchers in Matchers alone. Without this, a test that forgets it would fail to
-/// compile only there.
+/// Version 3 has its matchers in Matchers alone. Without this, Catch::Contains and its like would
+/// compile here, and not there.
 template <class... All>
 void Contains(const All&...) = delete;
 template <class... All>
@@ -31,5 +31,7 @@ template <class... All>
 void WithinAbs(const All&...) = delete;
 template <class... All>
 void WithinRel(const All&...) = delete;
+template <class... All>
+void Matches(const All&...) = delete;
 } // namespace Catch
 #endif

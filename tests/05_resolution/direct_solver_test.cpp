@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -138,6 +139,64 @@ WorldRun directly(const std::string& scene, double duration)
   return run_world(named_scene(scene), {.duration = duration});
 }
 
+/// A scene without gravity after ten seconds under the direct solver.
+struct InTheEnd
+{
+  double speed = 0, spin = 0; ///< [m/s], [rad/s], the largest
+  double overlap = 0;         ///< [m], the deepest
+};
+
+InTheEnd in_the_end(Scene scene)
+{
+  scene.gravity.setZero();
+  World world(scene, solver_named("direct"));
+  while (world.time() < 10)
+  {
+    world.step();
+  }
+  InTheEnd end{.overlap = deepest_overlap(world)};
+  for (const RigidBody& body : world.bodies())
+  {
+    end.speed = std::max(end.speed, body.motion.velocity.norm());
+    end.spin = std::max(end.spin, body.motion.angular_velocity.norm());
+  }
+  return end;
+}
+
+/// How fast [m/s] any body of a scene goes back from a wall that is in the direction of x.
+double fastest_back(const Scene& scene, int steps)
+{
+  World world(scene, solver_named("direct"));
+  double back = 0;
+  for (int i = 0; i < steps; ++i)
+  {
+    world.step();
+    for (const RigidBody& body : world.bodies())
+    {
+      back = std::max(back, -body.motion.velocity.x());
+    }
+  }
+  return back;
+}
+
+/// Smooth ground and a smooth wall at x = 0, with boxes of a size [m] in a row that go there.
+Scene row_before_wall(double gravity, int count, double size, double ahead, double speed)
+{
+  Scene scene{.gravity = {0, -gravity, 0}, .bodies = {ground()}};
+  scene.bodies.push_back(box_body("wall", {0.5, 5, 5}, {0.5, 5, 0}, 0));
+  for (int i = 0; i < count; ++i)
+  {
+    const Vector3<double> place(-ahead - size - 2 * size * i, size, 0);
+    scene.bodies.push_back(box_body(numbered("box", i), {size, size, size}, place));
+    scene.bodies.back().velocity.x() = speed;
+  }
+  for (SceneBody& body : scene.bodies)
+  {
+    body.friction = 0;
+  }
+  return scene;
+}
+
 } // namespace
 
 // [opens]
@@ -149,18 +208,7 @@ TEST_CASE("a crate that gives nothing back stays at the wall that it meets, on i
     {
       for (double speed = 0.5; speed < 20; speed *= 1.1)
       {
-        Scene scene{.gravity = {0, -gravity, 0}, .bodies = {ground()}};
-        scene.bodies.push_back(box_body("wall", {0.5, 5, 5}, {0.5, 5, 0}, 0));
-        scene.bodies.push_back(box_body("crate", {size, size, size}, {-size - 2, size, 0}));
-        scene.bodies[0].friction = scene.bodies[2].friction = 0;
-        scene.bodies[2].velocity.x() = speed;
-        World world(scene, solver_named("direct"));
-        double back = 0;
-        for (int i = 0; i < 300; ++i)
-        {
-          world.step();
-          back = std::max(back, -world.body(2).motion.velocity.x());
-        }
+        const double back = fastest_back(row_before_wall(gravity, 1, size, 2, speed), 300);
         CAPTURE(gravity, size, speed, back);
         // An overlap that opens by less than a millimetre a second leaves what it opens with.
         CHECK(back <= 1.1e-3);
@@ -225,86 +273,56 @@ TEST_CASE("a cube that is deep in the ground comes out of it before it falls asl
 }
 // [opens]
 
-namespace
-{
-
-/// How fast [m/s] any body of a scene without gravity is after ten seconds under the direct solver.
-double fastest_in_the_end(Scene scene)
-{
-  scene.gravity.setZero();
-  World world(scene, solver_named("direct"));
-  while (world.time() < 10)
-  {
-    world.step();
-  }
-  double fastest = 0;
-  for (const RigidBody& body : world.bodies())
-  {
-    fastest = std::max(fastest, body.motion.velocity.norm());
-  }
-  return fastest;
-}
-
-} // namespace
-
-TEST_CASE("what is put into another at rest, with friction, parts and stays at rest")
-{
-  BoxDraw draw(17);
-  const Vector3<double> half{0.3, 0.4, 0.5};
-  int turned_are_fast = 0;
-  for (int i = 0; i < inputs(100, 3); ++i)
-  {
-    CAPTURE(i);
-    const Vector3<double> beside = draw.direction();
-    Scene balls{.bodies = {ball_body("one", 0.5, {0, 0, 0})}};
-    balls.bodies.push_back(ball_body("other", 0.5, draw.between(0.8, 0.95) * beside));
-    CHECK(fastest_in_the_end(balls) <= 1.1e-3);
-
-    Scene cubes{.bodies = {cube_body("one", {0, 0, 0}), cube_body("other", 0.85 * beside)}};
-    CHECK(fastest_in_the_end(cubes) <= 1.1e-3);
-
-    cubes.bodies[0].mass = 0;
-    CHECK(fastest_in_the_end(cubes) <= 1.1e-3);
-
-    Scene crate{.bodies = {box_body("wall", {5, 0.5, 5}, {0, -0.5, 0}, 0)}};
-    crate.bodies.push_back(box_body("crate", half, {0, 0.2, 0}));
-    crate.bodies[1].orientation = Quaternion<double>(draw.rotation());
-    turned_are_fast += fastest_in_the_end(crate) > 0.01;
-  }
-  CHECK(turned_are_fast <= 10);
-}
-
 TEST_CASE("a row of two to five boxes stays at a wall, but for a millimetre a second for each box")
 {
   for (const double gravity : {9.81, 0.0})
   {
     for (int count = 2; count <= 5; ++count)
     {
-      Scene scene{.gravity = {0, -gravity, 0}, .bodies = {ground()}};
-      scene.bodies.push_back(box_body("wall", {0.5, 5, 5}, {0.5, 5, 0}, 0));
-      for (int i = 0; i < count; ++i)
-      {
-        scene.bodies.push_back(box_body("box", {0.25, 0.25, 0.25}, {-0.75 - 0.5 * i, 0.25, 0}, 5));
-        scene.bodies.back().velocity.x() = 2;
-      }
-      for (SceneBody& body : scene.bodies)
-      {
-        body.friction = 0;
-      }
-      World world(scene, solver_named("direct"));
-      double back = 0;
-      while (world.time() < 4)
-      {
-        world.step();
-        for (const RigidBody& body : world.bodies())
-        {
-          back = std::max(back, -body.motion.velocity.x());
-        }
-      }
+      const double back = fastest_back(row_before_wall(gravity, count, 0.25, 0.5, 2), 240);
       CAPTURE(gravity, count, back);
       CHECK(back <= 1.1e-3 * count);
     }
   }
+}
+
+TEST_CASE("balls and cubes that are put into each other at rest, with friction, part and rest")
+{
+  BoxDraw draw(17);
+  for (int i = 0; i < inputs(100, 3); ++i)
+  {
+    const Vector3<double> beside = draw.direction();
+    const double apart = draw.between(0.8, 0.95);
+    const Scene balls{
+        .bodies = {ball_body("one", 0.5, {0, 0, 0}), ball_body("other", 0.5, apart * beside)}};
+    const Scene cubes{.bodies = {cube_body("one", {0, 0, 0}), cube_body("other", 0.85 * beside)}};
+    Scene held = cubes;
+    held.bodies[0].mass = 0;
+    for (const Scene& scene : {balls, cubes, held})
+    {
+      const InTheEnd end = in_the_end(scene);
+      CAPTURE(i, end.speed, end.spin, end.overlap);
+      CHECK(end.speed <= 1.1e-3);
+      CHECK(end.spin <= 0.01);
+      CHECK(end.overlap <= 1e-4);
+    }
+  }
+}
+
+TEST_CASE("a crate that is put into a wall, turned anyhow, does so in nine of ten tries")
+{
+  BoxDraw draw(17);
+  int fast = 0;
+  for (int i = 0; i < inputs(100, 5); ++i)
+  {
+    Scene scene{.bodies = {box_body("wall", {5, 0.5, 5}, {0, -0.5, 0}, 0)}};
+    scene.bodies.push_back(box_body("crate", {0.3, 0.4, 0.5}, {0, 0.2, 0}));
+    scene.bodies[1].orientation = Quaternion<double>(draw.rotation());
+    const InTheEnd end = in_the_end(scene);
+    CHECK(end.speed <= 0.51); // no overlap opens faster than at 0.5 m/s
+    fast += end.speed > 0.01 || end.spin > 0.1 || end.overlap > 1e-4 ? 1 : 0;
+  }
+  CHECK(fast <= inputs(10, 1)); // where no answer is found, small steps leave it a speed
 }
 
 TEST_CASE(
@@ -329,7 +347,9 @@ TEST_CASE(
   {
     world.step();
   }
-  CHECK(world.body(1).motion.velocity.norm() <= 20.5 * 9.81 / 60); // what falls is as fast
+  const double fall = world.body(1).motion.velocity.norm(); // in 20 steps
+  CHECK(fall <= 20.5 * 9.81 / 60);
+  CHECK(fall >= 9 * 9.81 / 60);
 }
 
 // [cholesky]

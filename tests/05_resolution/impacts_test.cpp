@@ -834,3 +834,34 @@ TEST_CASE("not driven along: a ball, who bounces well, lies apart, passes, is le
   CHECK(third(nothing, step - 0.0124) == 0);
 }
 // [impact_group]
+
+TEST_CASE("what damping stops short of a wall, within a step or over many, does not bounce there")
+{
+  for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    for (const double damping : {10.0, 100.0, 1000.0})
+    {
+      for (const double restitution : {0.0, 1.0})
+      {
+        // It goes on by v / d, and the wall is a tenth farther away.
+        const double speed = damping, size = 0.2;
+        Scene scene{.gravity = {0, 0, 0}, .bodies = {box_body("wall", {1, 5, 5}, {2.1, 0, 0}, 0)}};
+        scene.bodies.push_back(box_body("box", {size, size, size}, {-size, 0, 0}));
+        scene.bodies[1].velocity.x() = speed;
+        scene.bodies[1].damping = damping;
+        scene.bodies[0].restitution = scene.bodies[1].restitution = restitution;
+        World world(scene, solver_named(solver));
+        double back = 0;
+        for (int i = 0; i < 120; ++i)
+        {
+          world.step();
+          back = std::max(back, -world.body(1).motion.velocity.x());
+        }
+        CAPTURE(solver, damping, restitution);
+        CHECK(back == 0);
+        CHECK(world.body(1).motion.center.x() <= 1 - size + 0.1);
+        CHECK(world.body(1).motion.center.x() >= -size);
+      }
+    }
+  }
+}

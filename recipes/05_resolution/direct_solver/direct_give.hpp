@@ -58,8 +58,8 @@ held_friction(const WorldContact& contact, const WorldPoint& point, double push,
   return within_cone<double>(GiveSettings().kept * across, contact.friction * std::max(0.0, push));
 }
 
-/// How the direct solver is run where contacts are so soft: friction keeps to the bounds that the
-/// frame before has left.
+/// How the direct solver is run where contacts are so soft; where they are, friction keeps to the
+/// bounds that the frame before has left, but for new points.
 inline DirectSettings settings_at(double give)
 {
   DirectSettings settings{.give = give};

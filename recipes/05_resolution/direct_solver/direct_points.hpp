@@ -25,12 +25,12 @@ struct DirectSettings
   int iterations = 8;               ///< of Newton's method, after which it gives up
   std::size_t products = 100'000;   ///< of blocks, above which factoring takes too long
   double give = 0;                  ///< [1], 0: contacts are stiff; 1: soft, as GiveSettings says
-  double missing = 0;               ///< [N s], may be missing in any case
-  bool bounds_move = true;   ///< whether friction is bounded by the pushes found here, or before
-  bool opening_grips = true; ///< whether there is friction where an overlap opens
+  double missing = 0;               ///< [N s], may be missing, however small impulses are
+  bool bounds_move = true;          ///< whether the bounds of friction follow the pushes found here
+  bool opening_grips = true;        ///< whether there is friction where an overlap opens
 };
 
-/// An overlap that opens no faster than this [m/s] does no harm.
+/// An overlap that opens no faster than this [m/s] does no harm, and is treated as none.
 inline constexpr double slow_opening = 1e-3;
 // [direct_settings]
 

@@ -126,6 +126,13 @@ inline double fastest_opening(const DirectSystem& system)
   return fastest;
 }
 
+/// Whether any overlap is to open faster than slowly.
+inline bool any_opens(const DirectSystem& system)
+{
+  const auto opens = [](const DirectPoint& point) { return -point.bias > slow_opening; };
+  return std::any_of(system.points.begin(), system.points.end(), opens);
+}
+
 /// How much is missing [N s], as a root of a sum of squares; turns count by the radius of gyration.
 inline double size_of_missing(const DirectSystem& system)
 {

@@ -147,9 +147,11 @@ public:
     return false;
   }
 
-  /// How much [N s] might be missing in what was found last.
+  /// Whether any overlap was to open, with an answer or without.
+  bool opens() const { return any_opens(system_); }
+  /// How much [N s] might be missing in the last answer.
   double small() const { return small_; }
-  /// How fast [m/s] any overlap opens by it.
+  /// How fast [m/s] any overlap opens by that answer.
   double opening() const { return fastest_opening(system_); }
 
 private:

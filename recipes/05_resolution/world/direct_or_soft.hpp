@@ -59,7 +59,8 @@ using DirectWatch = std::function<void(const Island&, DirectAnswer)>;
 /// The recommended solver: direct where that finds an answer, and soft steps where it does not, as
 /// in impacts and dense heaps.
 ///
-/// Where it has not found one it lets some frames pass before it tries again: 1, 2, 4, up to 16;
+/// An island of few bodies is tried once more, without friction where overlaps open. Where it has
+/// not found an answer it lets some frames pass before it tries again: 1, 2, 4, up to 16;
 /// then with soft contacts, which become stiff from frame to frame. A copy remembers what the
 /// original did, and goes on by itself.
 class DirectOrSoft
@@ -105,7 +106,7 @@ public:
   std::size_t remembered() const { return tries_.size(); }
 
 private:
-  static constexpr std::size_t few = 8; // bodies, of which it costs little to try again
+  static constexpr std::size_t few = 8; // bodies, for which a second try costs little
   struct Tries
   {
     DirectSolver direct;
@@ -153,7 +154,7 @@ private:
     }
     const bool soft = tries.give > 0;
     bool found = tries.direct.solve(world, island, step, settings_at(tries.give));
-    if (!found && !soft && island.bodies.size() <= few)
+    if (!found && !soft && island.bodies.size() <= few && tries.direct.opens())
     {
       found = tries.direct.solve(world, island, step, {.opening_grips = false});
     }

@@ -164,7 +164,8 @@ public:
     }
   }
 
-  /// Has two bodies that ignore each other meet again from the next step on, and wakes both.
+  /// Has two bodies meet again from the next step on, if they ignore each other, and wakes both;
+  /// InvalidScene if they are one.
   void stop_ignoring(BodyId a, BodyId b) { std::erase(state_.scene.ignored, woken_pair(a, b)); }
 
   /// Goes on by one step of the scene. Where it throws TooManyContacts, all bodies are as before;

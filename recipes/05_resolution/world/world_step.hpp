@@ -164,7 +164,7 @@ COOKBOOK_WORLD_INLINE void step(WorldState& world, const WorldSolver& solver)
 {
   {
     const ForcesOfStep forces{world.bodies};
-    find_contacts(world); // before anything changes: it throws where bodies are all in one place
+    find_contacts(world); // first: it throws where all are in one place; damping only adds to gaps
     for (std::size_t i = 0; i < world.bodies.size(); ++i)
     {
       if (!is_still(world, static_cast<int>(i)))
