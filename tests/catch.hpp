@@ -13,25 +13,14 @@ namespace Matchers
 {
 inline auto ContainsSubstring(const std::string& text)
 {
-  return Matchers::Contains(text);
+  return Contains(text);
 }
 } // namespace Matchers
 
 /// Version 3 has its matchers in Matchers alone. Without this, Catch::Contains and its like would
 /// compile here, and not there.
-template <class... All>
-void Contains(const All&...) = delete;
-template <class... All>
-void StartsWith(const All&...) = delete;
-template <class... All>
-void EndsWith(const All&...) = delete;
-template <class... All>
-void Equals(const All&...) = delete;
-template <class... All>
-void WithinAbs(const All&...) = delete;
-template <class... All>
-void WithinRel(const All&...) = delete;
-template <class... All>
-void Matches(const All&...) = delete;
+struct InMatchers;
+void Contains(InMatchers), StartsWith(InMatchers), EndsWith(InMatchers), Equals(InMatchers),
+    WithinAbs(InMatchers), WithinRel(InMatchers), Matches(InMatchers);
 } // namespace Catch
 #endif

@@ -13,6 +13,7 @@
 #include <string>
 
 using namespace cookbook;
+using Catch::Matchers::ContainsSubstring;
 
 namespace
 {
@@ -125,21 +126,16 @@ TEST_CASE("who is put to no place, or turned by nothing, is told so by name, and
   const World before = world;
   const double huge = std::numeric_limits<double>::infinity();
   CHECK_THROWS_WITH(
-      world.set_pose(1, {0, huge, 0}, straight),
-      Catch::Matchers::ContainsSubstring("position.y must be finite"));
+      world.set_pose(1, {0, huge, 0}, straight), ContainsSubstring("position.y must be finite"));
   CHECK_THROWS_WITH(
-      world.set_pose(1, {0, 1, 0}, {0, 0, 0, 0}),
-      Catch::Matchers::ContainsSubstring("orientation must be"));
+      world.set_pose(1, {0, 1, 0}, {0, 0, 0, 0}), ContainsSubstring("orientation must be"));
   CHECK_THROWS_WITH(
       world.set_pose(1, {0, 1, 0}, {std::nan(""), 0, 0, 0}),
-      Catch::Matchers::ContainsSubstring("orientation must be"));
+      ContainsSubstring("orientation must be"));
   CHECK_THROWS_WITH(
-      world.set_pose(0, {0, 1, 0}, straight),
-      Catch::Matchers::ContainsSubstring("shape must be a box or a ball"));
-  CHECK_THROWS_WITH(
-      world.set_pose(3, {0, 1, 0}, straight), Catch::Matchers::ContainsSubstring("any more"));
-  CHECK_THROWS_WITH(
-      world.set_pose(9, {0, 1, 0}, straight), Catch::Matchers::ContainsSubstring("no body 9"));
+      world.set_pose(0, {0, 1, 0}, straight), ContainsSubstring("shape must be a box or a ball"));
+  CHECK_THROWS_WITH(world.set_pose(3, {0, 1, 0}, straight), ContainsSubstring("any more"));
+  CHECK_THROWS_WITH(world.set_pose(9, {0, 1, 0}, straight), ContainsSubstring("no body 9"));
   for (std::size_t i = 0; i < world.bodies().size(); ++i)
   {
     CHECK(world.bodies()[i].motion.center == before.bodies()[i].motion.center);
