@@ -134,8 +134,8 @@ TEST_CASE("balls at rest that are pulled together by 10 m/s² each close 5 m in 
   const Vector3<double> none = Vector3<double>::Zero();
   const RigidBody left_ball = rigid_body(ball_body("left", 0.5, {0, 0, 0}));
   const RigidBody right_ball = rigid_body(ball_body("right", 0.5, {6, 0, 0}));
-  const Course left{&left_ball, past_of(left_ball), 0, none, {10, 0, 0}, none};
-  const Course right{&right_ball, past_of(right_ball), 0, none, {-10, 0, 0}, none};
+  const Course left{&left_ball, past_of(left_ball), 0, none, {{10, 0, 0}}, none};
+  const Course right{&right_ball, past_of(right_ball), 0, none, {{-10, 0, 0}}, none};
   const auto hit = BallOnCourse{left, right, 0, 1, 0}(SphereShape{0.5}, SphereShape{0.5});
   REQUIRE(hit);
   CHECK(hit->time == Catch::Approx(std::sqrt(0.5)).epsilon(1e-9));
@@ -148,7 +148,7 @@ TEST_CASE("what is held goes on along its course without turning, what is frozen
   box.motion.velocity = {1, 2, 3};
   box.motion.angular_velocity = {4, 5, 6};
   const Vector3<double> none = Vector3<double>::Zero();
-  Course course{&box, past_of(box), 0.25, box.motion.velocity, {0, -10, 0}, none};
+  Course course{&box, past_of(box), 0.25, box.motion.velocity, {{0, -10, 0}}, none};
   const RigidBody end = gone_on(course, 0.75, Onward::held);
   CHECK((end.motion.center - Vector3<double>(0.5, 5 + 1 - 1.25, 1.5)).norm() <= 1e-14);
   CHECK((end.motion.velocity - Vector3<double>(1, 2 - 5, 3)).norm() <= 1e-14);
@@ -194,9 +194,8 @@ TEST_CASE(
   RigidBody ball = rigid_body(ball_body("ball", 0.1, {0.8, 0.6, 0}));
   RigidBody turned = bar;
   turned.orientation = rotation_by<double>({0, 0, 1});
-  const Vector3<double> none = Vector3<double>::Zero();
-  const Course of_bar = pushed_course(past_of(bar), turned, 1, none);
-  const Course of_ball = pushed_course(past_of(ball), ball, 1, none);
+  const Course of_bar = pushed_course(past_of(bar), turned, 1, {});
+  const Course of_ball = pushed_course(past_of(ball), ball, 1, {});
   const BallOnCourse touch{of_ball, of_bar, 0, 1, 0};
   const auto hit = touch(SphereShape{0.1}, BoxShape{{1, 0.1, 1}});
   REQUIRE(hit);

@@ -73,14 +73,17 @@ struct MetPairs
     std::vector<PastBody> starts;
     std::vector<RigidBody> ends;
     std::vector<Bounds> bounds;
+    std::vector<Ahead> ahead(scene.bodies.size());
     for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i)
     {
       RigidBody& body = ends.emplace_back(rigid_body(scene.bodies[place_of(i)]));
       starts.push_back(past_of(body));
-      bounds.push_back({foreseen_bounds(scene, body, ahead_of(scene, body, i), i, margin), i});
+      const StepAhead next{scene, ends, {}, ahead};
+      ahead[place_of(i)] = ahead_of(next, i);
+      bounds.push_back({foreseen_bounds(next, i, margin), i});
       const bool shoved = !is_fixed(body) && draw.whole(one_in) == 0;
       body.motion.velocity += shoved ? draw.vector(-50, 50) : Vector3<double>::Zero();
-      is_fixed(body) ? void() : fly(body, scene.gravity, scene.step);
+      is_fixed(body) ? void() : fly(body, {scene.gravity}, scene.step);
     }
     const std::vector<bool> falls(starts.size(), false), gone(starts.size(), false);
     std::vector<Course> courses;
@@ -88,8 +91,17 @@ struct MetPairs
     BroadPhase near;
     near.pairs(bounds);
     std::vector<bool> too_deep(starts.size(), false);
-    StepCourses step{scene,       starts,  {},   falls,    gone,
-                     near.last(), courses, ways, too_deep, &near.tree(bounds)};
+    StepCourses step{scene,
+                     starts,
+                     {},
+                     {},
+                     falls,
+                     gone,
+                     near.last(),
+                     courses,
+                     ways,
+                     too_deep,
+                     &near.tree(bounds)};
     set_out(step, ends);
     compare(step, ends);
   }
@@ -151,12 +163,12 @@ TEST_CASE(
     bodies[1].motion.center = {10, aside, 0};
     const Vector3<double> none(0, 0, 0);
     std::vector<Course> courses{
-        {&bodies[0], past_of(bodies[0]), 0, {speed, 0, 0}, none, none},
-        {&bodies[1], past_of(bodies[1]), 0, none, {0, -pull, 0}, none}};
+        {&bodies[0], past_of(bodies[0]), 0, {speed, 0, 0}, {}, none},
+        {&bodies[1], past_of(bodies[1]), 0, none, {{0, -pull, 0}}, none}};
     const std::vector<bool> no(2, false);
     std::vector<bool> too_deep(2, false);
     std::vector<double> ways;
-    return may_meet({scene, {}, {}, no, no, {}, courses, ways, too_deep}, 0, 1, time);
+    return may_meet({scene, {}, {}, {}, no, no, {}, courses, ways, too_deep}, 0, 1, time);
   };
   CHECK(meet(0.99, 20, 0));
   CHECK_FALSE(meet(1.01, 20, 0));
@@ -177,7 +189,7 @@ TEST_CASE("a ball is in danger if it fell, is too deep, or if two went by more t
     std::vector<bool> deep{too_deep, too_deep};
     std::vector<Course> courses;
     std::vector<double> ways{way, other_way};
-    return in_danger({scene, {}, {}, fall, gone, {}, courses, ways, deep}, ball, 1 - ball);
+    return in_danger({scene, {}, {}, {}, fall, gone, {}, courses, ways, deep}, ball, 1 - ball);
   };
   CHECK(danger(0.3, 0.3, false, false));
   CHECK_FALSE(danger(0.3, 0.1, false, false));

@@ -15,6 +15,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 using namespace cookbook;
 
@@ -91,6 +92,32 @@ TEMPLATE_TEST_CASE("an impulse (3, 0, 4) within 2.5 is (1.5, 0, 2)", "[R6]", flo
   CHECK(within_cone<TestType>(impulse, 0) == Vector(0, 0, 0));
   CHECK(within_cone<TestType>(impulse, -1) == Vector(0, 0, 0));
   CHECK(within_cone<TestType>(Vector::Zero(), 0) == Vector(0, 0, 0));
+}
+
+TEMPLATE_TEST_CASE(
+    "a direction along a surface is across its normal, of length 1", "[R6]", double, float)
+{
+  using Vector = Vector3<TestType>;
+  const TestType rounding = 4 * std::numeric_limits<TestType>::epsilon();
+  std::vector<Vector> normals{{0, TestType(0.6), TestType(-0.8)}, {TestType(1e-8), 0, -1}};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    normals.push_back(Vector::Unit(axis));
+    normals.push_back(-Vector::Unit(axis));
+  }
+  RandomMeetings random;
+  for (int i = 0; i < 1'000; ++i)
+  {
+    normals.push_back(rounded(random.next().normal).template cast<TestType>());
+  }
+  for (const Vector& normal : normals)
+  {
+    const Vector along = direction_along(normal);
+    CAPTURE(normal.transpose(), along.transpose());
+    REQUIRE(std::abs(along.dot(normal)) <= rounding);
+    REQUIRE(std::abs(along.norm() - 1) <= rounding);
+  }
+  CHECK(direction_along<TestType>(Vector::Zero()) == Vector::UnitX());
 }
 
 TEST_CASE("a ball that slides at (3, 0, 4) feels 2/7 of its mass: 10/7 N s make it roll", "[R6]")

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -113,6 +114,18 @@ Scene comes_down_on_light(double speed, double share, const Quaternion<double>& 
   return scene;
 }
 
+/// How far the first two bodies of a scene reach for each other, by a margin [m] and by forces.
+ContactReach
+reach_of_first_two(const Scene& scene, double margin, std::span<const Pull> forces = {})
+{
+  const RigidBody bodies[] = {rigid_body(scene.bodies[0]), rigid_body(scene.bodies[1])};
+  Ahead ahead[2];
+  const StepAhead step{scene, bodies, forces, ahead};
+  ahead[0] = ahead_of(step, 0);
+  ahead[1] = ahead_of(step, 1);
+  return foreseen_reach(step, 0, 1, margin);
+}
+
 } // namespace
 
 // [foreseen]
@@ -127,10 +140,9 @@ TEST_CASE("what a cube will be too deep in is in reach: by the way of a step mor
     scene.bodies[0].velocity.y() = speed_of_slab;
     scene.bodies[1].velocity.y() = speed;
     scene.bodies[1].angular_velocity.z() = spin;
-    RigidBody bodies[] = {rigid_body(scene.bodies[0]), rigid_body(scene.bodies[1])};
-    bodies[1].acceleration.y() = pull;
-    const Ahead ahead[] = {ahead_of(scene, bodies[0], 0), ahead_of(scene, bodies[1], 1)};
-    return foreseen_reach(scene, bodies, ahead, 0, 1, contact_margin(scene)).reach;
+    Pull forces[2];
+    forces[1].acceleration.y() = pull;
+    return reach_of_first_two(scene, contact_margin(scene), forces).reach;
   };
   CHECK(reach_of_cube(0.10, -12, 0) == Catch::Approx(margin + way));     // 0.1 deep
   CHECK(reach_of_cube(0.16, -12, 0) == Catch::Approx(margin));           // 0.04 deep
@@ -148,7 +160,9 @@ TEST_CASE("a turn takes a corner of a box along, and no point of a ball or of wh
   const auto way_by_turn = [](SceneBody body)
   {
     body.angular_velocity = {0, 0, body.mass > 0 ? 6.0 : 0.0};
-    return ahead_of(Scene{.bodies = {body}}, rigid_body(body), 0).turn;
+    const Scene scene{.bodies = {body}};
+    const RigidBody placed = rigid_body(body);
+    return ahead_of({scene, {&placed, 1}, {}, {}}, 0).turn;
   };
   CHECK(way_by_turn(cube_body("cube", {0, 0, 0})) == Catch::Approx(0.1 * std::sqrt(0.75)));
   CHECK(way_by_turn(ball_body("ball", 1, {0, 0, 0})) == 0);
@@ -161,12 +175,10 @@ TEST_CASE("what will be too deep in a thin plate is in reach, however fast it co
   Scene scene{.bodies = {box_body("plate", {1, 0.01, 1}, {0, -0.01, 0})}};
   scene.bodies.push_back(cube_body("cube", {0, 0.5 + 10.0 / 60 - 0.002, 0})); // ends 2 mm deep
   scene.bodies[1].velocity.y() = -10;
-  const RigidBody bodies[] = {rigid_body(scene.bodies[0]), rigid_body(scene.bodies[1])};
-  const Ahead ahead[] = {ahead_of(scene, bodies[0], 0), ahead_of(scene, bodies[1], 1)};
   for (const double gravity : {9.81, 0.1})
   {
     const double margin = 2 * gravity / 3600;
-    const ContactReach found = foreseen_reach(scene, bodies, ahead, 0, 1, margin);
+    const ContactReach found = reach_of_first_two(scene, margin);
     CHECK(found.reach == Catch::Approx(margin + 10.0 / 60));
     CHECK(found.ghost == margin);
   }
@@ -247,7 +259,10 @@ TEST_CASE("a body is swept that a step leaves deeper than 7.5 %, and not by grav
     scene.bodies[0].mass = slab == Slab::moves ? 1 : 0;
     scene.bodies[1].shape = shape;
     std::vector<RigidBody> ends{rigid_body(scene.bodies[0]), rigid_body(scene.bodies[1])};
-    const Ahead ahead[] = {ahead_of(scene, ends[0], 0), ahead_of(scene, ends[1], 1)};
+    Ahead ahead[2];
+    const StepAhead next{scene, ends, {}, ahead};
+    ahead[0] = ahead_of(next, 0);
+    ahead[1] = ahead_of(next, 1);
     std::vector<PastBody> starts{past_of(ends[0]), past_of(ends[1])};
     starts[1].motion.center = {0, 0.1 + from, 0};
     ends[1].motion.center = {along, 0.1 + to, 0};
@@ -257,7 +272,7 @@ TEST_CASE("a body is swept that a step leaves deeper than 7.5 %, and not by grav
     std::vector<Course> courses;
     std::vector<double> ways;
     std::vector<bool> marked;
-    StepCourses step{scene, starts, {}, none, none, near, courses, ways, marked};
+    StepCourses step{scene, starts, {}, {}, none, none, near, courses, ways, marked};
     const bool any = has_boxes_to_sweep(step, ahead, ends);
     CHECK(any == (marked[0] || marked[1]));
     return std::pair<bool, bool>(marked[0], marked[1]);
@@ -671,7 +686,7 @@ struct Row
     std::vector<bool> deep = none;
     std::vector<Course> courses;
     std::vector<double> ways;
-    StepCourses step{scene, starts, {}, all, none, {}, courses, ways, deep, &tree};
+    StepCourses step{scene, starts, {}, {}, all, none, {}, courses, ways, deep, &tree};
     set_out(step, bodies);
     courses[0].tossed = first_tossed;
     courses[1].tossed = second_tossed;

@@ -47,7 +47,7 @@ struct OnGround
       : body(rigid_body(on_top)), contact(contact_at(floor, body, {0, 1}, place))
   {
     contact.friction = 0.5;
-    contact.points[0].impulse = impulse;
+    contact.points[0].carried = impulse;
   }
 
   /// The friction after so many visits.
@@ -142,7 +142,7 @@ TEST_CASE("add_friction takes back what a smaller push does not allow any more",
 {
   OnGround ball = sliding_ball(0, 4);
   ball.rubbed(1);
-  ball.contact.points[0].impulse = 1;
+  ball.contact.points[0].carried = 1;
   CHECK((ball.rubbed(1) - V(-0.3, 0, -0.4)).norm() <= 1e-14);
 }
 // [add_friction]

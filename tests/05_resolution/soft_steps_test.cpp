@@ -75,7 +75,7 @@ TEST_CASE("what would give a needle energy that turns is forgotten; what would t
     needle.velocity.y() = -down;
     needle.angular_velocity.y() = spin;
     std::array<RigidBody, 2> bodies{rigid_body(ground()), rigid_body(needle)};
-    WorldPoint point{.on_b = {0, -0.001, 0}, .impulse = 1};
+    WorldPoint point{.on_b = {0, -0.001, 0}, .carried = 1};
     if (number == 0)
     {
       std::swap(bodies[0], bodies[1]);
@@ -377,7 +377,7 @@ TEST_CASE(
 
   RigidBody flying = rigid_body(cube);
   flying.motion.angular_velocity = {0.01, 0, 0};
-  fly(flying, {0, -9.81, 0}, step);
+  fly(flying, {{0, -9.81, 0}}, step);
   CHECK(flying.arms_at.coeffs() == flying.orientation.coeffs());
 
   RigidBody turned = rigid_body(cube);

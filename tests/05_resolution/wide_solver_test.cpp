@@ -60,7 +60,6 @@ struct OneContact
 {
   Body<float> a, b;
   ContactConstraint<float> at;
-  Vector3<float> across;
 };
 
 /// Four of them, one in each lane.
@@ -89,14 +88,14 @@ OneContact drawn_contact(BoxDraw& draw)
   const Vector3<double> normal = draw.direction();
   const Vector3<double> arm_a = draw.vector(-1, 1), arm_b = draw.vector(-1, 1);
   const Vector3<float> zero = Vector3<float>::Zero();
-  ContactConstraint<float> at{zero, {zero, zero}, 0, 0, 0, zero, 0, {Matrix3<float>::Zero(), 0}};
+  ContactConstraint<float> at{zero, {zero, zero}, 0, 0, 0, 0, zero, 0, {Matrix3<float>::Zero(), 0}};
   at.normal = normal.cast<float>();
   at.arms = {arm_a.cast<float>(), arm_b.cast<float>()};
   at.coefficient = static_cast<float>(draw.between(0, 1));
   at.apart = static_cast<float>(draw.between(-0.05, 0.05));
   at.impulse = draw.whole(2) == 0 ? 0.0f : static_cast<float>(draw.between(0, 2));
   at.friction = (at.impulse / 4 * normal.unitOrthogonal().cast<float>()).eval();
-  return {a, b, at, normal.unitOrthogonal().cast<float>()};
+  return {a, b, at};
 }
 
 void set_lane(Body<Four>& to, std::size_t lane, const Body<float>& from)
@@ -111,7 +110,6 @@ void set_lane(FourContacts& to, std::size_t lane, const OneContact& from)
 {
   set_lane(to.of.a, lane, from.a);
   set_lane(to.of.b, lane, from.b);
-  set_lane(to.of.across, lane, from.across);
   set_lane(to.at.normal, lane, from.at.normal);
   set_lane(to.at.arms.a, lane, from.at.arms.a);
   set_lane(to.at.arms.b, lane, from.at.arms.b);
@@ -145,13 +143,13 @@ TEST_CASE("each lane does to the bit what one contact alone does: masses, pushes
     {
       OneContact& one = ones.emplace_back(drawn_contact(draw));
       set_lane(wide, lane, one);
-      find_masses<float>(one.at, one.a, one.b, one.across);
+      find_masses<float>(one.at, one.a, one.b);
       warm_start<float>(one.a, one.b, one.at);
       correct<float>(one.a, one.b, one.at, spring, small, 1.0f);
       correct<float>(one.a, one.b, one.at, rigid<float>(), small, 1.0f);
     }
     auto& [of, at] = wide;
-    find_masses<Four>(at, of.a, of.b, of.across);
+    find_masses<Four>(at, of.a, of.b);
     warm_start<Four>(of.a, of.b, at);
     correct<Four>(of.a, of.b, at, wide_spring, small, 1.0f);
     correct<Four>(of.a, of.b, at, rigid<Four>(), small, 1.0f);
@@ -445,21 +443,20 @@ TEST_CASE("two contacts with a ball in common, solved at once, lose a push")
   std::vector<LaneBody> balls(4);
   for (std::size_t i = 0; i < 3; ++i)
   {
-    balls[i].inverse_mass() = 1;
+    balls[i].masses[0] = 1; // the inverse mass
   }
   const int a[]{0, 1, 3, 3}, b[]{1, 2, 3, 3};
   const Four zero(0);
   const Vector3<Four> none(zero, zero, zero);
   Body<Four> bodies_a, bodies_b;
-  ContactConstraint<Four> at{none, {none, none}, zero, zero, Four(1), none, zero, {}};
+  ContactConstraint<Four> at{none, {none, none}, zero, zero, Four(1), zero, none, zero, {}};
   for (const std::size_t lane : {0u, 1u})
   {
     at.normal.x().lanes[lane] = 1;
   }
   for (auto [numbers, body] : {std::pair(a, &bodies_a), std::pair(b, &bodies_b)})
   {
-    gather_motion(balls.data(), numbers, *body);
-    gather_inverse_masses(balls.data(), numbers, *body);
+    gather_body(balls.data(), numbers, *body);
   }
   warm_start<Four>(bodies_a, bodies_b, at);
   scatter_motion(bodies_a, balls.data(), a);

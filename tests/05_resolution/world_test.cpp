@@ -504,7 +504,7 @@ TEST_CASE(
       world_verdicts(), solver_names(),
       {{"S3", {"direct", "soft_steps", "wide_steps", "position_based"}},
        {"S6", {"direct"}},
-       {"S7", {"direct"}},
+       {"S7", {"direct", "position_based"}},
        {"S8", {"direct"}},
        {"S18", {"direct", "soft_steps", "wide_steps"}},
        {"S20",

@@ -79,7 +79,7 @@ void print_piles(const char* name, Solver solver)
         WorldPoint& point = contact.points.emplace_back();
         point.on_a = a.axes.transpose() * (at - apart - a.motion.center);
         point.on_b = b.axes.transpose() * (at + apart - b.motion.center);
-        point.impulse = draw.one_in(2) ? draw.number(0, 0.1) : 0;
+        point.impulse = point.carried = draw.one_in(2) ? draw.number(0, 0.1) : 0;
         point.solved = point.impulse > 0;
         point.feature = corner;
       }

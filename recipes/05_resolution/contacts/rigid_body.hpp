@@ -26,14 +26,12 @@ using BodyId = std::uint64_t;
 /// A body as a world moves it: one that can be pushed, and how it is turned.
 struct RigidBody : Body<double>
 {
-  Quaternion<double> orientation; ///< unit, body to world
-  Vector3<double> moments;        ///< [kg m²], along the body's axes; 0 where it is fixed
-  Matrix3<double> axes;           ///< [1], the orientation as a matrix; a ball's stay the world's
   bool round;                     ///< a ball: where it touches does not turn with it
   std::uint32_t generation;       ///< how many had its place in the world before
+  Quaternion<double> orientation; ///< unit, body to world
   Quaternion<double> arms_at;     ///< as it was turned when a solver took its arms, kept_arms()
-  Vector3<double> acceleration = Vector3<double>::Zero(); ///< [m/s²], world, by this step's forces
-  Vector3<double> angular_acceleration = Vector3<double>::Zero(); ///< [rad/s²], world, by the same
+  Vector3<double> moments;        ///< [kg m²], along the body's axes; 0 where it is fixed
+  Matrix3<double> axes;           ///< [1], the orientation as a matrix; a ball's stay the world's
 };
 
 /// The place of a body in lists.
@@ -54,36 +52,33 @@ inline bool is_fixed(const RigidBody& body)
   return body.inverse_mass == 0;
 }
 
-/// Forgets the forces of a step.
-inline void forget_forces(RigidBody& body)
+/// What pulls a body that is not fixed, in a step.
+struct Pull
 {
-  body.acceleration.setZero();
-  body.angular_acceleration.setZero();
+  Vector3<double> acceleration = Vector3<double>::Zero();         ///< [m/s²], world
+  Vector3<double> angular_acceleration = Vector3<double>::Zero(); ///< [rad/s²], world
+};
+
+/// What the forces of a step do to the body at a place; nothing behind the end of their list.
+inline Pull force_on(std::span<const Pull> forces, std::size_t place)
+{
+  return place < forces.size() ? forces[place] : Pull{};
 }
 
 /// Forces last as long as this, also where a step throws.
 struct ForcesOfStep
 {
-  std::vector<RigidBody>& bodies; ///< whose forces they are
+  std::vector<Pull>& forces;
 
-  ~ForcesOfStep() { std::for_each(bodies.begin(), bodies.end(), forget_forces); }
+  ~ForcesOfStep() { forces.clear(); }
 };
 
-/// What pulls a body that is not fixed [m/s²]: gravity and the forces of the step.
-template <class SomeBody>
-Vector3<double> pull_on(const SomeBody& body, const Vector3<double>& gravity)
+/// What gravity [m/s²] and these forces do to it together.
+inline Pull pull_on(const Vector3<double>& gravity, std::span<const Pull> forces, std::size_t place)
 {
-  return gravity + body.acceleration;
-}
-
-/// How fast [m/s²] they part two bodies along a direction from A to B; negative where they press.
-inline double parting_pull(
-    const RigidBody& a, const RigidBody& b, const Vector3<double>& direction,
-    const Vector3<double>& gravity)
-{
-  const auto pulls = [&](const RigidBody& body)
-  { return is_fixed(body) ? 0.0 : pull_on(body, gravity).dot(direction); };
-  return pulls(b) - pulls(a);
+  Pull pull = force_on(forces, place);
+  pull.acceleration += gravity;
+  return pull;
 }
 
 /// The fastest approach [m/s] that is a rest in a step [s], where what pulls parts two bodies at
@@ -93,25 +88,22 @@ inline double rest_threshold(const Vector3<double>& gravity, double parting_pull
   return bounce_threshold(std::max(gravity.norm(), -parting_pull), step);
 }
 
-/// How it moves once they have pulled it for a time [s], where it is.
-template <class SomeBody>
-Motion<double> after_pull(const SomeBody& body, const Vector3<double>& gravity, double time)
+/// How a body moves once something has pulled it for a time [s], where it is.
+inline Motion<double> after_pull(const Motion<double>& motion, const Pull& by, double time)
 {
-  const auto& [center, velocity, spin] = body.motion;
-  const Vector3<double> gained = time * pull_on(body, gravity);
-  return {center, velocity + gained, spin + time * body.angular_acceleration};
+  const auto& [center, velocity, spin] = motion;
+  return {center, velocity + time * by.acceleration, spin + time * by.angular_acceleration};
 }
 
-/// Has them pull it for a time [s].
-inline void pull(RigidBody& body, const Vector3<double>& gravity, double time)
+/// Has something pull a body for a time [s].
+inline void pull(RigidBody& body, const Pull& by, double time)
 {
-  body.motion = after_pull(body, gravity, time);
+  body.motion = after_pull(body.motion, by, time);
 }
 
 /// Takes a body's mass, so that nothing moves it any more.
 inline void fix(RigidBody& body)
 {
-  forget_forces(body);
   body.motion.velocity.setZero();
   body.motion.angular_velocity.setZero();
   body.inverse_mass = 0;
@@ -177,7 +169,7 @@ inline RigidBody rigid_body(const SceneBody& body)
   const Body<double> pushed =
       fixed ? Body<double>{motion, 0, Matrix3<double>::Zero()} : movable(motion, mass, axes);
   const Quaternion<double> orientation = body.orientation.normalized();
-  RigidBody made{pushed, orientation, mass.moments, axes, round, 0, orientation};
+  RigidBody made{pushed, round, 0, orientation, orientation, mass.moments, axes};
   update_axes(made);
   return made;
 }

@@ -22,13 +22,15 @@ inline std::size_t place_of(int number)
 }
 
 // [world_contact]
-/// What a solver knows of a contact point; carried from frame to frame.
+/// What a solver knows of a contact point; carried from frame to frame. Of small steps, friction and
+/// what is carried are those of the last, times their number.
 struct WorldPoint
 {
   Vector3<double> on_a = Vector3<double>::Zero();     ///< [m], in A's frame, on its surface
   Vector3<double> on_b = Vector3<double>::Zero();     ///< [m], in B's frame, on its surface
   Vector3<double> friction = Vector3<double>::Zero(); ///< [N s], on B, across the normal, world
   double impulse = 0;        ///< [N s], by the solver in this step, along the normal, zero or more
+  double carried = 0;        ///< [N s], along it, with which the next step begins
   std::uint32_t feature = 0; ///< which features of the shapes meet here
   bool solved = false;       ///< whether the impulse is more than a guess
   bool strained = false;     ///< whether it is more than any load, is_strained()

@@ -59,7 +59,7 @@ held_friction(const WorldContact& contact, const WorldPoint& point, double push,
 }
 
 /// How the direct solver is run where contacts are so soft; where they are, friction keeps to the
-/// bounds that the frame before has left, but for new points.
+/// bounds that the frame before has left.
 inline DirectSettings settings_at(double give)
 {
   DirectSettings settings{.give = give};

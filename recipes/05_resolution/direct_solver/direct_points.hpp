@@ -26,8 +26,9 @@ struct DirectSettings
   std::size_t products = 100'000;   ///< of blocks, above which factoring takes too long
   double give = 0;                  ///< [1], 0: contacts are stiff; 1: soft, as GiveSettings says
   double missing = 0;               ///< [N s], may be missing, however small impulses are
-  bool bounds_move = true;          ///< whether the bounds of friction follow the pushes found here
-  bool opening_grips = true;        ///< whether there is friction where an overlap opens
+  bool bounds_move = true;   ///< whether bounds of friction follow the pushes found here, or only
+                             ///< those of new points, which begin without friction, and once
+  bool opening_grips = true; ///< whether there is friction where an overlap opens
 };
 
 /// An overlap that opens no faster than this [m/s] does no harm, and is treated as none.
@@ -72,6 +73,7 @@ struct DirectPoint : PushingWay
   double coefficient;       ///< [1], of friction
   double bias;              ///< [m/s], the speed at which the gap may close, or is to open
   double bound;             ///< [N s], the most that friction can do; infinite: not known yet
+  bool bound_moves;         ///< whether that is to follow the push found here
   bool solved;              ///< whether the frame before knew it
   Vector3<double> held;     ///< [N s], friction that there is without any slip
   double impulse;           ///< [N s], along the normal

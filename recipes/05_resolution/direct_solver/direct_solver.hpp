@@ -35,9 +35,9 @@ inline bool guess(DirectSystem& system, double speed)
   return any;
 }
 
-/// Has friction follow the impulses along the normals, at all points or only where its bound is not
-/// known yet; false where none of these was off by more than a tolerance [N s].
-inline bool moved_bounds(DirectSystem& system, double tolerance, bool all)
+/// Has friction follow the impulses along the normals, where its bound moves; this once, or again.
+/// False where none of these was off by more than a tolerance [N s].
+inline bool moved_bounds(DirectSystem& system, double tolerance, bool again)
 {
   bool far = false;
   for (const DirectContact& contact : system.contacts)
@@ -46,7 +46,7 @@ inline bool moved_bounds(DirectSystem& system, double tolerance, bool all)
     for (std::size_t i = contact.first; i < contact.end; ++i)
     {
       DirectPoint& point = system.points[i];
-      if (!all && point.bound < std::numeric_limits<double>::infinity())
+      if (!point.bound_moves)
       {
         continue;
       }
@@ -57,6 +57,7 @@ inline bool moved_bounds(DirectSystem& system, double tolerance, bool all)
       any = any || off_by_more_than(0) || (point.grip != Grip::none) != (bound > 0);
       far = far || off_by_more_than(tolerance);
       point.bound = bound;
+      point.bound_moves = again;
     }
     if (any)
     {
@@ -86,7 +87,7 @@ inline void scatter(
   {
     for (WorldPoint& of : world.contacts[place_of(i)].points)
     {
-      of.impulse = system.points[point].impulse;
+      of.impulse = of.carried = system.points[point].impulse;
       of.friction = system.points[point].friction;
       of.solved = true;
       of.strained = strained;

@@ -76,9 +76,10 @@ inline void gather(
     made.solved = point.solved;
     made.held = held_friction(contact, point, opening * stiffness.push, settings.give);
     made.coefficient = settings.opening_grips || opening <= slow_opening ? contact.friction : 0;
-    made.bound = point.impulse > 0 || made.coefficient == 0
-                     ? made.coefficient * point.impulse
-                     : std::numeric_limits<double>::infinity();
+    const bool known = point.impulse > 0 || made.coefficient == 0;
+    const double unknown = settings.bounds_move ? std::numeric_limits<double>::infinity() : 0;
+    made.bound = known ? made.coefficient * point.impulse : unknown;
+    made.bound_moves = settings.bounds_move || !known;
   }
   system.contacts.push_back(
       {number_in(island, contact.a), number_in(island, contact.b), &contact, first,
@@ -118,7 +119,7 @@ inline void gather(
     system.velocities.push_back(velocities(body.motion));
     system.bodies.push_back(
         {1 / body.inverse_mass, world_inertia(body.moments, body.axes),
-         velocities(after_pull(body, world.gravity, step))});
+         velocities(after_pull(body.motion, pull_on(world, i), step))});
   }
   for (const int i : island.contacts)
   {

@@ -43,6 +43,17 @@ Vector3<Real> within_cone(const Vector3<Real>& impulse, const Real& most)
 // [within_cone]
 
 // [sliding_mass]
+/// A unit direction of the surface that has this unit normal, without a branch (T. Duff and others,
+/// "Building an Orthonormal Basis, Revisited", 2017); for a normal of zero the world's x axis.
+template <class Real>
+Vector3<Real> direction_along(const Vector3<Real>& normal)
+{
+  using std::copysign;
+  const Real side = copysign(Real(1), normal.z());
+  const Real share = normal.x() / (side + normal.z());
+  return {Real(1) - side * share * normal.x(), -side * share * normal.y(), -side * normal.x()};
+}
+
 /// How much speed [m/s] along one direction of the surface one newton second along another gives a
 /// body at an arm [1/kg].
 template <class Real>
@@ -69,11 +80,10 @@ struct SlidingMass
 /// The mass that a push along the surface feels, from K in a direction u of it and in one across.
 template <class Real>
 SlidingMass<Real> sliding_mass(
-    const Body<Real>& a, const Body<Real>& b, const Vector3<Real>& normal, const Vector3<Real>& u,
-    const Arms<Real>& arms)
+    const Body<Real>& a, const Body<Real>& b, const Vector3<Real>& normal, const Arms<Real>& arms)
 {
   using std::sqrt;
-  const Vector3<Real> v = normal.cross(u);
+  const Vector3<Real> u = direction_along(normal), v = normal.cross(u);
   const Real half(Real(1) / Real(2));
   const Real uu = inverse_mass_at(a, b, u, arms), vv = inverse_mass_at(a, b, v, arms);
   const Real uv = coupling_at(a, u, v, arms.a) + coupling_at(b, u, v, arms.b);
@@ -86,14 +96,6 @@ SlidingMass<Real> sliding_mass(
   const auto one_alone = alone <= Real(almost_none);
   const Real share = either(one_alone, least, [&] { return least / alone; });
   return {share * either(one_alone, all, [&] { return across; }), least};
-}
-
-/// The same, from any direction of the surface.
-template <class Real>
-SlidingMass<Real> sliding_mass(
-    const Body<Real>& a, const Body<Real>& b, const Vector3<Real>& normal, const Arms<Real>& arms)
-{
-  return sliding_mass<Real>(a, b, normal, normal.unitOrthogonal(), arms);
 }
 // [sliding_mass]
 

@@ -51,7 +51,8 @@ inline void hold_back(
     }
   }
   course.velocity -= share * inwards * normal;
-  course.acceleration -= std::max(0.0, course.acceleration.dot(normal)) * normal;
+  Vector3<double>& pull = course.pull.acceleration;
+  pull -= std::max(0.0, pull.dot(normal)) * normal;
 }
 
 /// The most touches of a body in a step; from then on it only stops, and a box does not turn; after
@@ -81,14 +82,14 @@ public:
     const Vector3<double> before = course.velocity_at(time);
     const bool again = how == Onward::held && is_held_[place_of(i)];
     is_held_[place_of(i)] = how == Onward::held;
-    course.from = setting_out(past_of(body));
+    course.from = past_of(body);
     course.since = time;
     course.velocity = again ? before : body.motion.velocity;
     course.tossed = course.tossed || turns_back(before, course.velocity);
     if (how == Onward::frozen)
     {
       course.velocity.setZero();
-      course.acceleration.setZero();
+      course.pull = {};
     }
     end(i, how);
     changed_.push_back(i);
@@ -102,7 +103,7 @@ public:
       return go_on(i, body, time, is_frozen(i) ? Onward::frozen : how);
     }
     const Vector3<double> gained =
-        (step_.scene.step - time) * step_.courses[place_of(i)].acceleration;
+        (step_.scene.step - time) * step_.courses[place_of(i)].pull.acceleration;
     Motion<double>& end = ends_[place_of(i)].motion;
     end = {end.center, body.motion.velocity + gained, body.motion.angular_velocity};
   }
@@ -129,9 +130,7 @@ public:
 private:
   void end(int i, Onward how)
   {
-    RigidBody& end = ends_[place_of(i)];
-    end = gone_on(step_.courses[place_of(i)], step_.scene.step, how);
-    forget_forces(end);
+    ends_[place_of(i)] = gone_on(step_.courses[place_of(i)], step_.scene.step, how);
   }
 
   StepCourses& step_;

@@ -44,7 +44,7 @@ add_impacts(IslandView world, const Island& island, double step, std::vector<Imp
       continue;
     }
     const RigidBody &a = world.bodies[place_of(contact.a)], &b = world.bodies[place_of(contact.b)];
-    const double pull = parting_pull(a, b, contact.normal, world.gravity);
+    const double pull = parting_pull(world, contact);
     const double slow = rest_threshold(world.gravity, pull, step);
     Impact fastest{contact.a, contact.b, b.motion.center, contact.normal, slow};
     for (const WorldPoint& point : contact.points)

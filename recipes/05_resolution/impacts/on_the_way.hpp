@@ -33,14 +33,14 @@ on_the_way(const StepCourses& step, int i, double time, bool own, const RigidBod
   if (own)
   {
     RigidBody body = course.start();
-    fly(body, course.acceleration, time - course.since);
+    fly(body, course.pull, time - course.since);
     body.motion.center = course.place_at(time);
     return swept ? turned_like(body, course.pose_at(time)) : body;
   }
   const RigidBody pose = course.pose_at(time);
   RigidBody body = swept ? turned_like(end, pose) : pose;
   body.motion.center = pose.motion.center;
-  body.motion.velocity = end.motion.velocity - (step.scene.step - time) * course.acceleration;
+  body.motion.velocity = end.motion.velocity - (step.scene.step - time) * course.pull.acceleration;
   if (!swept)
   {
     body.motion.angular_velocity = end.motion.angular_velocity;
@@ -66,11 +66,11 @@ inline RigidBody gone_on(Course& course, double step, Onward how)
   RigidBody end = course.start();
   if (turns)
   {
-    fly(end, course.acceleration, time);
+    fly(end, course.pull, time);
   }
   else
   {
-    end.motion.velocity += time * course.acceleration;
+    end.motion.velocity += time * course.pull.acceleration;
   }
   course.spin = turns ? spin_between(course.from, end, time) : Vector3<double>::Zero();
   end.motion.center = course.place_at(step);

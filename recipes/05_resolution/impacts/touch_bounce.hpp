@@ -80,8 +80,7 @@ inline double ghost_depth(
   {
     return 0;
   }
-  const auto force_on = [&](int i) { return step.starts[place_of(i)].acceleration; };
-  const double by_forces = way_by_forces(scene, force_on(touch.first), force_on(touch.other));
+  const double by_forces = way_by_forces(scene, step.forces, touch.first, touch.other);
   const double thin = std::min(thinness_of(*box_a), thinness_of(*box_b));
   const double margin = ghost_margin(contact_margin(scene), by_forces, harmless_depth(thin));
   const bool passes = is_ghost(placed(a, *box_a), placed(b, *box_b), met->normal, 0, margin);
@@ -95,7 +94,7 @@ inline double threshold_of(const StepCourses& step, const CourseTouch& touch)
 {
   const Course &one = step.courses[place_of(touch.first)],
                &two = step.courses[place_of(touch.other)];
-  const double pressing = (one.acceleration - two.acceleration).dot(touch.normal);
+  const double pressing = (one.pull.acceleration - two.pull.acceleration).dot(touch.normal);
   return rest_threshold(step.scene.gravity, -pressing, step.scene.step);
 }
 

@@ -19,19 +19,18 @@ struct ContactConstraint
   Real coefficient;          ///< [1], of friction
   Real apart;                ///< [m], the gap; solvers with small steps carry it on
   Real impulse;              ///< [N s], given along the normal so far, zero or more
+  Real sum;                  ///< [N s], of that over the small steps of a step
   Vector3<Real> friction;    ///< [N s], given to B across the normal so far
   Real normal_mass;          ///< [kg], that an impulse along the normal feels
   SlidingMass<Real> sliding; ///< [kg], what one across it feels
 };
 
-/// Finds what impulses at a point feel, with the bodies as they are turned now; `u` is any
-/// direction of the surface; R1.
+/// Finds what impulses at a point feel, with the bodies as they are turned now; R1.
 template <class Real>
-void find_masses(
-    ContactConstraint<Real>& at, const Body<Real>& a, const Body<Real>& b, const Vector3<Real>& u)
+void find_masses(ContactConstraint<Real>& at, const Body<Real>& a, const Body<Real>& b)
 {
   at.normal_mass = effective_mass(inverse_mass_at(a, b, at.normal, at.arms));
-  at.sliding = sliding_mass(a, b, at.normal, u, at.arms);
+  at.sliding = sliding_mass(a, b, at.normal, at.arms);
 }
 
 /// How fast [m/s] the surfaces part at a point.

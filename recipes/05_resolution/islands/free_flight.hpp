@@ -12,12 +12,11 @@ namespace cookbook
 {
 
 // [fly]
-/// Has gravity and the forces of a step alone move a body for a time [s]: exactly along its
-/// parabola.
-inline void fly(RigidBody& body, const Vector3<double>& gravity, double time)
+/// Has what pulls a body alone move it for a time [s]: exactly along its parabola.
+inline void fly(RigidBody& body, const Pull& by, double time)
 {
-  body.motion.center += time * (body.motion.velocity + time / 2 * pull_on(body, gravity));
-  pull(body, gravity, time);
+  body.motion.center += time * (body.motion.velocity + time / 2 * by.acceleration);
+  pull(body, by, time);
   spin(body, time);
   body.arms_at = body.orientation; // nothing pushes it at any
 }
@@ -30,14 +29,13 @@ inline Vector3<double> angular_momentum(
                        : turned * body.moments.cwiseProduct(turned.conjugate() * spin);
 }
 
-/// Whether anything but gravity and forces has changed how a body moves, since it was at the start
-/// of a step [s]: its momentum, not its spin, stays as it is.
-inline bool
-was_pushed(const RigidBody& now, const PastBody& start, const Vector3<double>& gravity, double step)
+/// Whether anything but what pulls a body has changed how it moves, since it was at the start of a
+/// step [s]: its momentum, not its spin, stays as it is.
+inline bool was_pushed(const RigidBody& now, const PastBody& start, const Pull& by, double step)
 {
   const auto differs = [](const Vector3<double>& a, const Vector3<double>& b)
   { return (a - b).norm() > 1e-9 * b.norm(); };
-  const Motion<double> alone = after_pull(start, gravity, step);
+  const Motion<double> alone = after_pull(start.motion, by, step);
   return differs(now.motion.velocity, alone.velocity) ||
          differs(
              angular_momentum(now, now.orientation, now.motion.angular_velocity),
@@ -48,11 +46,10 @@ was_pushed(const RigidBody& now, const PastBody& start, const Vector3<double>& g
 /// step [s]: a part of the pull, and what is held of that lies across it, but for a share by
 /// friction. Zero where it does not slide like that.
 inline Vector3<double> sliding_pull(
-    const RigidBody& now, const PastBody& start, const Vector3<double>& gravity, double step,
+    const RigidBody& now, const PastBody& start, const Vector3<double>& pull, double step,
     double friction)
 {
   const Vector3<double> changed = (now.motion.velocity - start.motion.velocity) / step;
-  const Vector3<double> pull = pull_on(start, gravity);
   const double held = (pull - changed).dot(changed) / pull.squaredNorm();
   const bool slides =
       !is_fixed(now) && changed.norm() > 0.05 * pull.norm() && held > -1e-4 && held < friction;
@@ -61,14 +58,9 @@ inline Vector3<double> sliding_pull(
 
 /// Has a body that slides without friction end along its way where a parabola does, exactly, as in
 /// free flight: a solver has left it behind by a part of what that bends, and no more.
-inline void
-slide(RigidBody& now, const PastBody& start, const Vector3<double>& gravity, double step)
+inline void slide(RigidBody& now, const PastBody& start, const Vector3<double>& whole, double step)
 {
-  const Vector3<double> pull = sliding_pull(now, start, gravity, step, 1e-4);
-  if ((pull_on(start, gravity) - pull).norm() < 5e-4 * pull.norm())
-  {
-    return; // nothing holds it at all: it was moved out of an overlap
-  }
+  const Vector3<double> pull = sliding_pull(now, start, whole, step, 1e-4);
   const Vector3<double> mean = (start.motion.velocity + now.motion.velocity) / 2;
   const Vector3<double> aside = start.motion.center + step * mean - now.motion.center;
   const double share = -aside.dot(pull) / (step * step / 2 * pull.squaredNorm());
@@ -88,14 +80,14 @@ struct Unpushed
 
 /// The step [s] of a body that was not pushed.
 inline Unpushed
-unpushed(const RigidBody& now, const PastBody& start, const Vector3<double>& gravity, double step)
+unpushed(const RigidBody& now, const PastBody& start, const Vector3<double>& pull, double step)
 {
   const Vector3<double> none = Vector3<double>::Zero(), way = step * start.motion.velocity;
   if (is_fixed(now))
   {
     return {none, none, 0};
   }
-  const Vector3<double> bend = step * step / 2 * pull_on(start, gravity);
+  const Vector3<double> bend = step * step / 2 * pull;
   const Vector3<double> gone = now.motion.center - start.motion.center;
   const double rounding = 1e-9 * (way.norm() + bend.norm()) + 1e-14 * start.motion.center.norm();
   return {bend, gone - way - bend, rounding};

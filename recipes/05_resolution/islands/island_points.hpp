@@ -32,9 +32,33 @@ struct IslandView
 {
   std::span<RigidBody> bodies;      ///< all bodies of the world
   std::span<WorldContact> contacts; ///< all contacts of the world
-  Vector3<double> gravity;        ///< [m/s²], world; with a body's own forces, what pull() is for
-  std::vector<IslandPoint>& room; ///< for the points of an island; kept from step to step
+  Vector3<double> gravity;          ///< [m/s²], world
+  std::vector<IslandPoint>& room;   ///< for the points of an island; kept from step to step
+  std::span<const Pull> forces{};   ///< of this step, force_on()
 };
+
+/// What pulls a body that is not fixed.
+inline Pull pull_on(IslandView world, int body)
+{
+  return pull_on(world.gravity, world.forces, place_of(body));
+}
+
+/// Has that pull it for a time [s].
+inline void pull(IslandView world, int body, double time)
+{
+  pull(world.bodies[place_of(body)], pull_on(world, body), time);
+}
+
+/// How fast [m/s²] that parts the two bodies of a contact; negative where they press.
+inline double parting_pull(IslandView world, const WorldContact& contact)
+{
+  const auto pulls = [&](int body)
+  {
+    const bool fixed = is_fixed(world.bodies[place_of(body)]);
+    return fixed ? 0.0 : pull_on(world, body).acceleration.dot(contact.normal);
+  };
+  return pulls(contact.b) - pulls(contact.a);
+}
 
 /// Moves the bodies of one island on by a step [s], and sets the impulses of its contacts.
 using IslandSolver = std::function<void(IslandView, const Island&, double)>;
@@ -62,7 +86,7 @@ inline WorldSolver one_by_one(IslandSolver solver)
 /// Finds what impulses at a point feel, with the bodies as they are turned now.
 inline void find_masses(IslandPoint& point)
 {
-  find_masses<double>(point, *point.a, *point.b, point.normal.unitOrthogonal());
+  find_masses<double>(point, *point.a, *point.b);
 }
 
 /// Says at which arms [m] two bodies are pushed at a point.
@@ -77,7 +101,7 @@ inline ContactConstraint<double> constraint_of(
   const Vector3<double>& normal = contact.normal;
   const Vector3<double> friction = along_surface(of.friction, normal);
   const double apart = gap(a, b, normal, of);
-  return {normal, find_arms(a, b, of), contact.friction, apart, of.impulse, friction, 0, {}};
+  return {normal, find_arms(a, b, of), contact.friction, apart, of.carried, 0, friction, 0, {}};
 }
 
 /// A contact point of an island.
@@ -114,7 +138,7 @@ inline void store(std::span<const IslandPoint> points)
 {
   for (const IslandPoint& point : points)
   {
-    point.known->impulse = point.impulse;
+    point.known->impulse = point.known->carried = point.impulse;
     point.known->friction = point.friction;
   }
 }

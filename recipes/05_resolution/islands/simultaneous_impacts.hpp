@@ -21,15 +21,15 @@ namespace cookbook
 // [impact_target]
 /// The speed [m/s] at which the surfaces are to part at a point, or less than zero if nothing
 /// bounces there: they part already, or are too slow, or will not touch in this step [s].
-inline double impact_target(const IslandPoint& point, const Vector3<double>& gravity, double step)
+inline double impact_target(const IslandPoint& point, IslandView world, double step)
 {
   const double speed = parting_speed(point), apart = point.apart;
   if (speed >= 0 || apart > -speed * step)
   {
     return -1;
   }
-  const double acceleration = parting_pull(*point.a, *point.b, point.normal, gravity);
-  const double threshold = rest_threshold(gravity, acceleration, step);
+  const double acceleration = parting_pull(world, *point.contact);
+  const double threshold = rest_threshold(world.gravity, acceleration, step);
   const double target = bounced_speed<double>(
       speed, {acceleration, 0, -apart}, point.contact->restitution, threshold);
   return target > 0 ? target : -1;
@@ -160,7 +160,7 @@ inline bool simultaneous_impacts(IslandView world, const Island& island, double 
     for (const IslandPoint& point : all)
     {
       const bool asked = first || pushed.count(point.a) > 0 || pushed.count(point.b) > 0;
-      const double target = asked ? impact_target(point, world.gravity, step) : -1;
+      const double target = asked ? impact_target(point, world, step) : -1;
       any = any || target > 0;
       if (asked && (target >= 0 || point.apart <= 0))
       {

@@ -97,18 +97,18 @@ inline void position_based(
   {
     for (std::size_t i = 0; i < before.size(); ++i)
     {
-      change(before[i], world.bodies[static_cast<std::size_t>(island.bodies[i])]);
+      change(before[i], island.bodies[i]);
     }
   };
   for (int i = 0; i < settings.substeps; ++i)
   {
     std::for_each(points.begin(), points.end(), begin);
     each_body(
-        [&](RigidBody& was, RigidBody& body)
+        [&](RigidBody& was, int body)
         {
-          was = body;
-          pull(body, world.gravity, small);
-          move(body, small);
+          was = world.bodies[place_of(body)];
+          pull(world, body, small);
+          move(world.bodies[place_of(body)], small);
         });
     for (int pass = 0; pass < settings.iterations; ++pass)
     {
@@ -118,7 +118,8 @@ inline void position_based(
         correct_slip(point);
       }
     }
-    each_body([&](const RigidBody& was, RigidBody& body) { velocities_from(was, body, small); });
+    each_body([&](const RigidBody& was, int body)
+              { velocities_from(was, world.bodies[place_of(body)], small); });
     std::for_each(
         points.begin(), points.end(), [&](PositionPoint& point) { end(point, small, threshold); });
   }

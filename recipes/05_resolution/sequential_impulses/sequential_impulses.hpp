@@ -102,7 +102,7 @@ inline std::vector<SequentialPoint> sequential_points(
 {
   for (const int body : island.bodies)
   {
-    pull(world.bodies[static_cast<std::size_t>(body)], world.gravity, step);
+    pull(world, body, step);
   }
   std::vector<SequentialPoint> points;
   for (IslandPoint& point : points_of(world, island))

@@ -79,6 +79,18 @@ inline void scale_impulses(std::span<IslandPoint> points, double scale)
   }
 }
 
+/// Writes down what points have been given in all small steps of a step, and with what the next
+/// step begins: that of the last small step, times their number.
+inline void store(std::span<IslandPoint> points, double substeps)
+{
+  scale_impulses(points, substeps);
+  store(points);
+  for (const IslandPoint& point : points)
+  {
+    point.known->impulse = point.sum;
+  }
+}
+
 /// Moves the bodies of an island on by a step [s]; R13, R16.
 ///
 /// Each small step pushes with the springs, moves the bodies, and then relaxes: once more without
@@ -96,7 +108,7 @@ soft_steps(IslandView world, const Island& island, double step, const SoftSettin
   {
     for (const int body : island.bodies)
     {
-      pull(world.bodies[static_cast<std::size_t>(body)], world.gravity, small);
+      pull(world, body, small);
     }
     warm_start(world, island, small, points);
     for (IslandPoint& point : points)
@@ -119,10 +131,10 @@ soft_steps(IslandView world, const Island& island, double step, const SoftSettin
     for (IslandPoint& point : points)
     {
       correct<double>(*point.a, *point.b, point, rigid<double>(), small, correction_speed);
+      point.sum += point.impulse;
     }
   }
-  scale_impulses(points, settings.substeps);
-  store(points);
+  store(points, settings.substeps);
   hold_corners(world, island, settings.worn_corner);
 }
 // [soft_steps]

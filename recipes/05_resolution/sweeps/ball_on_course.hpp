@@ -67,7 +67,7 @@ struct BallOnCourse
   {
     const auto way_at = [&](double time)
     { return way_between(placed_at(ball, time, ball_shape), placed_at(other, time, other_shape)); };
-    const Vector3<double> acceleration = ball.acceleration - other.acceleration;
+    const Vector3<double> acceleration = ball.pull.acceleration - other.pull.acceleration;
     const auto look = [&](double share)
     {
       const double time = share * step;

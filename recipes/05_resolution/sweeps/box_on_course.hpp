@@ -84,14 +84,14 @@ struct BoxOnCourse
   Passage<double> passage(const Course& of, const RigidBody& pose, double time) const
   {
     return {
-        pose.motion.center, step * of.velocity_at(time), step * step * of.acceleration,
+        pose.motion.center, step * of.velocity_at(time), step * step * of.pull.acceleration,
         step * of.spin};
   }
   template <class Shape>
   std::optional<SweptHit<double>>
   operator()(const BoxShape& box_shape, const Shape& other_shape) const
   {
-    const Vector3<double> acceleration = box.acceleration - other.acceleration;
+    const Vector3<double> acceleration = box.pull.acceleration - other.pull.acceleration;
     const double fastest =
         (box.velocity_at(from) - other.velocity_at(from)).norm() + step * acceleration.norm();
     const double size = std::max(reach_of(box_shape), reach_of(other_shape));

@@ -5,6 +5,8 @@
 
 #include "05_resolution/islands/free_flight.hpp"
 
+#include <span>
+
 namespace cookbook
 {
 
@@ -19,6 +21,16 @@ struct Ahead
   bool swept;          ///< whether it is left to the sweep: a box that goes far, a ball sooner
   bool forced;         ///< whether forces pull it
 };
+
+/// A step of a world as it is before it is taken.
+struct StepAhead
+{
+  const Scene& scene;                ///< with the bodies' shapes
+  std::span<const RigidBody> bodies; ///< as they are
+  std::span<const Pull> forces;      ///< on them, force_on()
+  std::span<Ahead> ahead;            ///< what is known of each, once ahead_of() has said it
+};
+
 // [ahead]
 
 // [course]
@@ -26,25 +38,26 @@ struct Ahead
 /// straight where nothing of its pull is left; the body turns steadily.
 struct Course
 {
-  const RigidBody* of;          ///< the body, kept elsewhere: for what no step changes
-  PastBody from;                ///< how it is as this course begins; its pull is not in it
-  double since;                 ///< [s], of the step, when it begins
-  Vector3<double> velocity;     ///< [m/s], at which the centre sets out
-  Vector3<double> acceleration; ///< [m/s²], of the centre
-  Vector3<double> spin;         ///< [rad/s], world; zero for a ball, whose turning changes nothing
-  bool tossed = false;          ///< whether a touch has turned it back in this step
+  const RigidBody* of;      ///< the body, kept elsewhere: for what no step changes
+  PastBody from;            ///< how it is as this course begins
+  double since;             ///< [s], of the step, when it begins
+  Vector3<double> velocity; ///< [m/s], at which the centre sets out
+  Pull pull;                ///< what bends the way of the centre, and speeds the spin up
+  Vector3<double> spin;     ///< [rad/s], world; zero for a ball, whose turning changes nothing
+  bool tossed = false;      ///< whether a touch has turned it back in this step
 
   /// The body as this course begins.
   RigidBody start() const { return as_it_was(*of, from); }
   /// The velocity [m/s] of the centre at a time [s] of the step.
   Vector3<double> velocity_at(double time) const
   {
-    return velocity + (time - since) * acceleration;
+    return velocity + (time - since) * pull.acceleration;
   }
   /// The place [m] of the centre at that time.
   Vector3<double> place_at(double time) const
   {
-    return from.motion.center + (time - since) * (velocity + (time - since) / 2 * acceleration);
+    const double on = time - since;
+    return from.motion.center + on * (velocity + on / 2 * pull.acceleration);
   }
   /// The velocity [m/s] at that time of what the body carries along at a place [m].
   Vector3<double> velocity_of(const Vector3<double>& place, double time) const
@@ -64,13 +77,6 @@ struct Course
   }
 };
 
-/// A body where a course begins: what pulls its centre the course has itself.
-inline PastBody setting_out(PastBody body)
-{
-  body.acceleration.setZero();
-  return body;
-}
-
 /// The steady spin [rad/s] that turns a body from one pose to another in a time [s].
 inline Vector3<double> spin_between(const PastBody& from, const RigidBody& to, double time)
 {
@@ -82,22 +88,18 @@ inline Vector3<double> spin_between(const PastBody& from, const RigidBody& to, d
 }
 
 /// The course of a body that others have pushed, from one pose to another in a step [s].
-inline Course pushed_course(
-    const PastBody& from, const RigidBody& to, double step, const Vector3<double>& gravity)
+inline Course pushed_course(const PastBody& from, const RigidBody& to, double step, const Pull& by)
 {
-  const Vector3<double> none = Vector3<double>::Zero(),
-                        pull = sliding_pull(to, from, gravity, step, 0.05);
-  const PastBody unforced{from.motion, from.orientation, none, none};
+  const Pull slide{sliding_pull(to, from, by.acceleration, step, 0.05)};
   const Vector3<double> mean = (to.motion.center - from.motion.center) / step;
-  return {&to, unforced, 0, mean - step / 2 * pull, pull, spin_between(from, to, step)};
+  const Vector3<double> velocity = mean - step / 2 * slide.acceleration;
+  return {&to, from, 0, velocity, slide, spin_between(from, to, step)};
 }
 
 /// The course of a body that nothing touches in a step [s], to a pose at its end.
-inline Course falling_course(
-    const PastBody& from, const RigidBody& to, double step, const Vector3<double>& gravity)
+inline Course falling_course(const PastBody& from, const RigidBody& to, double step, const Pull& by)
 {
-  const Vector3<double> spin = spin_between(from, to, step);
-  return {&to, setting_out(from), 0, from.motion.velocity, pull_on(from, gravity), spin};
+  return {&to, from, 0, from.motion.velocity, by, spin_between(from, to, step)};
 }
 // [course]
 

@@ -57,24 +57,29 @@ inline double depth_between(
 // [foreseen]
 /// How far [m] a body goes in a step if no other pushes it, but for the fall of that step. Its
 /// forces lead it half as far where nothing touches it, by a parabola, as where a solver moves it.
-inline Vector3<double> way_on(const Scene& scene, const RigidBody& body, double share)
+inline Vector3<double> way_on(const StepAhead& step, int i, double share)
 {
-  const Vector3<double> velocity = body.motion.velocity + share * scene.step * body.acceleration;
-  return is_fixed(body) ? Vector3<double>::Zero() : Vector3<double>(scene.step * velocity);
+  const RigidBody& body = step.bodies[place_of(i)];
+  const double time = step.scene.step;
+  const Vector3<double> gained = share * time * force_on(step.forces, place_of(i)).acceleration;
+  return is_fixed(body) ? Vector3<double>::Zero()
+                        : Vector3<double>(time * (body.motion.velocity + gained));
 }
 inline constexpr double held_share = 0, flying_share = 0.5, pushed_share = 1; // for way_on()
 
 /// The spin [rad/s] with which it turns meanwhile.
-inline Vector3<double> spin_on(const Scene& scene, const RigidBody& body)
+inline Vector3<double> spin_on(const StepAhead& step, int i)
 {
-  return body.motion.angular_velocity + scene.step * body.angular_acceleration;
+  return step.bodies[place_of(i)].motion.angular_velocity +
+         step.scene.step * force_on(step.forces, place_of(i)).angular_acceleration;
 }
 
 /// How far [m] that takes any of its points: a ball's stay on its surface.
-inline double turn_on(const Scene& scene, const RigidBody& body, int i)
+inline double turn_on(const StepAhead& step, int i)
 {
+  const RigidBody& body = step.bodies[place_of(i)];
   const bool turns = !body.round && !is_fixed(body);
-  return turns ? turning_way(scene, i, spin_on(scene, body), scene.step) : 0;
+  return turns ? turning_way(step.scene, i, spin_on(step, i), step.scene.step) : 0;
 }
 
 /// Whether a way [m] is clearly more than half of a body's smallest size.
@@ -84,26 +89,29 @@ inline bool is_far(const Scene& scene, int i, double way)
 }
 
 /// How a body goes on if nothing pushes it.
-inline Ahead ahead_of(const Scene& scene, const RigidBody& body, int i)
+inline Ahead ahead_of(const StepAhead& step, int i)
 {
+  const RigidBody& body = step.bodies[place_of(i)];
   Ahead ahead;
-  ahead.way = way_on(scene, body, flying_share);
-  ahead.turn = turn_on(scene, body, i);
+  ahead.way = way_on(step, i, flying_share);
+  ahead.turn = turn_on(step, i);
   ahead.farthest = ahead.way.norm() + ahead.turn;
-  ahead.harmless = harmless_depth(thinness(scene, i));
-  ahead.swept = body.round ? ahead.farthest > ahead.harmless : is_far(scene, i, ahead.farthest);
-  ahead.forced = body.acceleration.any();
+  ahead.harmless = harmless_depth(thinness(step.scene, i));
+  ahead.swept =
+      body.round ? ahead.farthest > ahead.harmless : is_far(step.scene, i, ahead.farthest);
+  ahead.forced = !is_fixed(body) && force_on(step.forces, place_of(i)).acceleration.any();
   return ahead;
 }
 
 /// A body where it would be after a step in which it goes and turns on as it does; its inertia is
 /// still that of where it is.
-inline RigidBody going_on(const Scene& scene, RigidBody body, double share)
+inline RigidBody going_on(const StepAhead& step, int i, double share)
 {
-  body.motion.center += way_on(scene, body, share);
+  RigidBody body = step.bodies[place_of(i)];
+  body.motion.center += way_on(step, i, share);
   if (!body.round && !is_fixed(body))
   {
-    body.orientation = turned_by(body, scene.step * spin_on(scene, body));
+    body.orientation = turned_by(body, step.scene.step * spin_on(step, i));
     body.axes = body.orientation.toRotationMatrix();
   }
   return body;
@@ -111,11 +119,12 @@ inline RigidBody going_on(const Scene& scene, RigidBody body, double share)
 
 /// The bounds of a body where it is, wider by half the margin [m] of contacts; and where it will be
 /// if nothing pushes it, unless that is far: only the sweep asks what lies so far ahead.
-inline Eigen::AlignedBox<double, 3>
-foreseen_bounds(const Scene& scene, const RigidBody& body, const Ahead& ahead, int i, double margin)
+inline Eigen::AlignedBox<double, 3> foreseen_bounds(const StepAhead& step, int i, double margin)
 {
-  const auto& shape = scene.bodies[place_of(i)].shape;
-  if (is_far(scene, i, ahead.farthest))
+  const RigidBody& body = step.bodies[place_of(i)];
+  const Ahead& ahead = step.ahead[place_of(i)];
+  const auto& shape = step.scene.bodies[place_of(i)].shape;
+  if (is_far(step.scene, i, ahead.farthest))
   {
     return bounds_of(body, shape, margin / 2);
   }
@@ -123,18 +132,17 @@ foreseen_bounds(const Scene& scene, const RigidBody& body, const Ahead& ahead, i
   const Eigen::AlignedBox<double, 3> here =
       bounds_of(body, shape, margin / 2 + ahead.turn + rounding);
   return here.merged(here.translated(ahead.way))
-      .merged(here.translated(way_on(scene, body, pushed_share)));
+      .merged(here.translated(way_on(step, i, pushed_share)));
 }
 
 /// How much closer [m] any points of two bodies may come in a step.
-inline double closer_by(
-    const Scene& scene, const RigidBody& a, const RigidBody& b, const Ahead& of_a,
-    const Ahead& of_b)
+inline double closer_by(const StepAhead& step, int i, int j)
 {
+  const Ahead &of_a = step.ahead[place_of(i)], &of_b = step.ahead[place_of(j)];
   double way = (of_b.way - of_a.way).norm();
   if (of_a.forced || of_b.forced)
   {
-    const Vector3<double> pushed = way_on(scene, b, pushed_share) - way_on(scene, a, pushed_share);
+    const Vector3<double> pushed = way_on(step, j, pushed_share) - way_on(step, i, pushed_share);
     way = std::max(way, pushed.norm());
   }
   return way + of_a.turn + of_b.turn;
@@ -151,29 +159,27 @@ inline constexpr double margins_taken_back = 20;
 /// Where gravity is weak, boxes are harmless only up to a tenth of their way: it would not take
 /// back the speed with which they are moved apart. Forces may press on what passes by as gravity
 /// does, so that ghosts overlap more, up to what does no harm.
-inline ContactReach foreseen_reach(
-    const Scene& scene, std::span<const RigidBody> bodies, std::span<const Ahead> ahead, int i,
-    int j, double margin)
+inline ContactReach foreseen_reach(const StepAhead& step, int i, int j, double margin)
 {
-  const Ahead &of_a = ahead[place_of(i)], &of_b = ahead[place_of(j)];
-  const RigidBody &a = bodies[place_of(i)], &b = bodies[place_of(j)];
+  const Ahead &of_a = step.ahead[place_of(i)], &of_b = step.ahead[place_of(j)];
+  const RigidBody &a = step.bodies[place_of(i)], &b = step.bodies[place_of(j)];
   const double small = std::min(of_a.harmless, of_b.harmless);
   const double harmless = a.round || b.round ? small : std::min(small, margins_taken_back * margin);
   const bool forced = of_a.forced || of_b.forced;
-  const double closing = closer_by(scene, a, b, of_a, of_b);
+  const double closing = closer_by(step, i, j);
   const bool harms = closing > harmless && !of_a.swept && !of_b.swept;
   if (!harms && !forced)
   {
     return {margin, margin};
   }
   const auto depth = [&](const RigidBody& one, const RigidBody& other) {
-    return depth_between(scene, {i, j}, one, other);
+    return depth_between(step.scene, {i, j}, one, other);
   };
   const auto end_of = [&](double share_of_a, double share_of_b)
-  { return depth(going_on(scene, a, share_of_a), going_on(scene, b, share_of_b)); };
+  { return depth(going_on(step, i, share_of_a), going_on(step, j, share_of_b)); };
   const double flown = end_of(flying_share, flying_share);
   const double end = forced ? std::max(flown, end_of(pushed_share, pushed_share)) : flown;
-  const double by_forces = forced ? way_by_forces(scene, a.acceleration, b.acceleration) : 0;
+  const double by_forces = forced ? way_by_forces(step.scene, step.forces, i, j) : 0;
   const double ghost = ghost_margin(margin, by_forces, small);
   const double least = std::max(harmless, std::min(small, closing / 10));
   if (harms && end > least && end > depth(a, b) + harmless / 10)

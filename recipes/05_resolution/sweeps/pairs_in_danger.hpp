@@ -50,7 +50,7 @@ bounds_on_way(const StepCourses& step, int i, const RigidBody& end)
 {
   const Course& course = step.courses[place_of(i)];
   const auto& shape = step.scene.bodies[place_of(i)].shape;
-  const double bulge = step.scene.step * step.scene.step / 8 * course.acceleration.norm();
+  const double bulge = step.scene.step * step.scene.step / 8 * course.pull.acceleration.norm();
   const double turn = step.scene.step * course.spin.norm();
   const double wider = bulge + std::min(1.0, turn * turn / 8) * reach(step.scene, i);
   const auto axes = [&] { return course.from.orientation.toRotationMatrix(); };
@@ -72,7 +72,7 @@ inline bool may_meet(const StepCourses& step, int i, int j, double time)
   const double left = step.scene.step - time;
   const Vector3<double> apart = b.place_at(time) - a.place_at(time);
   const Vector3<double> way = left * (b.velocity_at(time) - a.velocity_at(time));
-  const double bulge = left * left / 2 * (b.acceleration - a.acceleration).norm();
+  const double bulge = left * left / 2 * (b.pull.acceleration - a.pull.acceleration).norm();
   const Vector3<double> ends[] = {apart, apart + way};
   const double nearest = nearest_on_segment(ends, 0, 1).point.norm();
   return !(nearest > (reach(step.scene, i) + reach(step.scene, j)) * (1 + 1e-9) + bulge);

@@ -24,6 +24,7 @@ struct StepCourses
 {
   const Scene& scene;                        ///< with the bodies' shapes
   std::span<const PastBody> starts;          ///< the bodies as it began
+  std::span<const Pull> forces;              ///< on them, force_on()
   std::span<const WorldContact> contacts;    ///< of this step
   const std::vector<bool>& falls;            ///< whether no other body pushed it
   const std::vector<bool>& gone;             ///< whether it is no more
@@ -60,11 +61,12 @@ inline double harmless_depth(const Scene& scene, const std::pair<int, int>& pair
   return harmless_depth(std::min(thinness(scene, pair.first), thinness(scene, pair.second)));
 }
 
-/// How far [m] forces lead two bodies in two steps, that give them these accelerations [m/s²], one
-/// after the other or both towards each other.
-inline double
-way_by_forces(const Scene& scene, const Vector3<double>& of_a, const Vector3<double>& of_b)
+/// How far [m] forces lead two bodies by their places in two steps, one after the other or both
+/// towards each other.
+inline double way_by_forces(const Scene& scene, std::span<const Pull> forces, int i, int j)
 {
+  const Vector3<double> of_a = force_on(forces, place_of(i)).acceleration;
+  const Vector3<double> of_b = force_on(forces, place_of(j)).acceleration;
   const double most = std::max({of_a.norm(), of_b.norm(), (of_b - of_a).norm()});
   return 2 * scene.step * scene.step * most;
 }
@@ -113,9 +115,9 @@ inline void set_out(StepCourses& step, std::span<const RigidBody> ends)
   step.ways.clear();
   for (std::size_t i = 0; i < ends.size(); ++i)
   {
-    const Course course = step.falls[i]
-                              ? falling_course(starts[i], ends[i], duration, step.scene.gravity)
-                              : pushed_course(starts[i], ends[i], duration, step.scene.gravity);
+    const Pull pull = pull_on(step.scene.gravity, step.forces, i);
+    const Course course = step.falls[i] ? falling_course(starts[i], ends[i], duration, pull)
+                                        : pushed_course(starts[i], ends[i], duration, pull);
     const double way = (ends[i].motion.center - starts[i].motion.center).norm();
     step.ways.push_back(farthest_way(step, static_cast<int>(i), course, way, duration));
     step.courses.push_back(course);

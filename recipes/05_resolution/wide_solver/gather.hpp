@@ -29,30 +29,21 @@ std::array<Lanes, 4> gathered(LaneBody* bodies, const int* of, const Row& row)
   return {rows[0], rows[1], rows[2], rows[3]};
 }
 
-/// How the bodies of all lanes move now.
+/// The bodies of all lanes, as they move now, but for where they are.
 template <class Lanes>
-void gather_motion(LaneBody* bodies, const int* of, Body<Lanes>& to)
+void gather_body(LaneBody* bodies, const int* of, Body<Lanes>& to)
 {
   const auto v = gathered<Lanes>(bodies, of, [](LaneBody& body) { return body.velocity; });
   const auto w = gathered<Lanes>(bodies, of, [](LaneBody& body) { return body.angular_velocity; });
   to.motion.velocity = {v[0], v[1], v[2]};
   to.motion.angular_velocity = {w[0], w[1], w[2]};
-}
-
-/// How much a push changes each of them.
-template <class Lanes>
-void gather_inverse_masses(LaneBody* bodies, const int* of, Body<Lanes>& to)
-{
-  for (int i = 0; i < 3; ++i)
-  {
-    const auto column =
-        gathered<Lanes>(bodies, of, [i](LaneBody& body) { return body.inertia[i]; });
-    to.inverse_inertia.col(i) = Vector3<Lanes>(column[0], column[1], column[2]);
-    if (i == 0)
-    {
-      to.inverse_mass = column[3];
-    }
-  }
+  const auto [mass, xx, xy, yy] =
+      gathered<Lanes>(bodies, of, [](LaneBody& body) { return body.masses; });
+  const auto k = gathered<Lanes>(bodies, of, [](LaneBody& body) { return body.moments; });
+  to.inverse_mass = mass;
+  to.inverse_inertia.col(0) = Vector3<Lanes>(xx, xy, k[0]);
+  to.inverse_inertia.col(1) = Vector3<Lanes>(xy, yy, k[1]);
+  to.inverse_inertia.col(2) = Vector3<Lanes>(k[0], k[1], k[2]);
 }
 
 /// Puts three numbers of the bodies of all lanes back.

@@ -9,20 +9,21 @@ namespace cookbook
 {
 
 // [lane_body]
-/// What a solver needs of a body, in float, so that those of several are gathered by whole rows.
-struct LaneBody
+/// What a solver needs of a body, in float: one line of a cache, so that those of several are
+/// gathered by whole rows. The last number of a row of three is not used.
+struct alignas(64) LaneBody
 {
-  alignas(16) float velocity[4] = {};         ///< [m/s], world; the last is not used
-  alignas(16) float angular_velocity[4] = {}; ///< [rad/s], world; the last is not used
-  alignas(16) float inertia[3][4] = {};       ///< [1/(kg m²)], columns of the inverse; see below
-  /// The inverse mass [1/kg].
-  float& inverse_mass() { return inertia[0][3]; }
+  float velocity[4] = {};         ///< [m/s], world
+  float angular_velocity[4] = {}; ///< [rad/s], world
+  float masses[4] = {};  ///< inverse: mass [1/kg], then xx, xy, yy of inertia [1/(kg m²)], world
+  float moments[4] = {}; ///< of the same inertia xz, yz, zz
 };
 
-/// Copies three numbers.
-inline void put(const Vector3<double>& from, float (&to)[4])
+/// Copies three numbers, or four.
+template <int Size>
+void put(const Eigen::Matrix<double, Size, 1>& from, float (&to)[4])
 {
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < Size; ++i)
   {
     to[i] = static_cast<float>(from[i]);
   }
@@ -38,11 +39,9 @@ inline void put_motion(const RigidBody& from, LaneBody& to)
 /// Copies how much a push changes a body.
 inline void put_inverse_masses(const RigidBody& from, LaneBody& to)
 {
-  for (int i = 0; i < 3; ++i)
-  {
-    put(from.inverse_inertia.col(i), to.inertia[i]);
-  }
-  to.inverse_mass() = static_cast<float>(from.inverse_mass);
+  const Matrix3<double>& inertia = from.inverse_inertia;
+  put<4>({from.inverse_mass, inertia(0, 0), inertia(0, 1), inertia(1, 1)}, to.masses);
+  put<3>(inertia.col(2), to.moments);
 }
 
 /// Takes three numbers back, unless they are still what was put.

@@ -54,10 +54,9 @@ public:
     b_[lane] = contact.b;
     WideContact<double> of;
     of.normal = contact.normal;
-    of.across = contact.normal.unitOrthogonal();
     of.coefficient = contact.friction;
     of.correction_speed = correction_speed;
-    const std::size_t numbers = lane / lanes_ * contact_numbers + contact_masses;
+    const std::size_t numbers = lane / lanes_ * contact_numbers;
     WriteLane<float> write{&contacts_[numbers * lanes_ + lane % lanes_], lanes_};
     each_given(of, write);
   }
@@ -66,6 +65,7 @@ public:
   void put(ContactConstraint<double>& at, std::size_t place, std::size_t lane)
   {
     WriteLane<float> pushed{point(place, lane), lanes_};
+    pushed(at.apart);
     each_pushed(at, pushed);
     WriteLane<float> given{pushed.to + point_masses * lanes_, lanes_};
     each_given(at, given);
@@ -75,7 +75,7 @@ public:
   ContactConstraint<float> pushed(std::size_t place, std::size_t lane)
   {
     ContactConstraint<float> at;
-    ReadLane<float> read{point(place, lane), lanes_};
+    ReadLane<float> read{point(place, lane) + lanes_, lanes_};
     each_pushed(at, read);
     return at;
   }
@@ -86,7 +86,7 @@ public:
     ContactConstraint<float> at = pushed(place, lane);
     at.impulse = 0;
     at.friction.setZero();
-    WriteLane<float> write{point(place, lane), lanes_};
+    WriteLane<float> write{point(place, lane) + lanes_, lanes_};
     each_pushed(at, write);
   }
 

@@ -29,10 +29,9 @@ void look_at_each(const WideView& all, bool pushes, const Look& look)
     const int* const b = all.b + group * lanes;
     WideContact<Lanes> of;
     ReadLanes<Lanes> read{all.contacts + group * lanes * contact_numbers};
-    each_mass(of, read);
     each_given(of, read);
-    gather_motion(all.bodies, a, of.a);
-    gather_motion(all.bodies, b, of.b);
+    gather_body(all.bodies, a, of.a);
+    gather_body(all.bodies, b, of.b);
     for (std::size_t place = here.first; place < here.first + here.points; ++place)
     {
       float* const numbers = all.points + place * lanes * point_numbers;
@@ -40,6 +39,7 @@ void look_at_each(const WideView& all, bool pushes, const Look& look)
       at.normal = of.normal;
       at.coefficient = of.coefficient;
       ReadLanes<Lanes> read_point{numbers};
+      read_point(at.apart);
       each_pushed(at, read_point);
       each_mass(at, read_point);
       each_given(at, read_point);
@@ -53,34 +53,18 @@ void look_at_each(const WideView& all, bool pushes, const Look& look)
   }
 }
 
-/// Writes what a push has changed at a point.
-template <class Lanes>
-void write_pushed(ContactConstraint<Lanes>& at, float* numbers)
-{
-  WriteLanes<Lanes> write{numbers};
-  each_pushed(at, write);
-}
-
 /// The passes in packs.
 template <class Lanes>
 struct PassesInLanes
 {
   [[gnu::flatten]] static void find_masses(const WideView& all)
   {
-    for (std::size_t group = 0; group < all.groups.size(); ++group)
-    {
-      WideContact<Lanes> of;
-      gather_inverse_masses(all.bodies, all.a + group * lanes_of<Lanes>, of.a);
-      gather_inverse_masses(all.bodies, all.b + group * lanes_of<Lanes>, of.b);
-      WriteLanes<Lanes> write{all.contacts + group * lanes_of<Lanes> * contact_numbers};
-      each_mass(of, write);
-    }
     look_at_each<Lanes>(
         all, false,
         [](const WideContact<Lanes>& of, ContactConstraint<Lanes>& at, float* numbers)
         {
-          cookbook::find_masses<Lanes>(at, of.a, of.b, of.across);
-          WriteLanes<Lanes> write{numbers + lanes_of<Lanes> * pushed_numbers};
+          cookbook::find_masses<Lanes>(at, of.a, of.b);
+          WriteLanes<Lanes> write{numbers + lanes_of<Lanes> * (1 + pushed_numbers)};
           each_mass(at, write);
         });
   }
@@ -94,7 +78,7 @@ struct PassesInLanes
   }
 
   [[gnu::flatten]] static void
-  correct(const WideView& all, const Softness<float>& spring, float small)
+  correct(const WideView& all, const Softness<float>& spring, float small, bool last)
   {
     const Softness<Lanes> how{spring.bias_rate, spring.mass_scale, spring.impulse_scale};
     look_at_each<Lanes>(
@@ -102,7 +86,9 @@ struct PassesInLanes
         [&](WideContact<Lanes>& of, ContactConstraint<Lanes>& at, float* numbers)
         {
           cookbook::correct<Lanes>(of.a, of.b, at, how, small, of.correction_speed);
-          write_pushed(at, numbers);
+          at.sum += last ? at.impulse : Lanes(0);
+          WriteLanes<Lanes> write{numbers + lanes_of<Lanes>};
+          each_pushed(at, write);
         });
   }
 
@@ -113,7 +99,7 @@ struct PassesInLanes
         [&](const WideContact<Lanes>& of, ContactConstraint<Lanes>& at, float* numbers)
         {
           at.apart += Lanes(small) * parting_speed<Lanes>(of.a, of.b, at);
-          write_pushed(at, numbers);
+          store_pack(at.apart, numbers);
         });
   }
 };

@@ -19,39 +19,26 @@ struct WideContact
   Body<Real> a;          ///< the bodies A, as far as a push changes them
   Body<Real> b;          ///< the bodies B
   Vector3<Real> normal;  ///< [1], world, from A to B
-  Vector3<Real> across;  ///< [1], world, a direction of each surface
   Real coefficient;      ///< [1], of friction
   Real correction_speed; ///< [m/s], no overlap is taken away faster
 };
 
-/// The numbers of a contact, in the order in which they lie in memory: first what a turn changes.
-template <class Real, class Call>
-void each_mass(WideContact<Real>& of, Call& call)
-{
-  for (Body<Real>* const body : {&of.a, &of.b})
-  {
-    call(body->inverse_mass);
-    each_number_once(body->inverse_inertia, call);
-  }
-}
-
-/// Then what stays for the whole frame.
+/// The numbers of a contact, without its bodies', in the order in which they lie in memory.
 template <class Real, class Call>
 void each_given(WideContact<Real>& of, Call& call)
 {
   each_number(of.normal, call);
-  each_number(of.across, call);
   call(of.coefficient);
   call(of.correction_speed);
 }
 
 /// The numbers of a point, without its contact's, in the order in which they lie in memory: first
-/// what a push changes.
+/// its gap, then what a push changes.
 template <class Real, class Call>
 void each_pushed(ContactConstraint<Real>& at, Call& call)
 {
-  call(at.apart);
   call(at.impulse);
+  call(at.sum);
   each_number(at.friction, call);
 }
 
@@ -72,11 +59,10 @@ void each_given(ContactConstraint<Real>& at, Call& call)
   each_number(at.arms.b, call);
 }
 
-inline constexpr std::size_t contact_masses = 14;                  ///< numbers of each_mass()
-inline constexpr std::size_t contact_numbers = contact_masses + 8; ///< all of a contact
-inline constexpr std::size_t pushed_numbers = 5;                   ///< numbers of each_pushed()
-inline constexpr std::size_t point_masses = 8;                     ///< numbers of each_mass()
-inline constexpr std::size_t point_numbers = pushed_numbers + point_masses + 6; ///< all of a point
+inline constexpr std::size_t contact_numbers = 5; ///< numbers of a contact's each_given()
+inline constexpr std::size_t pushed_numbers = 5;  ///< numbers of each_pushed()
+inline constexpr std::size_t point_masses = 8;    ///< numbers of each_mass()
+inline constexpr std::size_t point_numbers = 1 + pushed_numbers + point_masses + 6; ///< of a point
 // [wide_contact]
 
 } // namespace cookbook

@@ -95,14 +95,14 @@ public:
         });
   }
 
-  /// Corrects every point once, with a spring, in a small step [s].
-  void correct(const Softness<double>& spring, double small)
+  /// Corrects every point once, with a spring, in a small step [s]; whether that is the last time.
+  void correct(const Softness<double>& spring, double small, bool last)
   {
     const auto rounded = [](double number) { return static_cast<float>(number); };
     passes_.correct(
         view(),
         {rounded(spring.bias_rate), rounded(spring.mass_scale), rounded(spring.impulse_scale)},
-        rounded(small));
+        rounded(small), last);
   }
 
   /// Carries all gaps on for a small step [s].
@@ -120,7 +120,8 @@ public:
           for (WorldPoint& known : contact.points)
           {
             const ContactConstraint<float> at = numbers_.pushed(place++, lane);
-            known.impulse = scale * at.impulse;
+            known.impulse = at.sum;
+            known.carried = scale * at.impulse;
             known.friction = (scale * at.friction).cast<double>();
           }
         });

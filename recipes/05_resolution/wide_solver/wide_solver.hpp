@@ -21,7 +21,7 @@ inline bool fits_floats(IslandView world, const Island& island, double step)
   const auto fits = [&](int i)
   {
     const RigidBody& body = world.bodies[place_of(i)];
-    const Motion<double> motion = after_pull(body, world.gravity, step);
+    const Motion<double> motion = after_pull(body.motion, pull_on(world, i), step);
     const double turning = body.inverse_inertia.cwiseAbs().maxCoeff();
     return body.inverse_mass * most >= 1 && body.inverse_mass <= most && turning <= most * most &&
            motion.velocity.cwiseAbs().maxCoeff() <= most &&
@@ -41,7 +41,7 @@ inline std::vector<TurningBody> pull(IslandView world, double small, WideContact
       {
         RigidBody& body = world.bodies[place_of(i)];
         take_motion(lanes.body(i), body);
-        pull(body, world.gravity, small);
+        pull(world, i, small);
         put_motion(body, lanes.body(i));
         add_turning(i, body, small, turning);
       });
@@ -133,10 +133,10 @@ inline void wide_steps(
   {
     std::vector<TurningBody> turning = pull(world, small, lanes);
     warm_start(world, turning, lanes);
-    lanes.correct(spring_for(small, settings), small);
+    lanes.correct(spring_for(small, settings), small, false);
     move(world, small, lanes);
     lanes.part(small);
-    lanes.correct(rigid<double>(), small);
+    lanes.correct(rigid<double>(), small, true);
   }
   lanes.islands.for_each_body(
       [&](int i)

@@ -35,7 +35,7 @@ inline void forget_strain(IslandView world, const Island& island)
     {
       for (WorldPoint& point : world.contacts[place_of(i)].points)
       {
-        point.impulse = 0;
+        point.impulse = point.carried = 0;
         point.friction.setZero();
         point.strained = false;
       }

@@ -130,13 +130,15 @@ public:
   /// [rad/s²], world, more; otherwise as set_velocity().
   void accelerate(BodyId body, const Vector3<double>& more, const Vector3<double>& angular_more)
   {
-    RigidBody pulled = this->body(body);
-    check_finite("acceleration", pulled.acceleration += more);
-    check_finite("angular_acceleration", pulled.angular_acceleration += angular_more);
-    if (!is_fixed(pulled))
+    const std::size_t i = place(body);
+    Pull sum = force_on(state_.forces, i);
+    check_finite("acceleration", sum.acceleration += more);
+    check_finite("angular_acceleration", sum.angular_acceleration += angular_more);
+    if (!is_fixed(state_.bodies[i]))
     {
       wake_island_of(body);
-      state_.bodies[place(body)] = pulled;
+      state_.forces.resize(state_.bodies.size());
+      state_.forces[i] = sum;
     }
   }
 

@@ -43,6 +43,7 @@ struct WorldState
   long steps = 0;                        ///< since the start
   std::vector<RigidBody> bodies;         ///< in the order of the scene
   std::vector<PastBody> start;           ///< as the last step began, after its impacts
+  std::vector<Pull> forces;              ///< of the next step; none where nothing pulls
   std::vector<bool> gone;                ///< where nobody is any more
   std::vector<std::size_t> left;         ///< places of those taken out since the last step
   std::vector<std::size_t> free;         ///< places that may be given to others
@@ -106,7 +107,8 @@ inline void watch_rest(WorldState& world, std::size_t i)
   { return one.squaredNorm() > other.squaredNorm() ? one : other; };
   const Vector3<double> way = body.motion.center - start.motion.center;
   const Vector3<double> turn = turn_between<double>(start.orientation, body.orientation);
-  const bool flies = world.falls[i] && !pull_on(start, world.scene.gravity).isZero(0);
+  const bool flies =
+      world.falls[i] && !pull_on(world.scene.gravity, world.forces, i).acceleration.isZero(0);
   const double radius = bounds_of(body, world.scene.bodies[i].shape, 0).sizes().norm() / 2;
   const SleepState<double> before = flies ? SleepState<double>{} : world.sleep[i];
   world.sleep[i] = watched<double>(

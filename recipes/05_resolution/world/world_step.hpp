@@ -27,33 +27,33 @@ inline void find_contacts(WorldState& world)
   const Scene& scene = world.scene;
   const double margin = contact_margin(scene);
   world.ahead.resize(world.bodies.size());
+  const StepAhead step{scene, world.bodies, world.forces, world.ahead};
   for (Bounds& bound : world.bounds)
   {
-    const std::size_t i = place_of(bound.body);
-    world.ahead[i] = ahead_of(scene, world.bodies[i], bound.body);
-    bound.box = foreseen_bounds(scene, world.bodies[i], world.ahead[i], bound.body, margin);
+    world.ahead[place_of(bound.body)] = ahead_of(step, bound.body);
+    bound.box = foreseen_bounds(step, bound.body, margin);
   }
   update_contacts(
       world.contacts, world.begun, scene, world.bodies, world.near.pairs(world.bounds),
-      [&](int a, int b) { return foreseen_reach(scene, world.bodies, world.ahead, a, b, margin); },
+      [&](int a, int b) { return foreseen_reach(step, a, b, margin); },
       [&](int body) { return is_still(world, body); });
 }
 
 /// Has the bodies of an island fall freely that no contact has pushed or moved out of an overlap.
 inline void fall_unless_pushed(WorldState& world, const Island& island)
 {
-  const Vector3<double>& gravity = world.scene.gravity;
   const double step = world.scene.step;
+  const auto pull = [&](std::size_t i) { return pull_on(world.scene.gravity, world.forces, i); };
   if (island.contacts.empty())
   {
     const std::size_t i = place_of(island.bodies.front());
     world.falls[i] = true;
-    return fly(world.bodies[i], gravity, step);
+    return fly(world.bodies[i], pull(i), step);
   }
   for (const int body : island.bodies)
   {
     const std::size_t i = place_of(body);
-    world.falls[i] = !was_pushed(world.bodies[i], world.start[i], gravity, step);
+    world.falls[i] = !was_pushed(world.bodies[i], world.start[i], pull(i), step);
   }
   for (const int number : island.contacts)
   {
@@ -62,7 +62,7 @@ inline void fall_unless_pushed(WorldState& world, const Island& island)
     const auto pushed = [&](std::size_t i)
     { return !world.falls[i] && !is_fixed(world.bodies[i]); };
     const auto step_of = [&](std::size_t i)
-    { return unpushed(world.bodies[i], world.start[i], gravity, step); };
+    { return unpushed(world.bodies[i], world.start[i], pull(i).acceleration, step); };
     if (!pushed(a) && !pushed(b) && were_parted(step_of(a), step_of(b)))
     {
       world.parted[a] = world.parted[b] = true;
@@ -75,11 +75,11 @@ inline void fall_unless_pushed(WorldState& world, const Island& island)
     if (world.falls[i])
     {
       world.bodies[i] = as_it_was(world.bodies[i], world.start[i]);
-      fly(world.bodies[i], gravity, step);
+      fly(world.bodies[i], pull(i), step);
     }
     else if (!world.parted[i] && island.bodies.size() == 1)
     {
-      slide(world.bodies[i], world.start[i], gravity, step);
+      slide(world.bodies[i], world.start[i], pull(i).acceleration, step);
     }
   }
 }
@@ -87,7 +87,8 @@ inline void fall_unless_pushed(WorldState& world, const Island& island)
 /// Moves all islands that are awake: bounces, contacts; and what no contact has pushed flies on.
 inline void advance(WorldState& world, const WorldSolver& solver)
 {
-  const IslandView view{world.bodies, world.contacts, world.scene.gravity, world.room};
+  const IslandView view{
+      world.bodies, world.contacts, world.scene.gravity, world.room, world.forces};
   world.touching.clear();
   world.impacts.clear();
   const auto for_each_awake = [&](const auto& call)
@@ -125,8 +126,8 @@ inline void advance(WorldState& world, const WorldSolver& solver)
 /// they hit.
 inline void sweep(WorldState& world)
 {
-  StepCourses step{world.scene,       world.start,   world.contacts, world.falls,   world.gone,
-                   world.near.last(), world.courses, world.ways,     world.too_deep};
+  StepCourses step{world.scene, world.start,       world.forces,  world.contacts, world.falls,
+                   world.gone,  world.near.last(), world.courses, world.ways,     world.too_deep};
   if (!has_boxes_to_sweep(step, world.ahead, world.bodies) && world.balls == 0)
   {
     return world.courses.shrink_to_fit(); // as long as nothing is swept
@@ -162,28 +163,26 @@ inline void finish(WorldState& world, std::size_t i)
 
 COOKBOOK_WORLD_INLINE void step(WorldState& world, const WorldSolver& solver)
 {
+  const ForcesOfStep forces{world.forces};
+  find_contacts(world); // first: it throws where all are in one place; damping only adds to gaps
+  for (std::size_t i = 0; i < world.bodies.size(); ++i)
   {
-    const ForcesOfStep forces{world.bodies};
-    find_contacts(world); // first: it throws where all are in one place; damping only adds to gaps
-    for (std::size_t i = 0; i < world.bodies.size(); ++i)
+    if (!is_still(world, static_cast<int>(i)))
     {
-      if (!is_still(world, static_cast<int>(i)))
-      {
-        wear_off(world.bodies[i], world.scene.bodies[i], world.scene.step / 2); // half at the end
-      }
+      wear_off(world.bodies[i], world.scene.bodies[i], world.scene.step / 2); // half at the end
     }
-    world.start.clear();
-    std::transform(
-        world.bodies.begin(), world.bodies.end(), std::back_inserter(world.start), past_of);
-    world.falls.assign(world.bodies.size(), false);
-    world.parted.assign(world.bodies.size(), false);
-    world.islands.find(world.bodies, world.contacts);
-    if (world.may_sleep)
-    {
-      settle(world.sleep, world.islands.numbers(), SleepLimits<double>{});
-    }
-    advance(world, solver);
   }
+  world.start.clear();
+  std::transform(
+      world.bodies.begin(), world.bodies.end(), std::back_inserter(world.start), past_of);
+  world.falls.assign(world.bodies.size(), false);
+  world.parted.assign(world.bodies.size(), false);
+  world.islands.find(world.bodies, world.contacts);
+  if (world.may_sleep)
+  {
+    settle(world.sleep, world.islands.numbers(), SleepLimits<double>{});
+  }
+  advance(world, solver);
   sweep(world);
   keep_fastest(world.impacts);
   for (std::size_t i = 0; i < world.bodies.size(); ++i)
