@@ -6,6 +6,8 @@
 #include "tests/catch.hpp"
 
 #include <cmath>
+#include <limits>
+#include <random>
 
 using namespace cookbook;
 
@@ -99,6 +101,40 @@ TEST_CASE("a ball centred on the axis but for rounding still parts square to it"
     REQUIRE(std::abs(manifold.normal.dot(along)) <= rounding);
     REQUIRE(manifold.depth == Catch::Approx(1.5).epsilon(rounding));
   }
+}
+
+TEMPLATE_TEST_CASE(
+    "a ball centred on either end of a segment parts square to it, by both radii", "[case:C3]",
+    float, double)
+{
+  // start + (end - start) is the end but for rounding; in float, computed in double, it is the end
+  // itself unless the start is far away.
+  using Real = TestType;
+  using Point = Vector3<Real>;
+  const Point from(Real(-0.1), 0, 0), to(Real(0.3), 0, 0);
+  const Manifold<Real> named = sphere_capsule<Real>({to, 0.5}, {{from, to}, 0.25}).value();
+  CHECK(named.normal == Point(0, 1, 0));
+  CHECK(named.depth == Real(0.75));
+  std::mt19937 engine(1);
+  const auto draw = [&] { return Real(double(engine()) / 2147483648.0 - 1); };
+  int not_square = 0, not_deep = 0, not_the_end = 0;
+  for (int i = 0; i < 1000; ++i)
+  {
+    const Real far = i % 2 == 0 ? Real(1) : Real(0x1p33);
+    const Segment<Real> segment{{far * draw(), draw(), draw()}, {draw(), draw(), draw()}};
+    const Point along = (segment.end - segment.start).normalized();
+    for (const Point& end : {segment.start, segment.end})
+    {
+      const Manifold<Real> manifold = sphere_capsule<Real>({end, 0.5}, {segment, 0.25}).value();
+      const Real tolerance = 8 * std::numeric_limits<Real>::epsilon();
+      not_square += std::abs(manifold.normal.dot(along)) <= tolerance ? 0 : 1;
+      not_deep += manifold.depth == Real(0.75) ? 0 : 1;
+      not_the_end += closest_point(segment, end) == widen(end) ? 0 : 1;
+    }
+  }
+  CHECK(not_square == 0);
+  CHECK(not_deep == 0);
+  CHECK(not_the_end == 0);
 }
 // [on_the_axis]
 

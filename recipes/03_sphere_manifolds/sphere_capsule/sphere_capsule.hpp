@@ -29,12 +29,19 @@ Wide<Real> closest_share(const Segment<Real>& segment, const Vector3<Real>& poin
   return std::clamp(t, Wide<Real>(0), Wide<Real>(1));
 }
 
+/// The point of a segment [m], world, at a share of the way from its start; the end itself at 1.
+template <class Real>
+Vector3<Wide<Real>> point_at(const Segment<Real>& segment, const Wide<Real>& share)
+{
+  const Vector3<Wide<Real>> start = widen(segment.start), end = widen(segment.end);
+  return share == Wide<Real>(1) ? end : Vector3<Wide<Real>>(start + share * (end - start));
+}
+
 /// The point of a segment closest to `point`, both [m], world.
 template <class Real>
 Vector3<Wide<Real>> closest_point(const Segment<Real>& segment, const Vector3<Real>& point)
 {
-  const Vector3<Wide<Real>> start = widen(segment.start);
-  return start + closest_share(segment, point) * (widen(segment.end) - start);
+  return point_at(segment, closest_share(segment, point));
 }
 // [closest_point_segment]
 
@@ -59,7 +66,7 @@ Direction<Real> direction_to(const Segment<Real>& segment, const Vector3<Real>& 
   const Vector ends = widen(segment.end) - widen(segment.start);
   const Vector along = normalize<Wide<Real>>(ends, Vector::UnitX()).unit;
   const Wide<Real> share = closest_share(segment, point);
-  const Vector way = widen(segment.start) + share * ends - widen(point);
+  const Vector way = point_at(segment, share) - widen(point);
   Direction<Wide<Real>> to = normalize<Wide<Real>>(way, sideways<Wide<Real>>(along));
   if (Wide<Real>(0) < share && share < Wide<Real>(1))
   {
