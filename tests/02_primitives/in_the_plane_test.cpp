@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <random>
 
 using namespace cookbook;
 
@@ -152,6 +154,33 @@ TEST_CASE("circles 3-4-5 apart leave along (3, 4) / 5; about one centre, along +
   const auto same = way_apart<double>({{3, 3}, 1}, {{3, 3}, 1});
   CHECK(same.normal == Point(0, 1));
   CHECK(same.depth == 2);
+}
+
+TEST_CASE("circles that touch but for a rounding overlap if, and only if, none is between them")
+{
+  // 3² and 4² make 5²; the number after 3 makes a sum after 25, whose root is 5.
+  const Circle<double> a{{0, 0}, 2}, beyond{{std::nextafter(3, 4), 4}, 3};
+  CHECK_FALSE(overlaps(a, beyond));
+  CHECK(closest_points(a, beyond).distance > 0);
+  CHECK(way_apart(a, beyond).depth < 0);
+  std::mt19937 engine(4);
+  int different = 0, apart = 0;
+  for (int i = 0; i < 10'000; ++i)
+  {
+    const auto draw = [&] { return double(engine()) / 4294967296.0; };
+    const Circle<double> one{{draw(), draw()}, draw()};
+    const Point to_other(draw(), draw());
+    const Circle<double> other{one.center + to_other, to_other.norm() - one.radius};
+    if (other.radius >= 0)
+    {
+      const bool meet = overlaps(one, other);
+      apart += meet ? 0 : 1;
+      different += (closest_points(one, other).distance == 0) == meet ? 0 : 1;
+      different += (way_apart(one, other).depth >= 0) == meet ? 0 : 1;
+    }
+  }
+  CHECK(different == 0);
+  CHECK(apart > 1000);
 }
 // [way_apart]
 

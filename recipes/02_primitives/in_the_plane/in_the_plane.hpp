@@ -137,7 +137,8 @@ WayApart<Real> way_apart(const Circle<Real>& a, const Circle<Real>& b)
   const Vector<Wide<Real>, 2> to_b = view.seen(b.center);
   const auto out = normalize<Wide<Real>>(Vector3<Wide<Real>>(to_b.x(), to_b.y(), 0));
   const Wide<Real> radii = a.radius * view.factor + b.radius * view.factor;
-  return {out.unit.template head<2>().template cast<Real>(), view.length(radii - out.length)};
+  const Wide<Real> depth = within_reach<Wide<Real>>(to_b.squaredNorm(), out.length, radii);
+  return {out.unit.template head<2>().template cast<Real>(), view.length(depth)};
 }
 // [way_apart]
 

@@ -155,6 +155,17 @@ bool forms_overlap(const PlaneForm<Real>& a, const PlaneForm<Real>& b)
 // [forms_overlap]
 
 // [forms_closest]
+/// How far a length stays within a reach: below zero exactly where forms_overlap() says no.
+///
+/// It decides by squares, of which several have the same root. So do we, where the root is the
+/// reach.
+template <class Real>
+Real within_reach(const Real& squared, const Real& length, const Real& reach)
+{
+  return length == reach && reach > Real(0) ? (reach * reach - squared) / (reach + length)
+                                            : reach - length;
+}
+
 /// The closest points of two forms; a common point where they overlap.
 template <class Real>
 ClosestPoints<Real, 2> forms_closest(const PlaneForm<Real>& a, const PlaneForm<Real>& b)
@@ -174,9 +185,8 @@ ClosestPoints<Real, 2> forms_closest(const PlaneForm<Real>& a, const PlaneForm<R
     const Vector<Real, 2> common = feet.a + (first + last) / 2 * unit;
     return {common, common, Real(0)};
   }
-  return {
-      feet.a + a.radius * unit, feet.b - b.radius * unit,
-      std::max(Real(0), between - (a.radius + b.radius))};
+  const Real within = within_reach<Real>(feet.squared, between, a.radius + b.radius);
+  return {feet.a + a.radius * unit, feet.b - b.radius * unit, std::max(Real(0), Real(-within))};
 }
 // [forms_closest]
 
