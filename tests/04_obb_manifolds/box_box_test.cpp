@@ -5,6 +5,7 @@
 #include "04_obb_manifolds/box_box/box_box.hpp"
 #include "04_obb_manifolds/box_box/trial/compare_pairs.hpp"
 #include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
+#include "04_obb_manifolds/face_clipping/face_clipping.hpp"
 #include "04_obb_manifolds/feature_memory/feature_memory.hpp"
 
 #include "tests/catch.hpp"
@@ -172,6 +173,52 @@ TEMPLATE_TEST_CASE(
   CHECK_FALSE(manifold_of<TestType>(standing, across));
 }
 // [touching]
+
+// [touching_edges]
+TEMPLATE_TEST_CASE(
+    "of a lattice, boxes that touch along an edge have its two ends, at a corner that one", "[O5]",
+    float, double)
+{
+  using Real = TestType;
+  Matrix3<double> turn;
+  turn << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  const auto lies = [](const auto& points, const Vector3<Real>& place)
+  {
+    return std::count_if(
+        points.begin(), points.end(),
+        [&](const ContactPoint<Real>& point)
+        { return (point.position - place).norm() <= Real(rounding<Real>); });
+  };
+  std::size_t edges = 0, corners = 0, wrong = 0;
+  for (int i = 0; i < 27 * 17 * 17 * 17; ++i)
+  {
+    // Halves of whole numbers: half extents up to 1.5, centres up to 4 to either side.
+    const int k = i / 27;
+    const Vector3<double> half(1 + i % 3, 1 + i / 3 % 3, 1 + i / 9 % 3);
+    const Vector3<double> center(k % 17 - 8, k / 17 % 17 - 8, k / 289 - 8);
+    const Obb<double> b{center / 2, i % 2 == 0 ? turn : cube.axes, half / 2};
+    const Vector3<double> reach = b.axes * b.half_extents;
+    const Vector3<double> overlap = cube.half_extents + reach - b.center.cwiseAbs();
+    const auto touching = (overlap.array() == 0).count();
+    if (overlap.minCoeff() < 0 || touching < 2)
+    {
+      continue;
+    }
+    const Manifold<Real> ours = manifold_of<Real>(cube, b).value();
+    const Manifold<Real> clipped = face_clipping(box_in<Real>(cube), box_in<Real>(b)).value();
+    (touching == 2 ? edges : corners) += 1;
+    wrong += ours.points.size() == std::size_t(touching == 2 ? 2 : 1) ? 0 : 1;
+    wrong += ours.depth == Real(0) && ours.normal == clipped.normal ? 0 : 1;
+    for (const ContactPoint<Real>& point : clipped.points)
+    {
+      wrong += lies(ours.points, point.position) == 1 ? 0 : 1;
+    }
+  }
+  CHECK(edges == 2268);
+  CHECK(corners == 216);
+  CHECK(wrong == 0);
+}
+// [touching_edges]
 
 namespace
 {

@@ -189,6 +189,23 @@ TEST_CASE("boxes without size, and with lengths that are none, answer as one by 
   }
 }
 
+TEST_CASE("boxes that touch along edges and at corners answer as one by one", "[box_pairs]")
+{
+  const Matrix3<float> upright = Matrix3<float>::Identity();
+  Pairs pairs = box_workload("random", 16).pairs;
+  for (int i = 0; i < 343; ++i)
+  {
+    const Vector3<float> center(float(i % 7 - 3), float(i / 7 % 7 - 3), float(i / 49 - 3));
+    pairs.push_back({{{0, 0, 0}, upright, {1, 1, 1}}, {center, upright, {2, 1, 1}}});
+  }
+  for (const InstructionSet set : instruction_sets())
+  {
+    INFO("instruction set " << static_cast<int>(set));
+    CHECK(differences(pairs, set) == 0);
+    CHECK(wrong_touches(pairs, set) == 0);
+  }
+}
+
 TEST_CASE("0 to 33 pairs are answered", "[box_pairs]")
 {
   const Pairs pairs = box_workload("random", 33).pairs;

@@ -17,7 +17,7 @@ budget() {
     sphere_sphere) echo 450 ;;
     friction) echo 500 ;;
     face_clipping) echo 1100 ;;
-    box_box) echo 1700 ;;
+    box_box) echo 1750 ;;
     *) echo 9999 ;;
   esac
 }

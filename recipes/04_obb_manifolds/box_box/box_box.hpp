@@ -111,8 +111,9 @@ template <class Row, class Real>
 /// Boxes that only touch have a manifold of depth zero. A face meets a face in all corners of their
 /// overlap, each midway between the two surfaces with a depth of its own; corners with a gap are
 /// kept while it is less than the depth and than a hundredth of the smaller box. Edges meet in one
-/// point. A point's feature tells the axis by 64s, see axis_of_feature().
-/// Half extents are zero or more, axes orthonormal, all numbers finite. O2–O4, O9, O10–O14.
+/// point. Boxes that touch along an edge have its two ends, at a corner that one. A point's feature
+/// tells the axis by 64s, see axis_of_feature(). Half extents are zero or more, axes orthonormal,
+/// all numbers finite. O2–O4, O9, O10–O14.
 template <class Real>
 std::optional<Manifold<Real>> box_box(const Obb<Real>& a, const Obb<Real>& b)
 {

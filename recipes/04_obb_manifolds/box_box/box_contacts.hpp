@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cookbook
 {
@@ -112,8 +113,9 @@ struct FaceContact
 /// directly; O10, O12, O14.
 ///
 /// `c` are the rows of the other box's axes as this one sees them, `offset` is where its centre is.
-/// Points with a gap are kept up to `gap` [m]; a hair [m] decides no corner. Mirrored boxes are as
-/// good as others.
+/// Points with a gap are kept up to `gap` [m]; a hair [m] decides no corner. There is no point
+/// where the faces touch and have only a hair of their rims in common. Mirrored boxes are as good
+/// as others.
 template <class Row, class Real, class Which>
 FaceContact<Row> face_contact(
     const Obb<Real>& box, const Obb<Real>& other, const Row (&c)[3], const Row& offset,
@@ -155,6 +157,14 @@ FaceContact<Row> face_contact(
       -side * half_p * chosen(row_k, p),
       -side * left * chosen(row_k, q)};
 
+  // Where boxes only touch, along edges, the clipping does not find their common corners.
+  Real widest = gap;
+  const auto touch = gap <= hair;
+  if (any(touch)) [[unlikely]]
+  {
+    const Real none(-std::numeric_limits<float>::max()), wide = facing_overlap(rectangles);
+    widest = select(touch & (wide <= hair), none, gap);
+  }
   FaceContact<Row> contact;
   contact.incident = incident;
   contact.normal = axis_of(box, k) * side;
@@ -172,7 +182,7 @@ FaceContact<Row> face_contact(
           (Four(axis_u[x]) * four.u + Four(axis_v[x]) * four.v + Four(contact.normal[x]) * up);
     }
     contact.depth[part] = four.depth;
-    contact.kept[part] = four.there & (Four(-gap) <= four.depth);
+    contact.kept[part] = four.there & (Four(-widest) <= four.depth);
   }
   return contact;
 }

@@ -61,6 +61,38 @@ template <class Real>
 }
 // [deepest_point]
 
+// [touching_corners]
+/// Adds the one or two ends of what boxes have in common that touch along edges or at a corner: the
+/// corners of each that lie in the other but for a few hairs [m], none of them twice.
+template <class Real>
+[[gnu::noinline]] void add_touching_corners(
+    Manifold<Real>& manifold, const Obb<Real>& box, const Obb<Real>& other, const Real& hair,
+    std::uint32_t feature)
+{
+  const Vector3<Real> between = other.center - box.center;
+  const Real few_hairs = 8 * hair;
+  Vector3<Real> first = between;
+  for (int i = 0; i < 16 && manifold.points.size() < 2; ++i)
+  {
+    const bool of_other = i < 8;
+    const Obb<Real>&from = of_other ? other : box, &to = of_other ? box : other;
+    const Vector3<Real> signs(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    const Vector3<Real> corner = from.axes * from.half_extents.cwiseProduct(signs);
+    const Vector3<Real> place = of_other ? Vector3<Real>(between + corner) : corner;
+    const Vector3<Real> seen =
+        to.axes.transpose() * (of_other ? place : Vector3<Real>(corner - between));
+    const bool is_common = (seen.cwiseAbs() - to.half_extents).maxCoeff() <= few_hairs;
+    const bool is_new = manifold.points.empty() || (place - first).norm() > few_hairs;
+    if (is_common && is_new)
+    {
+      const auto number = static_cast<std::uint32_t>(manifold.points.size());
+      manifold.points.push_back({box.center + place, manifold.depth, feature + number});
+      first = place;
+    }
+  }
+}
+// [touching_corners]
+
 // [face_manifold]
 /// The manifold on the axis of a face: the corners of the polygon in which two faces overlap, with
 /// gaps up to `widest_gap` [m]; a hair [m] decides no corner.
@@ -97,6 +129,10 @@ std::optional<Manifold<Real>> face_manifold(
               point = {{from[0], from[1], from[2]}, from[3], feature + 4 * part + i};
             });
       }
+    }
+    if (manifold.points.empty() && face.depth <= hair)
+    {
+      add_touching_corners(manifold, box, other, hair, feature);
     }
     if (manifold.points.empty())
     {

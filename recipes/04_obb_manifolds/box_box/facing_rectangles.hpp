@@ -29,6 +29,16 @@ struct FacingRectangles
   Real center_depth, p_depth, q_depth; ///< [m], how deep under the plane: affine in α and β
 };
 
+/// How far [m] two rectangles overlap along u or along v, whichever is less.
+template <class Real>
+Real facing_overlap(const FacingRectangles<Real>& r)
+{
+  using std::abs, std::min;
+  return min(
+      r.half_u + (abs(r.p_u) + abs(r.q_u)) - abs(r.center_u),
+      r.half_v + (abs(r.p_v) + abs(r.q_v)) - abs(r.center_v));
+}
+
 /// Four points of the plane, those that are corners of the overlap, and their depths.
 template <class Four>
 struct FourCorners
