@@ -22,7 +22,7 @@ template <class Real>
 struct Ray2
 {
   Vector<Real, 2> origin;    ///< [m]
-  Vector<Real, 2> direction; ///< [1], of any length but zero
+  Vector<Real, 2> direction; ///< [m], of any length but zero
 };
 
 /// All points within `radius` of `center`, in the plane.

@@ -64,7 +64,7 @@ template <class Real>
 struct Ray
 {
   Vector3<Real> origin;    ///< [m], world
-  Vector3<Real> direction; ///< [1], world, of any length but zero
+  Vector3<Real> direction; ///< [m], world, of any length but zero
 };
 // [shapes]
 

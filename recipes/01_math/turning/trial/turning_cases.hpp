@@ -145,7 +145,10 @@ inline Verdict spin_verdict(const TurningCase& one, const SpinEnd& end)
   const bool unit = std::abs(end.length - 1) <= 1e-3;
   const std::string angle = one.in_float ? rounded(degrees) : number(degrees);
   const std::string off = right ? "" : "off by " + angle + "°";
-  const std::string length = unit ? "" : "length " + rounded(end.length);
+  // Two digits do not tell a length close to one from one.
+  const bool close = rounded(end.length) == rounded(1);
+  const std::string size = close ? number(end.length) : rounded(end.length);
+  const std::string length = unit ? "" : "length " + size;
   return {right && unit, right && unit ? "right" : off + (right || unit ? "" : ", ") + length};
 }
 
