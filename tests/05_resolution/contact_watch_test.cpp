@@ -229,6 +229,25 @@ TEST_CASE("without gravity rounding is not heard, and a pair is heard once in a 
   }
 }
 
+TEST_CASE("a plank that tips over about one edge is heard as the other comes down")
+{
+  for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    const double lean = 0.12;
+    Scene scene{.bodies = {ground(), box_body("plank", {0.1, 1, 0.3}, {0, 0, 0}, 10)}};
+    scene.bodies[1].position.y() = std::cos(lean) + 0.1 * std::sin(lean);
+    scene.bodies[1].orientation = Eigen::AngleAxisd(-lean, Vector3<double>::UnitZ());
+    const std::vector<Impact> heard = impacts_until(4, scene, solver);
+    CAPTURE(solver);
+    REQUIRE(heard.size() == 1);
+    // About an edge that stays where it is m g (y - 0.1) = I ω² / 2, with I = m (0.2² + 2²) / 3.
+    const double fallen = scene.bodies[1].position.y() - 0.1;
+    const double fastest = 2 * std::sqrt(2 * 9.81 * fallen / (4.04 / 3));
+    CHECK(heard[0].speed <= fastest);
+    CHECK(heard[0].speed >= 0.9 * fastest);
+  }
+}
+
 TEST_CASE("what stands, rolls or slides is not heard")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})

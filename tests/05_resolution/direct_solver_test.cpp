@@ -1016,7 +1016,7 @@ TEST_CASE(
     for (int body = 0; body < 2; ++body)
     {
       const Vector3<double> velocity = draw.vector(-1, 1), spin = draw.vector(-1, 1);
-      system.bodies.push_back({1, Matrix3<double>::Identity(), Vector6::Zero()});
+      system.bodies.push_back({1, Matrix3<double>::Identity(), Vector6::Zero(), Vector6::Zero()});
       system.velocities.push_back((Vector6() << velocity, spin).finished());
     }
     for (int point = 0; point < 6; ++point)
@@ -1027,11 +1027,12 @@ TEST_CASE(
       made.bias = draw.between(-1, 1);
       made.held.setZero();
       made.bound = point < 2 ? std::numeric_limits<double>::infinity() : point * (point - 2.0);
-      made.bound_moves = point < 2 || i % 2 == 0;
+      made.is_new = point < 2;
     }
-    system.contacts.push_back({0, 1, &contact, 0, system.points.size(), {10, 10}});
+    system.contacts.push_back({0, 1, &contact, 0, system.points.size(), {10, 10}, 1});
     find_missing(system);
-    moved += moved_bounds(system, 1e-9, true) ? 1 : 0;
+    moved +=
+        moved_bounds(system, 1, {.friction_tolerance = 1e-9, .bounds_move = i % 2 == 0}) ? 1 : 0;
     const std::vector<Vector6> missing = system.missing;
     find_missing(system);
     for (std::size_t body = 0; body < 2; ++body)

@@ -8,6 +8,7 @@
 #include "05_resolution/sweeps/too_deep.hpp"
 #include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/impacts.hpp"
+#include "05_resolution/world/trial/world_measures.hpp"
 #include "05_resolution/world/world.hpp"
 
 #include "tests/catch.hpp"
@@ -880,3 +881,63 @@ TEST_CASE("what damping stops short of a wall, within a step or over many, does 
     }
   }
 }
+
+// [groove]
+TEST_CASE("a ball that falls into a groove between two blocks presses on both and sleeps")
+{
+  for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
+  {
+    for (const double drop : {0.001, 0.05, 0.5})
+    {
+      const double rests = 1 + std::sqrt(0.3 * 0.3 - 0.2 * 0.2);
+      World world(
+          {.bodies =
+               {box_body("left", {0.5, 0.5, 0.5}, {-0.7, 0.5, 0}, 0),
+                box_body("right", {0.5, 0.5, 0.5}, {0.7, 0.5, 0}, 0),
+                ball_body("ball", 0.3, {0, rests + drop, 0}, 5)}},
+          solver_named(solver), true);
+      while (world.time() < 3)
+      {
+        world.step();
+      }
+      CAPTURE(solver, drop);
+      CHECK(world.sleeps(2));
+      CHECK(world.body(2).motion.center.y() == Catch::Approx(rests).margin(0.001));
+      REQUIRE(world.contacts().size() == 2);
+      CHECK((presses(world.contacts()[0]) && presses(world.contacts()[1])));
+    }
+  }
+}
+
+TEST_CASE("a smooth ball that rolls over a gap between tiles gains no energy")
+{
+  for (const std::string solver : {"direct", "wide_steps"})
+  {
+    for (const double gap : {0.01, 0.02, 0.04, 0.0642, 0.09})
+    {
+      for (const double speed : {0.1, 0.3, 1.0})
+      {
+        Scene scene{
+            .bodies = {
+                box_body("tile", {0.2, 0.1, 0.5}, {-0.2 - gap / 2, -0.1, 0}, 0),
+                box_body("next tile", {0.2, 0.1, 0.5}, {0.2 + gap / 2, -0.1, 0}, 0),
+                ball_body("ball", 0.2, {-0.15, 0.2, 0}, 3)}};
+        for (SceneBody& body : scene.bodies)
+        {
+          body.friction = 0;
+        }
+        scene.bodies[2].velocity.x() = speed;
+        World world(scene, solver_named(solver));
+        const double before = energy(world.bodies(), world.scene().gravity);
+        const double moves = kinetic_energy(world.body(2));
+        while (world.time() < 2.5 && world.body(2).motion.center.x() < 0.2)
+        {
+          world.step();
+          CAPTURE(solver, gap, speed);
+          REQUIRE(energy(world.bodies(), world.scene().gravity) <= before + 1e-3 * moves);
+        }
+      }
+    }
+  }
+}
+// [groove]

@@ -102,6 +102,36 @@ TEST_CASE("a crate that lies across two belts which run apart stays on them")
   }
 }
 
+TEST_CASE("a crate that a platform of 5 t presses against a wall is not shot out")
+{
+  for (const double turned : {0.2, 0.4, 0.6, 0.8})
+  {
+    for (const double aside : {0.1, 0.2, 0.3, 0.4, 0.5})
+    {
+      for (const double speed : {0.5, 1.0, 1.5})
+      {
+        Scene scene{
+            .bodies = {
+                ground(), box_body("platform", {0.2, 1, 1}, {-1.2, 1, 0}, 5000),
+                box_body("crate", {0.25, 0.25, 0.25}, {0.2, 0.25, aside}, 10),
+                box_body("wall", {0.2, 1, 2}, {1, 1, 0}, 0)}};
+        scene.bodies[2].orientation = Eigen::AngleAxisd(turned, Vector3<double>::UnitY());
+        World world(scene, solver_named("direct"));
+        double fastest = 0;
+        for (int i = 0; i < 300; ++i)
+        {
+          world.set_pose(1, {world.body(1).motion.center.x(), 1, 0}, {1, 0, 0, 0});
+          carry(world, 1, {speed, 0, 0});
+          world.step();
+          fastest = std::max(fastest, world.body(2).motion.velocity.norm());
+        }
+        CAPTURE(turned, aside, speed);
+        CHECK(fastest <= 2.5 * speed + 1);
+      }
+    }
+  }
+}
+
 // [given]
 TEST_CASE("on a lift that speeds up and slows down a crate gains what its contacts say they gave")
 {

@@ -77,7 +77,7 @@ std::optional<Vector3<Real>> to_local(const Affine3<Real>& t, const Vector3<Real
 // [to_local]
 
 // [ordinary_size]
-/// A direction in 105 digits, brought to an ordinary size.
+/// A direction in 105 binary digits, brought to an ordinary size.
 template <class Real>
 Vector3<Real> ordinary_size(const Vector3<WideDouble>& v)
 {

@@ -62,8 +62,8 @@ void print_counts()
     if (const auto manifold = edge_clipping(pair.a, pair.b))
     {
       table.row(
-          {pair.id, pair.scene, cell(manifold->depth), std::to_string(manifold->points.size()),
-           feature_name(manifold->points[0].feature)});
+          {id_in_tables(pair), pair.scene, cell(manifold->depth),
+           std::to_string(manifold->points.size()), feature_name(manifold->points[0].feature)});
     }
   }
   std::cout << "\n" << table.text();

@@ -22,12 +22,12 @@ struct DirectSettings
   double correction_speed = 0.5;    ///< [m/s], no overlap is taken away faster
   double tolerance = 1e-9;          ///< [1], of the largest impulse: what may be missing
   double friction_tolerance = 1e-6; ///< [1], of the same: how far friction may be off its cone
+  double friction_speed = 1e-4;     ///< [m/s], and no farther than changes two bodies by this
   int iterations = 8;               ///< of Newton's method, after which it gives up
   std::size_t products = 100'000;   ///< of blocks, above which factoring takes too long
   double give = 0;                  ///< [1], 0: contacts are stiff; 1: soft, as GiveSettings says
   double missing = 0;               ///< [N s], may be missing, however small impulses are
-  bool bounds_move = true;   ///< whether bounds of friction follow the pushes found here, or only
-                             ///< those of new points, which begin without friction, and once
+  bool bounds_move = true;   ///< whether bounds of friction follow the pushes found here, stays()
   bool opening_grips = true; ///< whether there is friction where an overlap opens
 };
 
@@ -73,7 +73,7 @@ struct DirectPoint : PushingWay
   double coefficient;       ///< [1], of friction
   double bias;              ///< [m/s], the speed at which the gap may close, or is to open
   double bound;             ///< [N s], the most that friction can do; infinite: not known yet
-  bool bound_moves;         ///< whether that is to follow the push found here
+  bool is_new;              ///< whether that was not known before
   bool solved;              ///< whether the frame before knew it
   Vector3<double> held;     ///< [N s], friction that there is without any slip
   double impulse;           ///< [N s], along the normal
@@ -106,6 +106,15 @@ inline void press(
     point.friction = within_cone(point.wanted, point.bound);
     point.grip = Grip::slip;
   }
+}
+
+/// Whether the bound of friction stays at a point where bounds do not move: unless it was not known
+/// before, or was set when impulses were still far from an answer, of which this is the largest
+/// [N s], and is far above what the push there bears [N s].
+inline bool stays(const DirectPoint& point, double bears, double largest)
+{
+  const bool far_above = point.bound > 2 * bears && point.bound - bears > largest / 10;
+  return !point.is_new || (point.bound < std::numeric_limits<double>::infinity() && !far_above);
 }
 
 /// How much impulse [N s] a velocity [m/s] at a point changes: its stiffness [kg].

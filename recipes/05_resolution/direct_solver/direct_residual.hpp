@@ -92,6 +92,9 @@ inline double squared_radius(const DirectBody& body)
 /// No load is so many times what the bodies of an island bring into a step, each by its motion and
 /// by what pulls it. More is the strain of bodies that are jammed between others which give no way.
 inline constexpr double strain = 4;
+/// A machine, so many times as heavy as the lightest, brings only what pulls it: a game may renew
+/// its motion in every step.
+inline constexpr double machine = 100;
 
 /// Whether the largest impulse [N s] of an island, or its friction, is such a strain.
 inline bool is_strained(const DirectSystem& system, double largest)
@@ -100,10 +103,15 @@ inline bool is_strained(const DirectSystem& system, double largest)
   {
     largest = std::max(largest, point.friction.norm());
   }
-  double brought = 0; // [N s]
+  double lightest = std::numeric_limits<double>::infinity(), brought = 0; // [kg], [N s]
   for (const DirectBody& body : system.bodies)
   {
-    const Vector3<double> velocity = body.free.head<3>(), spin = body.free.tail<3>();
+    lightest = std::min(lightest, body.mass);
+  }
+  for (const DirectBody& body : system.bodies)
+  {
+    const Vector6& brings = body.mass > machine * lightest ? body.pulled : body.free;
+    const Vector3<double> velocity = brings.head<3>(), spin = brings.tail<3>();
     brought +=
         body.mass * std::sqrt(velocity.squaredNorm() + squared_radius(body) * spin.squaredNorm());
   }

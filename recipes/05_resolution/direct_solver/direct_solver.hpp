@@ -35,29 +35,30 @@ inline bool guess(DirectSystem& system, double speed)
   return any;
 }
 
-/// Has friction follow the impulses along the normals, where its bound moves; this once, or again.
-/// False where none of these was off by more than a tolerance [N s].
-inline bool moved_bounds(DirectSystem& system, double tolerance, bool again)
+/// Has friction follow the impulses along the normals, of which this is the largest [N s]; false
+/// where none was off by more than the tolerance.
+inline bool moved_bounds(DirectSystem& system, double largest, const DirectSettings& settings)
 {
   bool far = false;
   for (const DirectContact& contact : system.contacts)
   {
+    const double tolerance =
+        std::min(settings.friction_tolerance * largest, settings.friction_speed * contact.mass);
     bool any = false;
     for (std::size_t i = contact.first; i < contact.end; ++i)
     {
       DirectPoint& point = system.points[i];
-      if (!point.bound_moves)
+      const double bound = point.coefficient * point.impulse;
+      if (!settings.bounds_move && stays(point, bound, largest))
       {
         continue;
       }
-      const double bound = point.coefficient * point.impulse;
       const double above = point.friction.norm() - bound;
       const auto off_by_more_than = [&](double most)
       { return above > most || (point.grip != Grip::stick && -above > most); };
       any = any || off_by_more_than(0) || (point.grip != Grip::none) != (bound > 0);
       far = far || off_by_more_than(tolerance);
       point.bound = bound;
-      point.bound_moves = again;
     }
     if (any)
     {
@@ -136,9 +137,7 @@ public:
       const bool found = exact || size_of_missing(system_) <= small_;
       missing_ = system_.missing; // before the bounds move
       const bool follows = found || gone.stuck || (stiff && gone.part >= 0.5);
-      const bool moved =
-          follows &&
-          moved_bounds(system_, settings.friction_tolerance * most, settings.bounds_move);
+      const bool moved = follows && moved_bounds(system_, most, settings);
       if (found && !moved)
       {
         scatter(system_, missing_, is_strained(system_, most), world, island);

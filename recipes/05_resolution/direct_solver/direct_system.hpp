@@ -24,6 +24,7 @@ struct DirectBody
   double mass;             ///< [kg]
   Matrix3<double> inertia; ///< [kg m²], world
   Vector6 free;            ///< [m/s, rad/s], after the step if nothing touched it
+  Vector6 pulled;          ///< [m/s, rad/s], how much of that its pull has given it
 };
 
 /// A contact of an island; its bodies by their numbers in the island, −1 where one is fixed.
@@ -33,6 +34,7 @@ struct DirectContact
   const WorldContact* of;    ///< where it comes from
   std::size_t first, end;    ///< its points
   DirectStiffness stiffness; ///< of each
+  double mass;               ///< [kg], that parting the two feels: 1 / (1/m_A + 1/m_B)
 };
 
 /// All of an island.
@@ -64,8 +66,8 @@ inline void gather(
   const RigidBody& a = world.bodies[place_of(contact.a)];
   const RigidBody& b = world.bodies[place_of(contact.b)];
   const std::size_t first = system.points.size();
-  const DirectStiffness stiffness =
-      stiffness_of(contact, a.inverse_mass + b.inverse_mass, settings);
+  const double inverse_mass = a.inverse_mass + b.inverse_mass;
+  const DirectStiffness stiffness = stiffness_of(contact, inverse_mass, settings);
   for (const WorldPoint& point : contact.points)
   {
     const double apart = gap(a, b, contact.normal, point) / step;
@@ -76,14 +78,13 @@ inline void gather(
     made.solved = point.solved;
     made.held = held_friction(contact, point, opening * stiffness.push, settings.give);
     made.coefficient = settings.opening_grips || opening <= slow_opening ? contact.friction : 0;
-    const bool known = point.impulse > 0 || made.coefficient == 0;
-    const double unknown = settings.bounds_move ? std::numeric_limits<double>::infinity() : 0;
-    made.bound = known ? made.coefficient * point.impulse : unknown;
-    made.bound_moves = settings.bounds_move || !known;
+    made.is_new = point.impulse == 0 && made.coefficient > 0;
+    made.bound =
+        made.is_new ? std::numeric_limits<double>::infinity() : made.coefficient * point.impulse;
   }
   system.contacts.push_back(
       {number_in(island, contact.a), number_in(island, contact.b), &contact, first,
-       system.points.size(), stiffness});
+       system.points.size(), stiffness, 1 / inverse_mass});
 }
 
 /// Empties a system, with room for all of an island.
@@ -116,10 +117,11 @@ inline void gather(
     const RigidBody& body = world.bodies[place_of(i)];
     const auto velocities = [](const Motion<double>& motion) -> Vector6
     { return (Vector6() << motion.velocity, motion.angular_velocity).finished(); };
-    system.velocities.push_back(velocities(body.motion));
+    const Vector6 before = velocities(body.motion);
+    const Vector6 free = velocities(after_pull(body.motion, pull_on(world, i), step));
+    system.velocities.push_back(before);
     system.bodies.push_back(
-        {1 / body.inverse_mass, world_inertia(body.moments, body.axes),
-         velocities(after_pull(body.motion, pull_on(world, i), step))});
+        {1 / body.inverse_mass, world_inertia(body.moments, body.axes), free, free - before});
   }
   for (const int i : island.contacts)
   {

@@ -85,6 +85,10 @@ public:
     course.from = past_of(body);
     course.since = time;
     course.velocity = again ? before : body.motion.velocity;
+    if (body.round && step_.falls[place_of(i)])
+    {
+      course.pull = pull_on(step_.scene.gravity, step_.forces, place_of(i)); // not held back yet
+    }
     course.tossed = course.tossed || turns_back(before, course.velocity);
     if (how == Onward::frozen)
     {

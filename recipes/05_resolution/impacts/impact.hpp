@@ -31,7 +31,7 @@ inline bool is_heard(double speed, double step, double size)
   return speed * step > 1e-6 * size;
 }
 
-/// Adds the impacts at those contacts of an island that do not press yet, and close in a step [s]
+/// Adds the impacts at contacts of an island where points that do not press yet close in a step [s]
 /// faster than what comes to rest: each at the point where it does so fastest.
 inline void
 add_impacts(IslandView world, const Island& island, double step, std::vector<Impact>& impacts)
@@ -39,16 +39,16 @@ add_impacts(IslandView world, const Island& island, double step, std::vector<Imp
   for (const int number : island.contacts)
   {
     const WorldContact& contact = world.contacts[place_of(number)];
-    if (presses(contact))
-    {
-      continue;
-    }
     const RigidBody &a = world.bodies[place_of(contact.a)], &b = world.bodies[place_of(contact.b)];
     const double pull = parting_pull(world, contact);
     const double slow = rest_threshold(world.gravity, pull, step);
     Impact fastest{contact.a, contact.b, b.motion.center, contact.normal, slow};
     for (const WorldPoint& point : contact.points)
     {
+      if (is_pressed(point))
+      {
+        continue;
+      }
       const Arms<double> arms = arms_of(a, b, point);
       const double parting = parting_speed<double>(a, b, contact.normal, arms);
       const double apart = gap(a, b, contact.normal, point);

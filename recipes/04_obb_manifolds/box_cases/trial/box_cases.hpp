@@ -36,6 +36,12 @@ struct BoxCase
   BoxNumbers numbers = BoxNumbers::in_double; ///< what a method is given
   bool features = false; ///< whether each contact must tell what meets there, all of them different
 };
+
+/// By which id a table knows a pair; a neighbour such as G9b has none of its own.
+inline std::string id_in_tables(const BoxCase& pair)
+{
+  return pair.id.back() == 'b' ? "" : pair.id;
+}
 // [box_case]
 
 /// The rotation by an angle [rad] about a line.

@@ -125,11 +125,11 @@ row_of(const VerdictPart& part, const std::string& id, const std::string& scene,
   return row;
 }
 
-/// A pair of boxes; a neighbour such as G9b has no id of its own.
+/// A pair of boxes.
 VerdictRow pair_row(const VerdictPart& part, const BoxCase& pair)
 {
   return row_of(
-      part, pair.id.back() == 'b' ? "" : pair.id, pair.scene,
+      part, id_in_tables(pair), pair.scene,
       [&](const BoxMethod& method) { return verdict_of(part, method, pair); });
 }
 

@@ -54,7 +54,7 @@ inline Verdict verdict_on_decisions(const BoxMethod& method, bool needs_points)
   return {wrong == 0, wrong == 0 ? "none wrong" : std::to_string(wrong) + " wrong"};
 }
 
-/// What the methods make of all cases; neighbours such as G9b have no id of their own.
+/// What the methods make of all cases.
 std::vector<VerdictRow> verdict_rows(const VerdictPart& part);
 
 } // namespace cookbook
