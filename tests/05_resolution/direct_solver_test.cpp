@@ -769,7 +769,7 @@ TEST_CASE("a soft contact gives way to what it carried at 1 cm/s, and is never s
   CHECK(stiffness_of(contact, 2, stiff).grip == 1 / 2e-7);
   CHECK(stiffness_of(contact, 2, settings_at(1)).push == Approx(1 / 0.06));
   CHECK(stiffness_of(contact, 2, settings_at(1)).grip == Approx(1 / 1.8));
-  point.impulse = 4;
+  point.impulse = point.carried = 4;
   CHECK(stiffness_of(contact, 2, settings_at(0.5)).push == Approx(4 / (0.5 * 0.01)));
   CHECK(stiffness_of(contact, 2, settings_at(0.5)).grip == Approx(4 / (0.5 * 0.3)));
   CHECK(stiffness_of(contact, 2, settings_at(1e-7)).push == 1 / 2e-7);
@@ -788,7 +788,7 @@ TEST_CASE("a strain is more than four times what all bodies bring, in a push or 
 {
   DirectSystem system;
   system.bodies.resize(1);
-  system.bodies[0] = {2, Matrix3<double>::Identity(), Vector6::Zero()};
+  system.bodies[0] = {2, Matrix3<double>::Identity(), Vector6::Zero(), Vector6::Zero()};
   system.bodies[0].free[1] = -3; // 6 N s
   system.points.resize(1);
   system.points[0].friction = {0, 0, 23};
@@ -796,6 +796,21 @@ TEST_CASE("a strain is more than four times what all bodies bring, in a push or 
   CHECK(is_strained(system, 25));
   system.points[0].friction = {0, 15, 20};
   CHECK(is_strained(system, 24));
+}
+
+TEST_CASE("a machine, more than a hundred times as heavy as the lightest, brings what pulls it")
+{
+  DirectSystem system;
+  const Vector6 none = Vector6::Zero();
+  system.bodies.assign(2, {1, Matrix3<double>::Identity(), none, none});
+  system.bodies[0].free[1] = -2;      // 2 N s
+  system.bodies[1].free[0] = 10;      // 1,000 N s
+  system.bodies[1].pulled[1] = -0.01; // 1 N s
+  system.bodies[1].mass = 100;
+  CHECK_FALSE(is_strained(system, 4000));
+  system.bodies[1].mass = 101;
+  CHECK_FALSE(is_strained(system, 12));
+  CHECK(is_strained(system, 12.1));
 }
 
 TEST_CASE("24 bodies with friction of a million fall into a bin: no step throws them up")
@@ -1002,6 +1017,22 @@ TEST_CASE("where there is no answer, the direct solver pauses for 1, 2, 4, 8 and
 }
 // [direct_or_soft]
 
+TEST_CASE("a bound that a point has not had before is set, and again if it was set too early")
+{
+  DirectPoint point{};
+  const auto stays_at = [&](bool is_new, double bound)
+  {
+    point.bound_is_new = is_new;
+    point.bound = bound;
+    return stays(point, 1, 10); // the push bears 1 N s, the largest is 10 N s
+  };
+  CHECK(stays_at(false, 100));
+  CHECK_FALSE(stays_at(true, std::numeric_limits<double>::infinity()));
+  CHECK(stays_at(true, 0.1));
+  CHECK(stays_at(true, 2)); // not more than twice, nor by more than a tenth of the largest
+  CHECK_FALSE(stays_at(true, 2.1));
+}
+
 TEST_CASE(
     "moved bounds leave missing what is missing at them, whichever points grip, slip or let go")
 {
@@ -1027,12 +1058,12 @@ TEST_CASE(
       made.bias = draw.between(-1, 1);
       made.held.setZero();
       made.bound = point < 2 ? std::numeric_limits<double>::infinity() : point * (point - 2.0);
-      made.is_new = point < 2;
+      made.bound_is_new = point < 2;
     }
     system.contacts.push_back({0, 1, &contact, 0, system.points.size(), {10, 10}, 1});
     find_missing(system);
     moved +=
-        moved_bounds(system, 1, {.friction_tolerance = 1e-9, .bounds_move = i % 2 == 0}) ? 1 : 0;
+        moved_bounds(system, 1, 0, {.friction_tolerance = 1e-9, .bounds_move = i % 2 == 0}) ? 1 : 0;
     const std::vector<Vector6> missing = system.missing;
     find_missing(system);
     for (std::size_t body = 0; body < 2; ++body)

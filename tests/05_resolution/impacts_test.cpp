@@ -911,6 +911,7 @@ TEST_CASE("a ball that falls into a groove between two blocks presses on both an
 
 TEST_CASE("a smooth ball that rolls over a gap between tiles gains no energy")
 {
+  // Soft steps let it sink in first: "Tiles and ledges" on the page of the trial.
   for (const std::string solver : {"direct", "wide_steps"})
   {
     for (const double gap : {0.01, 0.02, 0.04, 0.0642, 0.09})

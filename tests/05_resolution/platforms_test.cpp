@@ -80,6 +80,7 @@ double highest_on_belts(double speed, double aside)
 
 TEST_CASE("a crate that a block of 1,000 t pushes along the floor is not thrown")
 {
+  // This one was thrown at 58 km/s once. What is hit by one edge first gets ahead a little.
   CHECK(fastest_before_block(-1.1165538225727132, -0.42009601475257813, 4.3846629545875313) <= 1.1);
   NumberDraw<double> draw(1);
   for (int i = 0; i < inputs(300, 30); ++i)
@@ -104,31 +105,27 @@ TEST_CASE("a crate that lies across two belts which run apart stays on them")
 
 TEST_CASE("a crate that a platform of 5 t presses against a wall is not shot out")
 {
-  for (const double turned : {0.2, 0.4, 0.6, 0.8})
+  for (int i = 0; i < inputs(60, 6); ++i)
   {
-    for (const double aside : {0.1, 0.2, 0.3, 0.4, 0.5})
+    const double speed = 0.5 + 0.5 * (i % 3);
+    const double turned = 0.2 + 0.2 * (i / 3 % 4), aside = 0.1 + 0.1 * (i / 12);
+    Scene scene{
+        .bodies = {
+            ground(), box_body("platform", {0.2, 1, 1}, {-1.2, 1, 0}, 5000),
+            box_body("crate", {0.25, 0.25, 0.25}, {0.2, 0.25, aside}, 10),
+            box_body("wall", {0.2, 1, 2}, {1, 1, 0}, 0)}};
+    scene.bodies[2].orientation = Eigen::AngleAxisd(turned, Vector3<double>::UnitY());
+    World world(scene, solver_named("direct"));
+    double fastest = 0;
+    for (int step = 0; step < 300; ++step)
     {
-      for (const double speed : {0.5, 1.0, 1.5})
-      {
-        Scene scene{
-            .bodies = {
-                ground(), box_body("platform", {0.2, 1, 1}, {-1.2, 1, 0}, 5000),
-                box_body("crate", {0.25, 0.25, 0.25}, {0.2, 0.25, aside}, 10),
-                box_body("wall", {0.2, 1, 2}, {1, 1, 0}, 0)}};
-        scene.bodies[2].orientation = Eigen::AngleAxisd(turned, Vector3<double>::UnitY());
-        World world(scene, solver_named("direct"));
-        double fastest = 0;
-        for (int i = 0; i < 300; ++i)
-        {
-          world.set_pose(1, {world.body(1).motion.center.x(), 1, 0}, {1, 0, 0, 0});
-          carry(world, 1, {speed, 0, 0});
-          world.step();
-          fastest = std::max(fastest, world.body(2).motion.velocity.norm());
-        }
-        CAPTURE(turned, aside, speed);
-        CHECK(fastest <= 2.5 * speed + 1);
-      }
+      world.set_pose(1, {world.body(1).motion.center.x(), 1, 0}, {1, 0, 0, 0});
+      carry(world, 1, {speed, 0, 0});
+      world.step();
+      fastest = std::max(fastest, world.body(2).motion.velocity.norm());
     }
+    CAPTURE(turned, aside, speed);
+    CHECK(fastest <= 2.5 * speed + 1); // what turns on the way is faster; shot: 7 m/s
   }
 }
 

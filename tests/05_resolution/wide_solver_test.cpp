@@ -443,7 +443,7 @@ TEST_CASE("two contacts with a ball in common, solved at once, lose a push")
   std::vector<LaneBody> balls(4);
   for (std::size_t i = 0; i < 3; ++i)
   {
-    balls[i].masses[0] = 1; // the inverse mass
+    balls[i].inverse_masses[0] = 1;
   }
   const int a[]{0, 1, 3, 3}, b[]{1, 2, 3, 3};
   const Four zero(0);

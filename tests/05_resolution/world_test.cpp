@@ -504,7 +504,7 @@ TEST_CASE(
       world_verdicts(), solver_names(),
       {{"S3", {"direct", "soft_steps", "wide_steps", "position_based"}},
        {"S6", {"direct"}},
-       {"S7", {"direct", "position_based"}},
+       {"S7", {"direct", "position_based"}}, // the latter by chance: with 305 kg it falls
        {"S8", {"direct"}},
        {"S18", {"direct", "soft_steps", "wide_steps"}},
        {"S20",

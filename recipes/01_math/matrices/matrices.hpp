@@ -55,7 +55,8 @@ bool keeps_digits(const SquareMatrix<Real, Size>& m, const Real& determinant)
 // [keeps_digits]
 
 // [inverse_wide]
-/// The inverse in 105 binary digits, rounded once; nothing if a singular matrix may round to this one.
+/// The inverse in 105 binary digits, rounded once; nothing if a singular matrix may round to this
+/// one.
 ///
 /// That is decided by how far the determinant moves where each entry moves by half an ulp.
 template <class Real, int Size>

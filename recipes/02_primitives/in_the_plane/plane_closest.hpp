@@ -155,7 +155,8 @@ bool forms_overlap(const PlaneForm<Real>& a, const PlaneForm<Real>& b)
 // [forms_overlap]
 
 // [forms_closest]
-/// How far a length stays within a reach: below zero exactly where forms_overlap() says no.
+/// How far a length [m], the root of a square [m²], stays within a reach [m]: below zero exactly
+/// where forms_overlap() says no.
 ///
 /// It decides by squares, of which several have the same root. So do we, where the root is the
 /// reach.

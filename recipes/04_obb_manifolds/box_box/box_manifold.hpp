@@ -63,7 +63,8 @@ template <class Real>
 
 // [touching_corners]
 /// Adds the one or two ends of what boxes have in common that touch along edges or at a corner: the
-/// corners of each that lie in the other but for a few hairs [m], none of them twice.
+/// corners of each that lie in the other but for a few hairs [m], none of them twice. Features only
+/// count them.
 template <class Real>
 [[gnu::noinline]] void add_touching_corners(
     Manifold<Real>& manifold, const Obb<Real>& box, const Obb<Real>& other, const Real& hair,
@@ -71,7 +72,7 @@ template <class Real>
 {
   const Vector3<Real> between = other.center - box.center;
   const Real few_hairs = 8 * hair;
-  Vector3<Real> first = between;
+  Vector3<Real> first = Vector3<Real>::Zero();
   for (int i = 0; i < 16 && manifold.points.size() < 2; ++i)
   {
     const bool of_other = i < 8;

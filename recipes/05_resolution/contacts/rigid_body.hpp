@@ -73,7 +73,7 @@ struct ForcesOfStep
   ~ForcesOfStep() { forces.clear(); }
 };
 
-/// What gravity [m/s²] and these forces do to it together.
+/// What gravity [m/s²] and the forces of a step do together to the body at a place.
 inline Pull pull_on(const Vector3<double>& gravity, std::span<const Pull> forces, std::size_t place)
 {
   Pull pull = force_on(forces, place);

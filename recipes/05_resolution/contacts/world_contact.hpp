@@ -22,8 +22,8 @@ inline std::size_t place_of(int number)
 }
 
 // [world_contact]
-/// What a solver knows of a contact point; carried from frame to frame. Of small steps, friction and
-/// what is carried are those of the last, times their number.
+/// What a solver knows of a contact point; carried from frame to frame. Of small steps, friction
+/// and what is carried are those of the last, times their number.
 struct WorldPoint
 {
   Vector3<double> on_a = Vector3<double>::Zero();     ///< [m], in A's frame, on its surface

@@ -17,7 +17,7 @@ struct GiveSettings
 {
   double push = 0.03;       ///< [1], of the inverse masses: no contact is softer
   double grip = 0.9;        ///< [1], the same of friction
-  double push_speed = 0.01; ///< [m/s], at which a contact gives way to what it carried last
+  double push_speed = 0.01; ///< [m/s], at which a contact gives way to what pushed there last
   double grip_speed = 0.3;  ///< [m/s], the same of friction
   double kept = 0.9;        ///< [1], share of the friction that stays from frame to frame
   double tolerance = 1e-8;  ///< [1], of the largest impulse: what may be missing meanwhile
@@ -30,15 +30,15 @@ inline DirectStiffness
 stiffness_of(const WorldContact& contact, double inverse_mass, const DirectSettings& settings)
 {
   const GiveSettings how;
-  double carried = 0;
+  double pushed = 0; // [N s], in the step before
   for (const WorldPoint& point : contact.points)
   {
-    carried = std::max(carried, point.impulse);
+    pushed = std::max(pushed, point.impulse);
   }
   const auto soft = [&](double most, double speed)
   {
     const double wanted =
-        carried > 0 ? std::min(most * inverse_mass, speed / carried) : most * inverse_mass;
+        pushed > 0 ? std::min(most * inverse_mass, speed / pushed) : most * inverse_mass;
     return std::max(settings.compliance * inverse_mass, settings.give * wanted);
   };
   return {1 / soft(how.push, how.push_speed), 1 / soft(how.grip, how.grip_speed)};
@@ -59,7 +59,7 @@ held_friction(const WorldContact& contact, const WorldPoint& point, double push,
 }
 
 /// How the direct solver is run where contacts are so soft; where they are, friction keeps to the
-/// bounds that the frame before has left.
+/// bounds that the frame before has left; at new points, to one of its own, stays().
 inline DirectSettings settings_at(double give)
 {
   DirectSettings settings{.give = give};

@@ -73,7 +73,7 @@ struct DirectPoint : PushingWay
   double coefficient;       ///< [1], of friction
   double bias;              ///< [m/s], the speed at which the gap may close, or is to open
   double bound;             ///< [N s], the most that friction can do; infinite: not known yet
-  bool is_new;              ///< whether that was not known before
+  bool bound_is_new;        ///< whether the frame before has left none
   bool solved;              ///< whether the frame before knew it
   Vector3<double> held;     ///< [N s], friction that there is without any slip
   double impulse;           ///< [N s], along the normal
@@ -108,13 +108,18 @@ inline void press(
   }
 }
 
-/// Whether the bound of friction stays at a point where bounds do not move: unless it was not known
-/// before, or was set when impulses were still far from an answer, of which this is the largest
-/// [N s], and is far above what the push there bears [N s].
+/// A bound of friction so many times what the push at a point bears, and above it by more than this
+/// share of the largest impulse, was set too early, by impulses that were still far from an answer.
+inline constexpr double early_bound = 2, early_share = 0.1;
+
+/// Whether the bound of friction stays where bounds do not move: what the frame before has left
+/// does. Where it has left none, one is set, and again only if it was set too early: by what the
+/// push there bears [N s] now, and by the largest impulse [N s].
 inline bool stays(const DirectPoint& point, double bears, double largest)
 {
-  const bool far_above = point.bound > 2 * bears && point.bound - bears > largest / 10;
-  return !point.is_new || (point.bound < std::numeric_limits<double>::infinity() && !far_above);
+  const bool early =
+      point.bound > early_bound * bears && point.bound - bears > early_share * largest;
+  return !point.bound_is_new || (point.bound < std::numeric_limits<double>::infinity() && !early);
 }
 
 /// How much impulse [N s] a velocity [m/s] at a point changes: its stiffness [kg].

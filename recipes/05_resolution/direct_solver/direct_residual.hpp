@@ -83,6 +83,15 @@ inline double largest_impulse(const DirectSystem& system)
   return most;
 }
 
+/// How far [N s] friction at a contact may be off its cone: by the largest impulse [N s], but by no
+/// more than slightly changes the two bodies, unless so much may be missing [N s].
+inline double friction_slack(
+    const DirectContact& contact, double largest, double missing, const DirectSettings& settings)
+{
+  const double slight = settings.friction_speed * contact.mass;
+  return std::max(missing, std::min(settings.friction_tolerance * largest, slight));
+}
+
 /// A square [m²] of the radius of gyration about all axes together: by it turns count as ways.
 inline double squared_radius(const DirectBody& body)
 {
@@ -94,7 +103,7 @@ inline double squared_radius(const DirectBody& body)
 inline constexpr double strain = 4;
 /// A machine, so many times as heavy as the lightest, brings only what pulls it: a game may renew
 /// its motion in every step.
-inline constexpr double machine = 100;
+inline constexpr double machine_ratio = 100;
 
 /// Whether the largest impulse [N s] of an island, or its friction, is such a strain.
 inline bool is_strained(const DirectSystem& system, double largest)
@@ -110,7 +119,7 @@ inline bool is_strained(const DirectSystem& system, double largest)
   }
   for (const DirectBody& body : system.bodies)
   {
-    const Vector6& brings = body.mass > machine * lightest ? body.pulled : body.free;
+    const Vector6& brings = body.mass > machine_ratio * lightest ? body.pulled : body.free;
     const Vector3<double> velocity = brings.head<3>(), spin = brings.tail<3>();
     brought +=
         body.mass * std::sqrt(velocity.squaredNorm() + squared_radius(body) * spin.squaredNorm());

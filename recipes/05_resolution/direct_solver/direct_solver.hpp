@@ -35,15 +35,15 @@ inline bool guess(DirectSystem& system, double speed)
   return any;
 }
 
-/// Has friction follow the impulses along the normals, of which this is the largest [N s]; false
-/// where none was off by more than the tolerance.
-inline bool moved_bounds(DirectSystem& system, double largest, const DirectSettings& settings)
+/// Has friction follow the impulses along the normals, of which this is the largest [N s], and so
+/// much may be missing [N s]; false where no friction was off by more than the settings allow.
+inline bool
+moved_bounds(DirectSystem& system, double largest, double missing, const DirectSettings& settings)
 {
   bool far = false;
   for (const DirectContact& contact : system.contacts)
   {
-    const double tolerance =
-        std::min(settings.friction_tolerance * largest, settings.friction_speed * contact.mass);
+    const double tolerance = friction_slack(contact, largest, missing, settings);
     bool any = false;
     for (std::size_t i = contact.first; i < contact.end; ++i)
     {
@@ -137,7 +137,7 @@ public:
       const bool found = exact || size_of_missing(system_) <= small_;
       missing_ = system_.missing; // before the bounds move
       const bool follows = found || gone.stuck || (stiff && gone.part >= 0.5);
-      const bool moved = follows && moved_bounds(system_, most, settings);
+      const bool moved = follows && moved_bounds(system_, most, small_, settings);
       if (found && !moved)
       {
         scatter(system_, missing_, is_strained(system_, most), world, island);

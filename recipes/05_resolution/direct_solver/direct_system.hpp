@@ -78,9 +78,9 @@ inline void gather(
     made.solved = point.solved;
     made.held = held_friction(contact, point, opening * stiffness.push, settings.give);
     made.coefficient = settings.opening_grips || opening <= slow_opening ? contact.friction : 0;
-    made.is_new = point.impulse == 0 && made.coefficient > 0;
-    made.bound =
-        made.is_new ? std::numeric_limits<double>::infinity() : made.coefficient * point.impulse;
+    made.bound_is_new = point.impulse == 0 && made.coefficient > 0;
+    made.bound = made.bound_is_new ? std::numeric_limits<double>::infinity()
+                                   : made.coefficient * point.impulse;
   }
   system.contacts.push_back(
       {number_in(island, contact.a), number_in(island, contact.b), &contact, first,

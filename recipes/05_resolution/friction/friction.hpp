@@ -43,8 +43,8 @@ Vector3<Real> within_cone(const Vector3<Real>& impulse, const Real& most)
 // [within_cone]
 
 // [sliding_mass]
-/// A unit direction of the surface that has this unit normal, without a branch (T. Duff and others,
-/// "Building an Orthonormal Basis, Revisited", 2017); for a normal of zero the world's x axis.
+/// A unit direction of the surface that has this unit normal, without a branch (Duff 2017); for a
+/// normal of zero the world's x axis.
 template <class Real>
 Vector3<Real> direction_along(const Vector3<Real>& normal)
 {

@@ -87,7 +87,8 @@ public:
     course.velocity = again ? before : body.motion.velocity;
     if (body.round && step_.falls[place_of(i)])
     {
-      course.pull = pull_on(step_.scene.gravity, step_.forces, place_of(i)); // not held back yet
+      // What was held back at another touch pulls again: hold() takes what leads into this one.
+      course.pull = pull_on(step_.scene.gravity, step_.forces, place_of(i));
     }
     course.tossed = course.tossed || turns_back(before, course.velocity);
     if (how == Onward::frozen)

@@ -31,8 +31,8 @@ inline bool is_heard(double speed, double step, double size)
   return speed * step > 1e-6 * size;
 }
 
-/// Adds the impacts at contacts of an island where points that do not press yet close in a step [s]
-/// faster than what comes to rest: each at the point where it does so fastest.
+/// Adds the impacts at an island's contacts: each at that point, of those that do not press yet,
+/// which closes fastest in a step [s], if that is faster than what comes to rest.
 inline void
 add_impacts(IslandView world, const Island& island, double step, std::vector<Impact>& impacts)
 {

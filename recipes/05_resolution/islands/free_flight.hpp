@@ -57,10 +57,15 @@ inline Vector3<double> sliding_pull(
 }
 
 /// Has a body that slides without friction end along its way where a parabola does, exactly, as in
-/// free flight: a solver has left it behind by a part of what that bends, and no more.
+/// free flight: a solver has left it ahead by a part of what that bends, and no more. `whole` is
+/// all that pulls it [m/s²].
 inline void slide(RigidBody& now, const PastBody& start, const Vector3<double>& whole, double step)
 {
   const Vector3<double> pull = sliding_pull(now, start, whole, step, 1e-4);
+  if (pull.isZero(0))
+  {
+    return;
+  }
   const Vector3<double> mean = (start.motion.velocity + now.motion.velocity) / 2;
   const Vector3<double> aside = start.motion.center + step * mean - now.motion.center;
   const double share = -aside.dot(pull) / (step * step / 2 * pull.squaredNorm());

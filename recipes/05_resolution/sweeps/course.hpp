@@ -30,7 +30,6 @@ struct StepAhead
   std::span<const Pull> forces;      ///< on them, force_on()
   std::span<Ahead> ahead;            ///< what is known of each, once ahead_of() has said it
 };
-
 // [ahead]
 
 // [course]

@@ -29,7 +29,7 @@ std::array<Lanes, 4> gathered(LaneBody* bodies, const int* of, const Row& row)
   return {rows[0], rows[1], rows[2], rows[3]};
 }
 
-/// The bodies of all lanes, as they move now, but for where they are.
+/// The bodies of all lanes: how they move now, and their inverse masses, but not where they are.
 template <class Lanes>
 void gather_body(LaneBody* bodies, const int* of, Body<Lanes>& to)
 {
@@ -37,10 +37,10 @@ void gather_body(LaneBody* bodies, const int* of, Body<Lanes>& to)
   const auto w = gathered<Lanes>(bodies, of, [](LaneBody& body) { return body.angular_velocity; });
   to.motion.velocity = {v[0], v[1], v[2]};
   to.motion.angular_velocity = {w[0], w[1], w[2]};
-  const auto [mass, xx, xy, yy] =
-      gathered<Lanes>(bodies, of, [](LaneBody& body) { return body.masses; });
-  const auto k = gathered<Lanes>(bodies, of, [](LaneBody& body) { return body.moments; });
-  to.inverse_mass = mass;
+  const auto [inverse_mass, xx, xy, yy] =
+      gathered<Lanes>(bodies, of, [](LaneBody& body) { return body.inverse_masses; });
+  const auto k = gathered<Lanes>(bodies, of, [](LaneBody& body) { return body.inverse_inertia; });
+  to.inverse_mass = inverse_mass;
   to.inverse_inertia.col(0) = Vector3<Lanes>(xx, xy, k[0]);
   to.inverse_inertia.col(1) = Vector3<Lanes>(xy, yy, k[1]);
   to.inverse_inertia.col(2) = Vector3<Lanes>(k[0], k[1], k[2]);

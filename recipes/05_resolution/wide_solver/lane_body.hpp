@@ -15,8 +15,8 @@ struct alignas(64) LaneBody
 {
   float velocity[4] = {};         ///< [m/s], world
   float angular_velocity[4] = {}; ///< [rad/s], world
-  float masses[4] = {};  ///< inverse: mass [1/kg], then xx, xy, yy of inertia [1/(kg m²)], world
-  float moments[4] = {}; ///< of the same inertia xz, yz, zz
+  float inverse_masses[4] = {};   ///< mass [1/kg], then xx, xy, yy of inertia [1/(kg m²)], world
+  float inverse_inertia[4] = {};  ///< of the same inertia xz, yz, zz
 };
 
 /// Copies three numbers, or four.
@@ -40,8 +40,8 @@ inline void put_motion(const RigidBody& from, LaneBody& to)
 inline void put_inverse_masses(const RigidBody& from, LaneBody& to)
 {
   const Matrix3<double>& inertia = from.inverse_inertia;
-  put<4>({from.inverse_mass, inertia(0, 0), inertia(0, 1), inertia(1, 1)}, to.masses);
-  put<3>(inertia.col(2), to.moments);
+  put<4>({from.inverse_mass, inertia(0, 0), inertia(0, 1), inertia(1, 1)}, to.inverse_masses);
+  put<3>(inertia.col(2), to.inverse_inertia);
 }
 
 /// Takes three numbers back, unless they are still what was put.

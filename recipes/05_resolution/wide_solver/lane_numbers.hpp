@@ -75,7 +75,7 @@ public:
   ContactConstraint<float> pushed(std::size_t place, std::size_t lane)
   {
     ContactConstraint<float> at;
-    ReadLane<float> read{point(place, lane) + lanes_, lanes_};
+    ReadLane<float> read{point(place, lane) + lanes_ * gap_numbers, lanes_};
     each_pushed(at, read);
     return at;
   }
@@ -86,7 +86,7 @@ public:
     ContactConstraint<float> at = pushed(place, lane);
     at.impulse = 0;
     at.friction.setZero();
-    WriteLane<float> write{point(place, lane) + lanes_, lanes_};
+    WriteLane<float> write{point(place, lane) + lanes_ * gap_numbers, lanes_};
     each_pushed(at, write);
   }
 

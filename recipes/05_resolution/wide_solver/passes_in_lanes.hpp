@@ -64,7 +64,7 @@ struct PassesInLanes
         [](const WideContact<Lanes>& of, ContactConstraint<Lanes>& at, float* numbers)
         {
           cookbook::find_masses<Lanes>(at, of.a, of.b);
-          WriteLanes<Lanes> write{numbers + lanes_of<Lanes> * (1 + pushed_numbers)};
+          WriteLanes<Lanes> write{numbers + lanes_of<Lanes> * (gap_numbers + pushed_numbers)};
           each_mass(at, write);
         });
   }
@@ -87,7 +87,7 @@ struct PassesInLanes
         {
           cookbook::correct<Lanes>(of.a, of.b, at, how, small, of.correction_speed);
           at.sum += last ? at.impulse : Lanes(0);
-          WriteLanes<Lanes> write{numbers + lanes_of<Lanes>};
+          WriteLanes<Lanes> write{numbers + lanes_of<Lanes> * gap_numbers};
           each_pushed(at, write);
         });
   }

@@ -32,8 +32,8 @@ void each_given(WideContact<Real>& of, Call& call)
   call(of.correction_speed);
 }
 
-/// The numbers of a point, without its contact's, in the order in which they lie in memory: first
-/// its gap, then what a push changes.
+/// The numbers of a point, without its contact's, in the order in which they lie in memory, behind
+/// its gap: first what a push changes.
 template <class Real, class Call>
 void each_pushed(ContactConstraint<Real>& at, Call& call)
 {
@@ -60,9 +60,11 @@ void each_given(ContactConstraint<Real>& at, Call& call)
 }
 
 inline constexpr std::size_t contact_numbers = 5; ///< numbers of a contact's each_given()
+inline constexpr std::size_t gap_numbers = 1;     ///< a point's gap
 inline constexpr std::size_t pushed_numbers = 5;  ///< numbers of each_pushed()
 inline constexpr std::size_t point_masses = 8;    ///< numbers of each_mass()
-inline constexpr std::size_t point_numbers = 1 + pushed_numbers + point_masses + 6; ///< of a point
+inline constexpr std::size_t point_numbers =
+    gap_numbers + pushed_numbers + point_masses + 6; ///< of a point
 // [wide_contact]
 
 } // namespace cookbook
