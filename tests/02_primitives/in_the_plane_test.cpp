@@ -4,6 +4,7 @@
 #include "02_primitives/in_the_plane/in_the_plane.hpp"
 #include "02_primitives/in_the_plane/trial/plane_cases.hpp"
 #include "02_primitives/in_the_plane/trial/plane_truth.hpp"
+#include "02_primitives/shapes/trial/number_draw.hpp"
 
 #include "tests/02_primitives/plane_inputs.hpp"
 #include "tests/catch.hpp"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 
 using namespace cookbook;
 
@@ -163,13 +163,13 @@ TEST_CASE("circles that touch but for a rounding overlap if, and only if, none i
   CHECK_FALSE(overlaps(a, beyond));
   CHECK(closest_points(a, beyond).distance > 0);
   CHECK(way_apart(a, beyond).depth < 0);
-  std::mt19937 engine(4);
+  NumberDraw<double> draw(4);
   int different = 0, apart = 0;
   for (int i = 0; i < 10'000; ++i)
   {
-    const auto draw = [&] { return double(engine()) / 4294967296.0; };
-    const Circle<double> one{{draw(), draw()}, draw()};
-    const Point to_other(draw(), draw());
+    const Vector3<double> first = draw.in_box(0, 1), second = draw.in_box(0, 1);
+    const Circle<double> one{first.head<2>(), first.z()};
+    const Point to_other = second.head<2>();
     const Circle<double> other{one.center + to_other, to_other.norm() - one.radius};
     if (other.radius >= 0)
     {

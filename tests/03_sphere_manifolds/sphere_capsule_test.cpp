@@ -1,13 +1,13 @@
 /// \file
 /// What holds for the manifold of a sphere and a capsule.
 
+#include "02_primitives/shapes/trial/number_draw.hpp"
 #include "03_sphere_manifolds/sphere_capsule/sphere_capsule.hpp"
 
 #include "tests/catch.hpp"
 
 #include <cmath>
 #include <limits>
-#include <random>
 
 using namespace cookbook;
 
@@ -115,13 +115,13 @@ TEMPLATE_TEST_CASE(
   const Manifold<Real> named = sphere_capsule<Real>({to, 0.5}, {{from, to}, 0.25}).value();
   CHECK(named.normal == Point(0, 1, 0));
   CHECK(named.depth == Real(0.75));
-  std::mt19937 engine(1);
-  const auto draw = [&] { return Real(double(engine()) / 2147483648.0 - 1); };
+  NumberDraw<Real> draw(1);
   int not_square = 0, not_deep = 0, not_the_end = 0;
   for (int i = 0; i < 1000; ++i)
   {
-    const Real far = i % 2 == 0 ? Real(1) : Real(0x1p33);
-    const Segment<Real> segment{{far * draw(), draw(), draw()}, {draw(), draw(), draw()}};
+    Point start = draw.in_cube(1);
+    start.x() *= i % 2 == 0 ? Real(1) : Real(0x1p33);
+    const Segment<Real> segment{start, draw.in_cube(1)};
     const Point along = (segment.end - segment.start).normalized();
     for (const Point& end : {segment.start, segment.end})
     {

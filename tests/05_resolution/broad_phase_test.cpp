@@ -90,18 +90,9 @@ struct MetPairs
     std::vector<double> ways;
     BroadPhase near;
     near.pairs(bounds);
-    std::vector<bool> too_deep(starts.size(), false);
-    StepCourses step{scene,
-                     starts,
-                     {},
-                     {},
-                     falls,
-                     gone,
-                     near.last(),
-                     courses,
-                     ways,
-                     too_deep,
-                     &near.tree(bounds)};
+    std::vector<bool> deep(starts.size(), false);
+    StepCourses step{scene, starts, {}, {}, falls, gone, near.last(), courses, ways, deep};
+    step.tree = &near.tree(bounds);
     set_out(step, ends);
     compare(step, ends);
   }

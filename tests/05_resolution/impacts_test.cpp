@@ -15,6 +15,7 @@
 #include "tests/random_inputs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -115,16 +116,21 @@ Scene comes_down_on_light(double speed, double share, const Quaternion<double>& 
   return scene;
 }
 
-/// How far the first two bodies of a scene reach for each other, by a margin [m] and by forces.
+/// What is known of the first two bodies of a scene before a step.
+std::array<Ahead, 2> ahead_of_first_two(
+    const Scene& scene, std::span<const RigidBody> bodies, std::span<const Pull> forces = {})
+{
+  const StepAhead step{scene, bodies, forces, {}};
+  return {ahead_of(step, 0), ahead_of(step, 1)};
+}
+
+/// How far they reach for each other, by a margin [m] and by forces.
 ContactReach
 reach_of_first_two(const Scene& scene, double margin, std::span<const Pull> forces = {})
 {
   const RigidBody bodies[] = {rigid_body(scene.bodies[0]), rigid_body(scene.bodies[1])};
-  Ahead ahead[2];
-  const StepAhead step{scene, bodies, forces, ahead};
-  ahead[0] = ahead_of(step, 0);
-  ahead[1] = ahead_of(step, 1);
-  return foreseen_reach(step, 0, 1, margin);
+  std::array<Ahead, 2> ahead = ahead_of_first_two(scene, bodies, forces);
+  return foreseen_reach({scene, bodies, forces, ahead}, 0, 1, margin);
 }
 
 } // namespace
@@ -260,10 +266,7 @@ TEST_CASE("a body is swept that a step leaves deeper than 7.5 %, and not by grav
     scene.bodies[0].mass = slab == Slab::moves ? 1 : 0;
     scene.bodies[1].shape = shape;
     std::vector<RigidBody> ends{rigid_body(scene.bodies[0]), rigid_body(scene.bodies[1])};
-    Ahead ahead[2];
-    const StepAhead next{scene, ends, {}, ahead};
-    ahead[0] = ahead_of(next, 0);
-    ahead[1] = ahead_of(next, 1);
+    const std::array<Ahead, 2> ahead = ahead_of_first_two(scene, ends);
     std::vector<PastBody> starts{past_of(ends[0]), past_of(ends[1])};
     starts[1].motion.center = {0, 0.1 + from, 0};
     ends[1].motion.center = {along, 0.1 + to, 0};

@@ -70,18 +70,15 @@ template <class Real>
     Manifold<Real>& manifold, const Obb<Real>& box, const Obb<Real>& other, const Real& hair,
     std::uint32_t feature)
 {
-  const Vector3<Real> between = other.center - box.center;
   const Real few_hairs = 8 * hair;
   Vector3<Real> first = Vector3<Real>::Zero();
   for (int i = 0; i < 16 && manifold.points.size() < 2; ++i)
   {
-    const bool of_other = i < 8;
-    const Obb<Real>&from = of_other ? other : box, &to = of_other ? box : other;
+    const Obb<Real>&from = i < 8 ? other : box, &to = i < 8 ? box : other;
     const Vector3<Real> signs(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
     const Vector3<Real> corner = from.axes * from.half_extents.cwiseProduct(signs);
-    const Vector3<Real> place = of_other ? Vector3<Real>(between + corner) : corner;
-    const Vector3<Real> seen =
-        to.axes.transpose() * (of_other ? place : Vector3<Real>(corner - between));
+    const Vector3<Real> place = (from.center - box.center) + corner;
+    const Vector3<Real> seen = to.axes.transpose() * (place - (to.center - box.center));
     const bool is_common = (seen.cwiseAbs() - to.half_extents).maxCoeff() <= few_hairs;
     const bool is_new = manifold.points.empty() || (place - first).norm() > few_hairs;
     if (is_common && is_new)

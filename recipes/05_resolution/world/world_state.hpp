@@ -92,6 +92,12 @@ inline bool is_still(const WorldState& world, int body)
   return is_fixed(world.bodies[place_of(body)]) || sleeps(world, body);
 }
 
+/// What pulls a body in the next step.
+inline Pull pull_on(const WorldState& world, std::size_t i)
+{
+  return pull_on(world.scene.gravity, world.forces, i);
+}
+
 /// Watches whether a body rests, if any may sleep: what is pulled and falls freely does not, nor
 /// what is moved out of an overlap, whatever its velocity.
 inline void watch_rest(WorldState& world, std::size_t i)
@@ -107,8 +113,7 @@ inline void watch_rest(WorldState& world, std::size_t i)
   { return one.squaredNorm() > other.squaredNorm() ? one : other; };
   const Vector3<double> way = body.motion.center - start.motion.center;
   const Vector3<double> turn = turn_between<double>(start.orientation, body.orientation);
-  const bool flies =
-      world.falls[i] && !pull_on(world.scene.gravity, world.forces, i).acceleration.isZero(0);
+  const bool flies = world.falls[i] && !pull_on(world, i).acceleration.isZero(0);
   const double radius = bounds_of(body, world.scene.bodies[i].shape, 0).sizes().norm() / 2;
   const SleepState<double> before = flies ? SleepState<double>{} : world.sleep[i];
   world.sleep[i] = watched<double>(

@@ -43,17 +43,16 @@ inline void find_contacts(WorldState& world)
 inline void fall_unless_pushed(WorldState& world, const Island& island)
 {
   const double step = world.scene.step;
-  const auto pull = [&](std::size_t i) { return pull_on(world.scene.gravity, world.forces, i); };
   if (island.contacts.empty())
   {
     const std::size_t i = place_of(island.bodies.front());
     world.falls[i] = true;
-    return fly(world.bodies[i], pull(i), step);
+    return fly(world.bodies[i], pull_on(world, i), step);
   }
   for (const int body : island.bodies)
   {
     const std::size_t i = place_of(body);
-    world.falls[i] = !was_pushed(world.bodies[i], world.start[i], pull(i), step);
+    world.falls[i] = !was_pushed(world.bodies[i], world.start[i], pull_on(world, i), step);
   }
   for (const int number : island.contacts)
   {
@@ -62,7 +61,7 @@ inline void fall_unless_pushed(WorldState& world, const Island& island)
     const auto pushed = [&](std::size_t i)
     { return !world.falls[i] && !is_fixed(world.bodies[i]); };
     const auto step_of = [&](std::size_t i)
-    { return unpushed(world.bodies[i], world.start[i], pull(i).acceleration, step); };
+    { return unpushed(world.bodies[i], world.start[i], pull_on(world, i).acceleration, step); };
     if (!pushed(a) && !pushed(b) && were_parted(step_of(a), step_of(b)))
     {
       world.parted[a] = world.parted[b] = true;
@@ -75,11 +74,11 @@ inline void fall_unless_pushed(WorldState& world, const Island& island)
     if (world.falls[i])
     {
       world.bodies[i] = as_it_was(world.bodies[i], world.start[i]);
-      fly(world.bodies[i], pull(i), step);
+      fly(world.bodies[i], pull_on(world, i), step);
     }
     else if (!world.parted[i] && island.bodies.size() == 1)
     {
-      slide(world.bodies[i], world.start[i], pull(i).acceleration, step);
+      slide(world.bodies[i], world.start[i], pull_on(world, i).acceleration, step);
     }
   }
 }
