@@ -15,6 +15,7 @@
 #include <optional>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace cookbook
 {
@@ -105,6 +106,10 @@ inline void renew(
     for (std::size_t i = 0; i < manifold.points.size(); ++i)
     {
       points[i].feature = manifold.points[i].feature;
+    }
+    if (contact.points.capacity() > manifold.points.size())
+    {
+      contact.points = std::vector<WorldPoint>(); // a list is as long as what is in it
     }
     contact.points.assign(points.begin(), points.begin() + manifold.points.size());
   }

@@ -20,7 +20,7 @@ long size_of(void* room)
 void* counted(std::size_t size, std::size_t alignment)
 {
   ++count;
-  const std::size_t blocks = size / alignment + 1; // as many as hold it
+  const std::size_t blocks = (std::max(size, std::size_t(1)) + alignment - 1) / alignment;
   if (void* const room = std::aligned_alloc(alignment, blocks * alignment))
   {
     bytes += size_of(room);
