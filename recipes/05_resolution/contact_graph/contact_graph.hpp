@@ -4,13 +4,13 @@
 /// \brief Contacts in colours, so that no two of a colour share a body that moves.
 
 #include "05_resolution/contacts/groups.hpp"
+#include "05_resolution/lanes/make_room.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace cookbook
@@ -29,19 +29,17 @@ public:
   /// Gives each pair of bodies, in their order, the first colour that no earlier pair of one of its
   /// movable bodies has. `bodies` is more than any body's number; `moves(i)` says whether one can
   /// move.
-  template <class Moves>
-  void color(std::size_t bodies, std::span<const std::pair<int, int>> pairs, const Moves& moves)
+  template <class Pairs, class Moves>
+  void color(std::size_t bodies, const Pairs& pairs, const Moves& moves)
   {
-    taken_.resize(bodies);
+    taken_.assign(bodies, 0);
     colors_of_.clear();
-    for (const auto& [a, b] : pairs)
-    {
-      taken(a) = taken(b) = 0;
-    }
+    make_room(colors_of_, pairs.size());
     int own = 0;
     count_ = 0;
-    for (const auto& [a, b] : pairs)
+    for (std::size_t i = 0; i < pairs.size(); ++i)
     {
+      const auto [a, b] = pairs[i];
       const std::uint64_t at_a = moves(a) ? taken(a) : 0, at_b = moves(b) ? taken(b) : 0;
       const int free = std::countr_one(at_a | at_b);
       const std::uint64_t bit = free < shared_colors ? std::uint64_t{1} << free : 0;

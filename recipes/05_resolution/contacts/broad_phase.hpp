@@ -3,13 +3,15 @@
 /// \file
 /// \brief Which bodies of a world may touch: those whose bounds overlap.
 
-#include "05_resolution/contacts/groups.hpp"
 #include "05_resolution/contacts/too_many_contacts.hpp"
 #include "05_resolution/contacts/tree_overlaps.hpp"
+#include "05_resolution/lanes/make_room.hpp"
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -157,6 +159,7 @@ private:
         tree_,
         [&](int a, int b)
         {
+          make_room(found, found.size() + 1);
           found.emplace_back(a, b);
           check(found.size(), 200);
         });
@@ -167,25 +170,32 @@ private:
   /// Puts pairs that were found in order: first by the first of each, so that few are left.
   void sort_into_near(std::span<const std::pair<int, int>> found, std::size_t bodies)
   {
-    by_first_.sort(bodies, found.size(), [&](std::size_t i) { return found[i].first; });
-    near_.clear();
+    next_.assign(bodies + 1, 0);
+    for (const auto& pair : found)
+    {
+      ++next_[static_cast<std::size_t>(pair.first) + 1];
+    }
+    std::partial_sum(next_.begin(), next_.end(), next_.begin());
+    make_room(near_, found.size());
+    near_.resize(found.size());
+    for (const auto& pair : found)
+    {
+      near_[next_[static_cast<std::size_t>(pair.first)]++] = pair;
+    }
+    std::uint32_t first = 0;
     for (std::size_t body = 0; body < bodies; ++body)
     {
-      const std::ptrdiff_t begin = static_cast<std::ptrdiff_t>(near_.size());
-      for (const int i : by_first_[body])
-      {
-        near_.push_back(found[static_cast<std::size_t>(i)]);
-      }
-      std::sort(near_.begin() + begin, near_.end());
+      std::sort(near_.begin() + first, near_.begin() + next_[body]);
+      first = next_[body];
     }
   }
 
   BoundsTree tree_;
-  Groups by_first_;
   std::vector<std::pair<int, int>> pairs_, near_, found_; // near: by their rooms
   std::vector<Bounds> rooms_;                             // by their places in the list of bounds
   std::vector<std::size_t> leaves_, left_; // by the same; the places of those that left
   std::vector<std::size_t> places_;        // of bodies in that list
+  std::vector<std::uint32_t> next_;        // where the next pair is put that begins with a body
   std::size_t moved_ = 0;                  // rooms given since pairs were found
   bool roomy_ = false, asked_ = false; // whether there are rooms; whether the tree was asked for
 };

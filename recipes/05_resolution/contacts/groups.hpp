@@ -3,6 +3,8 @@
 /// \file
 /// \brief Numbers sorted into groups, such as bodies into islands, in the room that there is.
 
+#include "05_resolution/lanes/make_room.hpp"
+
 #include <cstddef>
 #include <numeric>
 #include <span>
@@ -20,24 +22,24 @@ public:
   template <class GroupOf>
   void sort(std::size_t groups, std::size_t count, const GroupOf& group_of)
   {
-    starts_.assign(groups + 1, 0);
+    starts_.assign(groups + 2, 0);
     for (std::size_t i = 0; i < count; ++i)
     {
       const int group = group_of(i);
       if (group >= 0)
       {
-        ++starts_[static_cast<std::size_t>(group) + 1];
+        ++starts_[static_cast<std::size_t>(group) + 2]; // one behind, to be moved on below
       }
     }
     std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+    make_room(members_, static_cast<std::size_t>(starts_.back()));
     members_.resize(static_cast<std::size_t>(starts_.back()));
-    next_ = starts_;
     for (std::size_t i = 0; i < count; ++i)
     {
       const int group = group_of(i);
       if (group >= 0)
       {
-        const int place = next_[static_cast<std::size_t>(group)]++;
+        const int place = starts_[static_cast<std::size_t>(group) + 1]++;
         members_[static_cast<std::size_t>(place)] = static_cast<int>(i);
       }
     }
@@ -52,7 +54,7 @@ public:
   }
 
 private:
-  std::vector<int> starts_, next_, members_;
+  std::vector<int> starts_, members_;
 };
 // [groups]
 

@@ -13,11 +13,17 @@
 namespace cookbook
 {
 
+/// A pair of bodies is one of itself; other things that touch say so of themselves.
+inline std::pair<int, int> pair_of(const std::pair<int, int>& pair)
+{
+  return pair;
+}
+
 // [islands]
 /// Writes the island of every body: the lowest number of all bodies that hang together with it by
 /// contacts between movable bodies; −1 for a body that cannot move, which joins none.
 ///
-/// `moves(i)` says whether a body can. `pairs` are the numbers of two bodies that touch; their
+/// `moves(i)` says whether a body can. `pairs` say which two bodies touch, by pair_of(); their
 /// order changes nothing.
 template <class Moves, class Pairs>
 void find_islands(std::vector<int>& island_of, const Moves& moves, const Pairs& pairs)
@@ -32,8 +38,9 @@ void find_islands(std::vector<int>& island_of, const Moves& moves, const Pairs& 
     }
     return i;
   };
-  for (const auto& [a, b] : pairs)
+  for (const auto& one : pairs)
   {
+    const auto [a, b] = pair_of(one);
     if (moves(a) && moves(b))
     {
       const int root_a = root(a), root_b = root(b);

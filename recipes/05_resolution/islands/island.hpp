@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace cookbook
@@ -32,13 +31,8 @@ public:
   void find(std::span<const RigidBody> bodies, std::span<const WorldContact> contacts)
   {
     numbers_.resize(bodies.size());
-    pairs_.clear();
-    for (const WorldContact& contact : contacts)
-    {
-      pairs_.push_back(pair_of(contact));
-    }
     find_islands(
-        numbers_, [&](int i) { return !is_fixed(bodies[place_of(i)]); }, pairs_);
+        numbers_, [&](int i) { return !is_fixed(bodies[place_of(i)]); }, contacts);
     count_ = 0;
     place_.resize(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -63,7 +57,6 @@ public:
 private:
   std::size_t count_ = 0;
   std::vector<int> numbers_, place_;
-  std::vector<std::pair<int, int>> pairs_;
   Groups bodies_, contacts_;
 };
 // [island]

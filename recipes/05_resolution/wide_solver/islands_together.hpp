@@ -4,6 +4,7 @@
 /// \brief Islands that are solved together, and what is known of the contacts of each.
 
 #include "05_resolution/islands/island.hpp"
+#include "05_resolution/lanes/make_room.hpp"
 
 #include <cstddef>
 #include <span>
@@ -29,6 +30,8 @@ public:
   void add(const Island& island, double correction_speed)
   {
     islands_.push_back(island);
+    make_room(contacts_, contacts_.size() + island.contacts.size());
+    make_room(speeds_, contacts_.size() + island.contacts.size());
     contacts_.insert(contacts_.end(), island.contacts.begin(), island.contacts.end());
     speeds_.resize(contacts_.size(), static_cast<float>(correction_speed));
   }

@@ -20,6 +20,19 @@ namespace cookbook
 {
 
 // [wide_groups]
+/// The bodies of contacts of a world, by their places among these.
+struct PairsOfContacts
+{
+  IslandView world;
+  std::span<const int> contacts; ///< their numbers
+
+  std::size_t size() const { return contacts.size(); }
+  std::pair<int, int> operator[](std::size_t i) const
+  {
+    return pair_of(world.contacts[place_of(contacts[i])]);
+  }
+};
+
 /// Contacts in groups, no two of which share a body that moves, one in each lane.
 class WideGroups
 {
@@ -29,14 +42,10 @@ public:
   /// Puts these contacts of a world together, as many to a group as it has lanes.
   void find(IslandView world, std::span<const int> contacts, std::size_t lanes)
   {
-    pairs_.clear();
-    for (const int number : contacts)
-    {
-      pairs_.push_back(pair_of(world.contacts[place_of(number)]));
-    }
     graph_.color(
-        world.bodies.size(), pairs_, [&](int i) { return !is_fixed(world.bodies[place_of(i)]); });
-    const std::size_t most = pairs_.size() / lanes + std::size_t(graph_.colors());
+        world.bodies.size(), PairsOfContacts{world, contacts},
+        [&](int i) { return !is_fixed(world.bodies[place_of(i)]); });
+    const std::size_t most = contacts.size() / lanes + std::size_t(graph_.colors());
     groups_.clear();
     taken_.clear();
     make_room(groups_, most);
@@ -84,7 +93,6 @@ private:
   }
 
   ContactGraph graph_;
-  std::vector<std::pair<int, int>> pairs_;
   Groups by_points_;
   std::vector<WideGroup> groups_;
   std::vector<int> taken_;
