@@ -70,14 +70,12 @@ struct MetPairs
   {
     const Scene scene = moving_bodies(draw, speed);
     const double margin = contact_margin(scene);
-    std::vector<PastBody> starts;
     std::vector<RigidBody> ends;
     std::vector<Bounds> bounds;
     std::vector<Ahead> ahead(scene.bodies.size());
     for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i)
     {
       RigidBody& body = ends.emplace_back(rigid_body(scene.bodies[place_of(i)]));
-      starts.push_back(past_of(body));
       const StepAhead next{scene, ends, {}, ahead};
       ahead[place_of(i)] = ahead_of(next, i);
       bounds.push_back({foreseen_bounds(next, i, margin), i});
@@ -85,13 +83,13 @@ struct MetPairs
       body.motion.velocity += shoved ? draw.vector(-50, 50) : Vector3<double>::Zero();
       is_fixed(body) ? void() : fly(body, {scene.gravity}, scene.step);
     }
-    const std::vector<bool> falls(starts.size(), false), gone(starts.size(), false);
+    const std::vector<bool> falls(ends.size(), false), gone(ends.size(), false);
     std::vector<Course> courses;
     std::vector<double> ways;
     BroadPhase near;
     near.pairs(bounds);
-    std::vector<bool> deep(starts.size(), false);
-    StepCourses step{scene, starts, {}, {}, falls, gone, near.last(), courses, ways, deep};
+    std::vector<bool> deep(ends.size(), false);
+    StepCourses step{scene, {}, {}, falls, gone, near.last(), courses, ways, deep};
     step.tree = &near.tree(bounds);
     set_out(step, ends);
     compare(step, ends);
@@ -159,7 +157,7 @@ TEST_CASE(
     const std::vector<bool> no(2, false);
     std::vector<bool> too_deep(2, false);
     std::vector<double> ways;
-    return may_meet({scene, {}, {}, {}, no, no, {}, courses, ways, too_deep}, 0, 1, time);
+    return may_meet({scene, {}, {}, no, no, {}, courses, ways, too_deep}, 0, 1, time);
   };
   CHECK(meet(0.99, 20, 0));
   CHECK_FALSE(meet(1.01, 20, 0));
@@ -180,7 +178,7 @@ TEST_CASE("a ball is in danger if it fell, is too deep, or if two went by more t
     std::vector<bool> deep{too_deep, too_deep};
     std::vector<Course> courses;
     std::vector<double> ways{way, other_way};
-    return in_danger({scene, {}, {}, {}, fall, gone, {}, courses, ways, deep}, ball, 1 - ball);
+    return in_danger({scene, {}, {}, fall, gone, {}, courses, ways, deep}, ball, 1 - ball);
   };
   CHECK(danger(0.3, 0.3, false, false));
   CHECK_FALSE(danger(0.3, 0.1, false, false));

@@ -129,7 +129,7 @@ Answers answers_of(const Scene& scene, double duration, double from)
     }
     world.step();
   }
-  answers.sink = farthest_move(world).along;
+  answers.sink = farthest_move(scene, world).along;
   answers.overlap = deepest_overlap(world);
   return answers;
 }

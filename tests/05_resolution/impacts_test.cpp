@@ -267,8 +267,7 @@ TEST_CASE("a body is swept that a step leaves deeper than 7.5 %, and not by grav
     scene.bodies[1].shape = shape;
     std::vector<RigidBody> ends{rigid_body(scene.bodies[0]), rigid_body(scene.bodies[1])};
     const std::array<Ahead, 2> ahead = ahead_of_first_two(scene, ends);
-    std::vector<PastBody> starts{past_of(ends[0]), past_of(ends[1])};
-    starts[1].motion.center = {0, 0.1 + from, 0};
+    scene.bodies[1].position = {0, 0.1 + from, 0};
     ends[1].motion.center = {along, 0.1 + to, 0};
     ends[0].motion.center.x() += slab == Slab::moves ? 1e-6 : 0;
     const std::vector<bool> none(2, false);
@@ -276,7 +275,7 @@ TEST_CASE("a body is swept that a step leaves deeper than 7.5 %, and not by grav
     std::vector<Course> courses;
     std::vector<double> ways;
     std::vector<bool> marked;
-    StepCourses step{scene, starts, {}, {}, none, none, near, courses, ways, marked};
+    StepCourses step{scene, {}, {}, none, none, near, courses, ways, marked};
     const bool any = has_boxes_to_sweep(step, ahead, ends);
     CHECK(any == (marked[0] || marked[1]));
     return std::pair<bool, bool>(marked[0], marked[1]);
@@ -675,22 +674,20 @@ struct Row
   /// Has them bounce at a time [s] of the step; whether each of the two that touch is tossed.
   void bounce(double time = 0, bool first_tossed = false, bool second_tossed = false)
   {
-    std::vector<PastBody> starts;
     std::vector<RigidBody> bodies;
     std::vector<Bounds> bounds;
     for (const SceneBody& body : scene.bodies)
     {
       bodies.push_back(rigid_body(body));
-      starts.push_back(past_of(bodies.back()));
       bounds.push_back({bounds_of(bodies.back(), body.shape, 0), static_cast<int>(bounds.size())});
     }
     BoundsTree tree;
     tree.build(bounds);
-    const std::vector<bool> all(starts.size(), true), none(starts.size(), false);
+    const std::vector<bool> all(bodies.size(), true), none(bodies.size(), false);
     std::vector<bool> deep = none;
     std::vector<Course> courses;
     std::vector<double> ways;
-    StepCourses step{scene, starts, {}, {}, all, none, {}, courses, ways, deep, &tree};
+    StepCourses step{scene, {}, {}, all, none, {}, courses, ways, deep, &tree};
     set_out(step, bodies);
     courses[0].tossed = first_tossed;
     courses[1].tossed = second_tossed;

@@ -60,8 +60,8 @@ TEST_CASE("a ball that is put behind a wall keeps its velocity, and hits nobody 
   world.step();
   world.set_pose(1, {2, 0, 0}, {0, 0, 1.5, 0}); // made 1
   CHECK(world.body(1).orientation.coeffs() == Eigen::Vector4d(0, 1, 0, 0));
-  CHECK(world.bodies_before()[1].orientation.coeffs() == Eigen::Vector4d(0, 1, 0, 0));
-  CHECK(world.bodies_before()[1].motion.center == Vector3<double>(2, 0, 0));
+  CHECK(world.scene().bodies[1].orientation.coeffs() == Eigen::Vector4d(0, 1, 0, 0));
+  CHECK(world.scene().bodies[1].position == Vector3<double>(2, 0, 0));
   const Ray<double> along{{1, 0, 0}, {1, 0, 0}};
   CHECK(WorldQueries(world).cast(along)->hit.t == Catch::Approx(0.9));
   world.step();

@@ -325,9 +325,10 @@ TEST_CASE(
     "on 30° with friction 0.6, warm impulses hold a cube after 0.3 mm, and for 10 s to 0.1 µm",
     "[R7]")
 {
-  World world(scenes::incline(0.5, 0.6), impulse_method(true, 8).solver());
+  const Scene slope = scenes::incline(0.5, 0.6);
+  World world(slope, impulse_method(true, 8).solver());
   const auto gone = [&]() -> Vector3<double>
-  { return world.bodies()[1].motion.center - world.scene().bodies[1].position; };
+  { return world.bodies()[1].motion.center - slope.bodies[1].position; };
   while (world.time() < 0.1)
   {
     world.step();

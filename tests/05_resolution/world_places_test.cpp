@@ -91,7 +91,7 @@ TEST_CASE("who is put in where another was goes on as at a new place, to the bit
       const BodyId at_old = world.add(thrown("next")), at_new = other.add(thrown("next"));
       CHECK(world.place(at_old) == 1);
       CHECK(other.place(at_new) == 3);
-      CHECK(world.bodies_before()[1].motion.center == Vector3<double>(0.1, 1.5, 0));
+      CHECK(world.scene().bodies[1].position == Vector3<double>(0.1, 1.5, 0));
       for (int i = 0; i < 240; ++i)
       {
         on(world, 1);
@@ -123,7 +123,7 @@ TEST_CASE("a place is given on after a step, and its ids differ")
 {
   World world = one_has_left("direct", false);
   CHECK(world.add(thrown("at once")) == 3);
-  CHECK(world.bodies_before().size() == 4);
+  CHECK(world.scene().bodies.size() == 4);
   CHECK(world.id(1) == 1);
   on(world, 2);
   const BodyId next = world.add(thrown("later"));

@@ -99,9 +99,9 @@ next_touch(const StepCourses& step, int first, int other, double time, double de
   {
     const auto at_first = [&]
     {
-      const auto start_of = [&](int i)
-      { return as_it_was(*step.courses[place_of(i)].of, step.starts[place_of(i)]); };
-      const RigidBody ball = start_of(first), body = start_of(other);
+      const auto was = [&](int i)
+      { return as_it_was(*step.courses[place_of(i)].of, start_of(step, i)); };
+      const RigidBody ball = was(first), body = was(other);
       return std::max(0.0, depth_between(scene, {first, other}, ball, body));
     };
     const double allowed = presses ? at_first() + rest_depth(scene, first, other) : 0;

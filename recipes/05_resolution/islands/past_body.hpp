@@ -22,6 +22,21 @@ inline PastBody past_of(const RigidBody& body)
   return {body.motion, body.orientation};
 }
 
+/// How a body of a scene starts; its orientation is unit.
+inline PastBody start_of(const SceneBody& body)
+{
+  return {{body.position, body.velocity, body.angular_velocity}, body.orientation};
+}
+
+/// Has a body of a scene start as it is now.
+inline void set_start(SceneBody& start, const RigidBody& now)
+{
+  start.position = now.motion.center;
+  start.velocity = now.motion.velocity;
+  start.angular_velocity = now.motion.angular_velocity;
+  start.orientation = now.orientation;
+}
+
 /// A body as it was then.
 inline RigidBody as_it_was(RigidBody body, const PastBody& then)
 {

@@ -22,8 +22,7 @@ namespace cookbook
 /// A step of a world as solvers and free fall had it.
 struct StepCourses
 {
-  const Scene& scene;                        ///< with the bodies' shapes
-  std::span<const PastBody> starts;          ///< the bodies as it began
+  const Scene& scene;                        ///< the bodies as it began
   std::span<const Pull> forces;              ///< on them, force_on()
   std::span<const WorldContact> contacts;    ///< of this step
   const std::vector<bool>& falls;            ///< whether no other body pushed it
@@ -34,6 +33,12 @@ struct StepCourses
   std::vector<bool>& too_deep; ///< whom a solver left too deep, or who is swept by now
   BoundsTree* tree = nullptr;  ///< of all bodies that are there, once any is swept
 };
+
+/// A body as the step began.
+inline PastBody start_of(const StepCourses& step, int i)
+{
+  return start_of(step.scene.bodies[place_of(i)]);
+}
 
 /// True if a body is a ball.
 inline bool is_ball(const Scene& scene, int i)
@@ -108,17 +113,17 @@ farthest_way(const StepCourses& step, int i, const Course& course, double way, d
 /// Writes down the courses of all bodies, from where a step began to where it ended.
 inline void set_out(StepCourses& step, std::span<const RigidBody> ends)
 {
-  const std::span<const PastBody> starts = step.starts;
   const double duration = step.scene.step;
   step.courses.clear();
   step.courses.reserve(ends.size());
   step.ways.clear();
   for (std::size_t i = 0; i < ends.size(); ++i)
   {
+    const PastBody start = start_of(step.scene.bodies[i]);
     const Pull pull = pull_on(step.scene.gravity, step.forces, i);
-    const Course course = step.falls[i] ? falling_course(starts[i], ends[i], duration, pull)
-                                        : pushed_course(starts[i], ends[i], duration, pull);
-    const double way = (ends[i].motion.center - starts[i].motion.center).norm();
+    const Course course = step.falls[i] ? falling_course(start, ends[i], duration, pull)
+                                        : pushed_course(start, ends[i], duration, pull);
+    const double way = (ends[i].motion.center - start.motion.center).norm();
     step.ways.push_back(farthest_way(step, static_cast<int>(i), course, way, duration));
     step.courses.push_back(course);
   }

@@ -20,15 +20,15 @@ namespace cookbook
 /// How far [m] any point of each body went in a step, and up to 1.6 times as far: no sines.
 inline void find_rough_ways(StepCourses& step, std::span<const RigidBody> ends)
 {
-  const std::span<const PastBody> starts = step.starts;
   step.ways.clear();
   for (std::size_t i = 0; i < ends.size(); ++i)
   {
-    double way = (ends[i].motion.center - starts[i].motion.center).norm();
+    const SceneBody& start = step.scene.bodies[i];
+    double way = (ends[i].motion.center - start.position).norm();
     if (!ends[i].round)
     {
       // A turn by an angle moves a quaternion by a chord of at least the angle over pi.
-      const auto from = starts[i].orientation.coeffs(), to = ends[i].orientation.coeffs();
+      const auto from = start.orientation.coeffs(), to = ends[i].orientation.coeffs();
       const double chord =
           std::sqrt(std::min((to - from).squaredNorm(), (to + from).squaredNorm()));
       way += 3.15 * chord * reach(step.scene, static_cast<int>(i));
@@ -68,13 +68,12 @@ find_too_deep(StepCourses& step, std::span<const Ahead> ahead, std::span<const R
       continue;
     }
     const auto end_of = [&](int one) -> const RigidBody& { return ends[place_of(one)]; };
-    const auto start_of = [&](int one)
-    { return as_it_was(ends[place_of(one)], step.starts[place_of(one)]); };
+    const auto was = [&](int one) { return as_it_was(ends[place_of(one)], start_of(step, one)); };
     const auto depth = [&, a = i, b = j](const auto& pose_of) {
       return depth_between(step.scene, {a, b}, pose_of(a), pose_of(b));
     };
     const double end = depth(end_of);
-    if (end > harmless * 3 / 2 && end > depth(start_of) + std::max(harmless / 10, fall))
+    if (end > harmless * 3 / 2 && end > depth(was) + std::max(harmless / 10, fall))
     {
       any = true;
       for (const int one : {i, j})

@@ -39,9 +39,11 @@ public:
     }
     state_.scene = checked(scene);
     state_.may_sleep = may_sleep;
-    while (bodies().size() < state_.scene.bodies.size())
+    state_.bodies.reserve(scene.bodies.size());
+    state_.bounds.reserve(scene.bodies.size());
+    for (const SceneBody& body : scene.bodies)
     {
-      enter(state_, state_.scene.bodies[bodies().size()]);
+      enter(state_, body);
     }
   }
 
@@ -53,16 +55,14 @@ public:
   {
   }
 
-  /// The bodies as they were put in, also those taken out until others have their places; where
-  /// they are now, bodies() says.
+  /// What the bodies are, and how they were as the last step began, after its impacts; those put in
+  /// since as they were put in; also those taken out until others have their places.
   const Scene& scene() const { return state_.scene; }
   const std::vector<RigidBody>& bodies() const { return state_.bodies; } ///< in its order, as now
   /// All contacts of the last step.
   const std::vector<WorldContact>& contacts() const { return state_.contacts; }
   /// Who hit whom in it, in the order of pairs; they may have been taken out since.
   const std::vector<Impact>& impacts() const { return state_.impacts; }
-  /// The bodies as the last step began, after its impacts; those put in since as they were put in.
-  const std::vector<PastBody>& bodies_before() const { return state_.start; }
   double time() const { return double(state_.steps) * scene().step; } ///< [s], since the start
   /// Whether a body is there: it was put in, and not taken out.
   bool has(BodyId body) const { return is_there(state_, body); }

@@ -101,8 +101,8 @@ inline std::size_t enter(WorldState& world, const SceneBody& body)
   RigidBody made = rigid_body(body);
   made.generation = had_another ? world.bodies[i].generation + 1 : 0;
   put_at(world.scene.bodies, i, body);
+  set_start(world.scene.bodies[i], made);
   put_at(world.bodies, i, made);
-  put_at(world.start, i, past_of(made));
   world.sleep.resize(world.may_sleep ? world.bodies.size() : 0); // who has left was woken before
   world.bounds.push_back(bounds_now(world, i));
   world.balls += made.round ? 1 : 0;
@@ -146,8 +146,8 @@ inline void put_elsewhere(
   body.motion.center = position;
   body.orientation = orientation.normalized();
   update_axes(body);
-  world.start[i].motion.center = position;
-  world.start[i].orientation = body.orientation;
+  world.scene.bodies[i].position = position;
+  world.scene.bodies[i].orientation = body.orientation;
   wake_touched_by(world, bounds_now(world, i));
 }
 // [world_bodies]

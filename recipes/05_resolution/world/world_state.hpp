@@ -37,12 +37,12 @@ namespace cookbook
 /// All that a world knows; copied, it goes on as the original does.
 struct WorldState
 {
-  Scene scene;                           ///< what the bodies are, and what pulls them
+  Scene scene;                           ///< what the bodies are; as the last step began, after
+                                         ///< its impacts
   bool may_sleep = false;                ///< whether bodies that rest fall asleep
   int balls = 0;                         ///< how many of those that are there
   long steps = 0;                        ///< since the start
   std::vector<RigidBody> bodies;         ///< in the order of the scene
-  std::vector<PastBody> start;           ///< as the last step began, after its impacts
   std::vector<Pull> forces;              ///< of the next step; none where nothing pulls
   std::vector<bool> gone;                ///< where nobody is any more
   std::vector<std::size_t> left;         ///< places of those taken out since the last step
@@ -98,6 +98,12 @@ inline Pull pull_on(const WorldState& world, std::size_t i)
   return pull_on(world.scene.gravity, world.forces, i);
 }
 
+/// A body as the last step began.
+inline PastBody start_of(const WorldState& world, std::size_t i)
+{
+  return start_of(world.scene.bodies[i]);
+}
+
 /// Watches whether a body rests, if any may sleep: what is pulled and falls freely does not, nor
 /// what is moved out of an overlap, whatever its velocity.
 inline void watch_rest(WorldState& world, std::size_t i)
@@ -108,7 +114,7 @@ inline void watch_rest(WorldState& world, std::size_t i)
   }
   const double step = world.scene.step;
   const RigidBody& body = world.bodies[i];
-  const PastBody& start = world.start[i];
+  const PastBody start = start_of(world, i);
   const auto larger = [](const Vector3<double>& one, const Vector3<double>& other)
   { return one.squaredNorm() > other.squaredNorm() ? one : other; };
   const Vector3<double> way = body.motion.center - start.motion.center;

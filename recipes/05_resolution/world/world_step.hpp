@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <vector>
 
 namespace cookbook
@@ -52,7 +51,7 @@ inline void fall_unless_pushed(WorldState& world, const Island& island)
   for (const int body : island.bodies)
   {
     const std::size_t i = place_of(body);
-    world.falls[i] = !was_pushed(world.bodies[i], world.start[i], pull_on(world, i), step);
+    world.falls[i] = !was_pushed(world.bodies[i], start_of(world, i), pull_on(world, i), step);
   }
   for (const int number : island.contacts)
   {
@@ -61,7 +60,7 @@ inline void fall_unless_pushed(WorldState& world, const Island& island)
     const auto pushed = [&](std::size_t i)
     { return !world.falls[i] && !is_fixed(world.bodies[i]); };
     const auto step_of = [&](std::size_t i)
-    { return unpushed(world.bodies[i], world.start[i], pull_on(world, i).acceleration, step); };
+    { return unpushed(world.bodies[i], start_of(world, i), pull_on(world, i).acceleration, step); };
     if (!pushed(a) && !pushed(b) && were_parted(step_of(a), step_of(b)))
     {
       world.parted[a] = world.parted[b] = true;
@@ -73,12 +72,12 @@ inline void fall_unless_pushed(WorldState& world, const Island& island)
     world.falls[i] = world.falls[i] && !world.parted[i];
     if (world.falls[i])
     {
-      world.bodies[i] = as_it_was(world.bodies[i], world.start[i]);
+      world.bodies[i] = as_it_was(world.bodies[i], start_of(world, i));
       fly(world.bodies[i], pull_on(world, i), step);
     }
     else if (!world.parted[i] && island.bodies.size() == 1)
     {
-      slide(world.bodies[i], world.start[i], pull_on(world, i).acceleration, step);
+      slide(world.bodies[i], start_of(world, i), pull_on(world, i).acceleration, step);
     }
   }
 }
@@ -112,7 +111,7 @@ inline void advance(WorldState& world, const WorldSolver& solver)
           {
             for (const int i : island.bodies)
             {
-              world.start[place_of(i)] = past_of(world.bodies[place_of(i)]);
+              set_start(world.scene.bodies[place_of(i)], world.bodies[place_of(i)]);
             }
           }
         }
@@ -125,8 +124,8 @@ inline void advance(WorldState& world, const WorldSolver& solver)
 /// they hit.
 inline void sweep(WorldState& world)
 {
-  StepCourses step{world.scene, world.start,       world.forces,  world.contacts, world.falls,
-                   world.gone,  world.near.last(), world.courses, world.ways,     world.too_deep};
+  StepCourses step{world.scene,       world.forces,  world.contacts, world.falls,   world.gone,
+                   world.near.last(), world.courses, world.ways,     world.too_deep};
   if (!has_boxes_to_sweep(step, world.ahead, world.bodies) && world.balls == 0)
   {
     return world.courses.shrink_to_fit(); // as long as nothing is swept
@@ -149,7 +148,7 @@ inline void finish(WorldState& world, std::size_t i)
   RigidBody& body = world.bodies[i];
   if (!is_finite(body))
   {
-    body = as_it_was(body, world.start[i]);
+    body = as_it_was(body, start_of(world, i));
     fix(body);
   }
   if (is_still(world, static_cast<int>(i)))
@@ -170,10 +169,8 @@ COOKBOOK_WORLD_INLINE void step(WorldState& world, const WorldSolver& solver)
     {
       wear_off(world.bodies[i], world.scene.bodies[i], world.scene.step / 2); // half at the end
     }
+    set_start(world.scene.bodies[i], world.bodies[i]);
   }
-  world.start.clear();
-  std::transform(
-      world.bodies.begin(), world.bodies.end(), std::back_inserter(world.start), past_of);
   world.falls.assign(world.bodies.size(), false);
   world.parted.assign(world.bodies.size(), false);
   world.islands.find(world.bodies, world.contacts);

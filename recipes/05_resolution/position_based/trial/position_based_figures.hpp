@@ -68,12 +68,13 @@ std::vector<Eigen::Vector2d> way_by_budget(int cubes, const MethodOf& method_of)
   std::vector<Eigen::Vector2d> points;
   for (int count = 4; count <= 64; count *= 2)
   {
-    World world(scenes::tower(cubes), method_of(count).solver());
+    const Scene tower = scenes::tower(cubes);
+    World world(tower, method_of(count).solver());
     while (world.time() < 3)
     {
       world.step();
     }
-    const FarthestMove most = farthest_move(world);
+    const FarthestMove most = farthest_move(tower, world);
     points.emplace_back(count, 1000 * std::hypot(most.along, most.sideways));
   }
   return points;

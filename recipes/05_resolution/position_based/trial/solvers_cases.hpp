@@ -94,7 +94,7 @@ inline StackMeasures stack_measures(const Scene& scene, const IslandSolver& solv
   while (world.time() < duration - scene.step / 2 && most.fell == 0)
   {
     world.step();
-    const FarthestMove move = farthest_move(world);
+    const FarthestMove move = farthest_move(scene, world);
     most.sink = std::max(most.sink, move.along);
     most.drift = std::max(most.drift, move.sideways);
     for (const RigidBody& body : world.bodies())

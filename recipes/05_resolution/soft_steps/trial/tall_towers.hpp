@@ -44,7 +44,7 @@ inline double lean(const Scene& scene, const SoftSettings& how)
   {
     world.step();
   }
-  return farthest_move(world).sideways;
+  return farthest_move(scene, world).sideways;
 }
 
 /// The same of a tower of unit cubes whose arms turn with them.

@@ -81,7 +81,9 @@ inline double residual(const World& world)
 {
   double most = 0;
   const auto axes = [&](int i) -> Matrix3<double>
-  { return as_it_was(world.bodies()[place_of(i)], world.bodies_before()[place_of(i)]).axes; };
+  {
+    return as_it_was(world.bodies()[place_of(i)], start_of(world.scene().bodies[place_of(i)])).axes;
+  };
   for (const WorldContact& contact : world.contacts())
   {
     const RigidBody& a = world.bodies()[static_cast<std::size_t>(contact.a)];
@@ -127,16 +129,16 @@ struct FarthestMove
   double along = 0;    ///< [m], up or down
 };
 
-/// How far the bodies of a world have gone; along y where there is no gravity.
-inline FarthestMove farthest_move(const World& world)
+/// How far the bodies of a scene have gone in a world; along y where there is no gravity.
+inline FarthestMove farthest_move(const Scene& scene, const World& world)
 {
   const Vector3<double>& gravity = world.scene().gravity;
   const double size = gravity.norm();
   const Vector3<double> up = size > 0 ? Vector3<double>(-gravity / size) : Vector3<double>(0, 1, 0);
   FarthestMove most;
-  for (std::size_t i = 0; i < world.bodies().size(); ++i)
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
   {
-    const Vector3<double> way = world.bodies()[i].motion.center - world.scene().bodies[i].position;
+    const Vector3<double> way = world.bodies()[i].motion.center - scene.bodies[i].position;
     const double height = way.dot(up);
     most.along = std::max(most.along, std::abs(height));
     most.sideways = std::max(most.sideways, (way - height * up).norm());

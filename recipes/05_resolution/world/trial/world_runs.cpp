@@ -50,7 +50,7 @@ WorldRun run_world(
     }
   }
   run.overlap = deepest_overlap(world);
-  const FarthestMove move = farthest_move(world);
+  const FarthestMove move = farthest_move(scene, world);
   run.drift = move.sideways;
   run.sink = move.along;
   run.energy_end = energy(world.bodies(), gravity);
