@@ -3,7 +3,7 @@
 /// \file
 /// \brief Contacts in colours, so that no two of a colour share a body that moves.
 
-#include "05_resolution/contacts/groups.hpp"
+#include "05_resolution/lanes/groups.hpp"
 #include "05_resolution/lanes/make_room.hpp"
 
 #include <algorithm>

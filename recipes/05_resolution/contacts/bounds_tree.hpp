@@ -30,54 +30,54 @@ public:
     std::size_t right;                ///< its second child; the first stands behind it; 0: none
   };
 
-  const std::vector<Node>& nodes() const { return nodes_; }       ///< the root first
-  const std::vector<Bounds>& leaves() const { return leaves_; }   ///< all that is finite
-  const std::vector<Bounds>& endless() const { return endless_; } ///< all else
+  const std::vector<Node>& nodes() const { return nodes_; } ///< the root first
+  const std::vector<Bounds>& all() const { return all_; }   ///< first all that is finite
+  std::span<const Bounds> leaves() const { return {all_.data(), finite_}; }            ///< that
+  std::span<const Bounds> endless() const { return std::span(all_).subspan(finite_); } ///< all else
 
   /// Sorts bounds into the tree.
   void build(std::span<const Bounds> bounds)
   {
-    leaves_.clear();
-    endless_.clear();
-    nodes_.clear();
-    for (Bounds one : bounds)
+    all_.assign(bounds.begin(), bounds.end());
+    for (std::size_t i = 0; i < all_.size(); ++i)
     {
-      one.place = static_cast<int>(leaves_.size() + endless_.size());
-      const bool finite = one.box.min().allFinite() && one.box.max().allFinite();
-      (finite ? leaves_ : endless_).push_back(one);
+      all_[i].place = static_cast<int>(i);
     }
-    if (!leaves_.empty())
-    {
-      grow(0, leaves_.size());
-    }
-    built_ = spread();
+    sort();
   }
 
-  /// Takes new bounds of the bodies that it was built of. False if they are others, or have spread
-  /// or drawn together by a fifth: then it has to be built.
-  bool follow(std::span<const Bounds> bounds)
+  /// Whether it was built of the bounds of these bodies, in this order.
+  bool is_of(std::span<const Bounds> bounds) const
   {
-    bool same = bounds.size() == leaves_.size() + endless_.size();
-    const auto box_of = [&](const Bounds& one)
-    {
-      const Bounds& now = same ? bounds[static_cast<std::size_t>(one.place)] : one;
-      same = same && now.body == one.body;
-      return now.box;
-    };
-    for (Bounds& one : endless_)
-    {
-      one.box = box_of(one);
-    }
-    refit(box_of);
-    const double now = spread();
-    return same && now <= built_ * 6 / 5 && built_ <= now * 6 / 5;
+    const auto same = [&](const Bounds& one)
+    { return one.body == bounds[static_cast<std::size_t>(one.place)].body; };
+    return bounds.size() == all_.size() && std::all_of(all_.begin(), all_.end(), same);
   }
 
-  /// Gives all that is finite new bounds, `bounds(leaf)`; who lies beside whom in the tree stays.
+  /// Gives all bodies new bounds, `bounds(one)`, and sorts them anew if they have spread or drawn
+  /// together by a fifth since that was done; whether it was.
+  template <class BoundsOf>
+  bool follow(const BoundsOf& bounds)
+  {
+    for (Bounds& one : std::span(all_).subspan(finite_))
+    {
+      one.box = bounds(one);
+    }
+    refit(bounds);
+    const double now = spread();
+    if (now <= built_ * 6 / 5 && built_ <= now * 6 / 5)
+    {
+      return false;
+    }
+    sort();
+    return true;
+  }
+
+  /// Gives all that is finite new bounds; who lies beside whom in the tree stays.
   template <class BoundsOf>
   void refit(const BoundsOf& bounds)
   {
-    for (Bounds& leaf : leaves_)
+    for (Bounds& leaf : std::span(all_).first(finite_))
     {
       leaf.box = bounds(leaf);
     }
@@ -89,30 +89,19 @@ public:
     }
   }
 
-  /// Widens the bounds of a leaf by a box [m], and with them all branches above it.
+  /// Gives one of all other bounds, and widens all branches above it by them.
   void widen(std::size_t leaf, const Eigen::AlignedBox<double, 3>& box)
   {
-    leaves_[leaf].box.extend(box);
+    all_[leaf].box = box;
+    if (leaf >= finite_)
+    {
+      return;
+    }
     nodes_[0].box.extend(box);
     for (std::size_t node = 0; nodes_[node].right > 0; nodes_[node].box.extend(box))
     {
       const std::size_t right = nodes_[node].right;
       node = leaf < nodes_[right].first ? node + 1 : right;
-    }
-  }
-
-  /// Calls `visit(body)` for all bodies whose bounds `enters(box)` says may matter, and those of
-  /// all branches above them.
-  template <class Enters, class Visit>
-  void each_that(const Enters& enters, const Visit& visit) const
-  {
-    for (const Bounds& one : endless_)
-    {
-      visit(one.body);
-    }
-    if (!nodes_.empty())
-    {
-      each_below(0, enters, visit);
     }
   }
 
@@ -127,6 +116,20 @@ private:
   /// Evaluated along the axes that are asked for.
   static auto center(const Bounds& one) { return one.box.min() / 2 + one.box.max() / 2; }
 
+  void sort()
+  {
+    const auto is_finite = [](const Bounds& one)
+    { return one.box.min().allFinite() && one.box.max().allFinite(); };
+    const auto end = std::partition(all_.begin(), all_.end(), is_finite);
+    finite_ = static_cast<std::size_t>(end - all_.begin());
+    nodes_.clear();
+    if (finite_ > 0)
+    {
+      grow(0, finite_);
+    }
+    built_ = spread();
+  }
+
   void grow(std::size_t first, std::size_t end)
   {
     const std::size_t here = nodes_.size();
@@ -138,14 +141,14 @@ private:
     Eigen::AlignedBox<double, 3> centers;
     for (std::size_t i = first; i < end; ++i)
     {
-      centers.extend(center(leaves_[i]));
+      centers.extend(center(all_[i]));
     }
     Eigen::Index axis = 0;
     (centers.max() / 2 - centers.min() / 2).maxCoeff(&axis);
     const auto before = [axis](const Bounds& a, const Bounds& b)
     { return std::pair(center(a)[axis], a.body) < std::pair(center(b)[axis], b.body); };
     const std::size_t middle = first + (end - first) / 2;
-    Bounds* const leaf = leaves_.data();
+    Bounds* const leaf = all_.data();
     std::nth_element(leaf + first, leaf + middle, leaf + end, before);
     grow(first, middle);
     nodes_[here].right = nodes_.size();
@@ -164,34 +167,13 @@ private:
     Eigen::AlignedBox<double, 3> box;
     for (std::size_t i = first; i < end; ++i)
     {
-      box.extend(leaves_[i].box);
+      box.extend(all_[i].box);
     }
     return box;
   }
 
-  template <class Enters, class Visit>
-  void each_below(std::size_t node, const Enters& enters, const Visit& visit) const
-  {
-    const Node& here = nodes_[node];
-    if (!enters(here.box))
-    {
-      return;
-    }
-    if (here.right > 0)
-    {
-      each_below(node + 1, enters, visit);
-      return each_below(here.right, enters, visit);
-    }
-    for (std::size_t i = here.first; i < here.end; ++i)
-    {
-      if (enters(leaves_[i].box))
-      {
-        visit(leaves_[i].body);
-      }
-    }
-  }
-
-  std::vector<Bounds> leaves_, endless_;
+  std::vector<Bounds> all_;
+  std::size_t finite_ = 0;
   std::vector<Node> nodes_;
   double built_ = 0; // [m], its spread when it was built
 };

@@ -3,6 +3,7 @@
 /// \file
 /// \brief Which bodies of a world may touch: those whose bounds overlap.
 
+#include "05_resolution/contacts/pair_order.hpp"
 #include "05_resolution/contacts/too_many_contacts.hpp"
 #include "05_resolution/contacts/tree_overlaps.hpp"
 #include "05_resolution/lanes/make_room.hpp"
@@ -10,8 +11,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
-#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -40,7 +39,7 @@ public:
     {
       if (boxes_intersect(bounds[place(a)].box, bounds[place(b)].box))
       {
-        pairs_.emplace_back(a, b);
+        add(pairs_, a, b);
       }
     }
     check(pairs_.size(), 100);
@@ -67,11 +66,23 @@ private:
 
   std::size_t place(int body) const { return places_[static_cast<std::size_t>(body)]; }
 
+  static void add(std::vector<std::pair<int, int>>& pairs, int a, int b)
+  {
+    make_room(pairs, pairs.size() + 1);
+    pairs.emplace_back(a, b);
+  }
+
+  const Eigen::AlignedBox<double, 3>& room_of(int body) const
+  {
+    return tree_.all()[leaves_[static_cast<std::size_t>(body)]].box;
+  }
+
   void check(std::size_t pairs, std::size_t most) const
   {
-    if (pairs > most * rooms_.size())
+    const std::size_t bodies = tree_.all().size();
+    if (pairs > most * bodies)
     {
-      throw TooManyContacts(rooms_.size(), most * rooms_.size());
+      throw TooManyContacts(bodies, most * bodies);
     }
   }
 
@@ -79,124 +90,99 @@ private:
   /// pairs were found; those are given others.
   bool follow(std::span<const Bounds> bounds)
   {
-    left_.clear();
-    bool same = roomy_ && bounds.size() == rooms_.size();
-    for (std::size_t i = 0; same && i < bounds.size(); ++i)
+    if (!roomy_ || !tree_.is_of(bounds))
     {
-      same = bounds[i].body == rooms_[i].body;
-      if (!rooms_[i].box.contains(bounds[i].box))
+      return false;
+    }
+    left_.clear();
+    for (std::size_t leaf = 0; leaf < bounds.size(); ++leaf)
+    {
+      const Bounds& known = tree_.all()[leaf];
+      if (!known.box.contains(bounds[static_cast<std::size_t>(known.place)].box))
       {
-        left_.push_back(i);
+        left_.push_back(leaf);
       }
     }
     moved_ += left_.size();
-    same = same && 8 * left_.size() <= bounds.size() && moved_ <= bounds.size();
-    if (same && !left_.empty())
+    const bool few = 8 * left_.size() <= bounds.size() && moved_ <= bounds.size();
+    if (few && !left_.empty())
     {
       give_rooms(bounds);
     }
-    return same;
+    return few;
   }
 
   void give_rooms(std::span<const Bounds> bounds)
   {
-    for (const std::size_t i : left_)
+    for (const std::size_t leaf : left_)
     {
-      rooms_[i].box = roomy(bounds[i].box, room);
-      tree_.widen(leaves_[i], rooms_[i].box);
+      const std::size_t place = static_cast<std::size_t>(tree_.all()[leaf].place);
+      tree_.widen(leaf, roomy(bounds[place].box, room));
     }
     found_.clear();
-    for (const std::size_t i : left_)
+    for (const std::size_t leaf : left_)
     {
-      add_overlaps(tree_, leaves_[i], found_);
+      add_overlaps(tree_, leaf, found_);
     }
     std::sort(found_.begin(), found_.end());
-    found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
-    std::vector<std::pair<int, int>>& known = pairs_; // which are found anew after this
-    known.swap(near_);
-    near_.clear();
-    std::set_union(
-        known.begin(), known.end(), found_.begin(), found_.end(), std::back_inserter(near_));
+    merge_in(near_, std::span(found_));
+    near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
     const auto apart = [&](const auto& pair)
-    { return !boxes_intersect(rooms_[place(pair.first)].box, rooms_[place(pair.second)].box); };
+    { return !boxes_intersect(room_of(pair.first), room_of(pair.second)); };
     near_.erase(std::remove_if(near_.begin(), near_.end(), apart), near_.end());
   }
 
   /// Finds all pairs anew, and gives room to all that have hardly moved, or kept to their room.
   void find(std::span<const Bounds> bounds)
   {
-    const bool gives = !asked_ && bounds.size() == rooms_.size();
-    rooms_.resize(bounds.size());
-    for (std::size_t i = 0; i < bounds.size(); ++i)
+    const bool known = tree_.is_of(bounds), gives = known && !asked_;
+    const auto room_for =
+        [&](const Bounds& one) // whose bounds are those of the last time, or its room
     {
-      const auto& before = rooms_[i].box; // as it was the last time, or its room
-      const bool stays =
-          gives && (roomy_ ? before : roomy(before, room / 4)).contains(bounds[i].box);
-      rooms_[i] = bounds[i];
-      rooms_[i].box = stays ? roomy(bounds[i].box, room) : bounds[i].box;
-    }
-    roomy_ = asked_ = false;
+      const auto& now = bounds[static_cast<std::size_t>(one.place)].box;
+      const bool stays = gives && (roomy_ ? one.box : roomy(one.box, room / 4)).contains(now);
+      return stays ? roomy(now, room) : now;
+    };
+    known ? void(tree_.follow(room_for)) : tree_.build(bounds);
+    roomy_ = gives;
+    asked_ = false;
     moved_ = 0;
-    if (!tree_.follow(rooms_))
-    {
-      tree_.build(rooms_);
-    }
-    leaves_.resize(bounds.size());
-    for (std::size_t leaf = 0; leaf < tree_.leaves().size(); ++leaf)
-    {
-      leaves_[static_cast<std::size_t>(tree_.leaves()[leaf].place)] = leaf;
-    }
-    int bodies = 0;
-    for (std::size_t i = 0; i < bounds.size(); ++i)
-    {
-      bodies = std::max(bodies, bounds[i].body + 1);
-      places_.resize(static_cast<std::size_t>(bodies));
-      places_[static_cast<std::size_t>(bounds[i].body)] = i;
-    }
-    std::vector<std::pair<int, int>>& found = pairs_; // which are found anew after this
-    found.clear();
+    find_places(bounds);
+    near_.clear();
     each_overlap(
         tree_,
         [&](int a, int b)
         {
-          make_room(found, found.size() + 1);
-          found.emplace_back(a, b);
-          check(found.size(), 200);
+          add(near_, a, b);
+          check(near_.size(), 200);
         });
-    sort_into_near(found, places_.size());
-    roomy_ = gives;
+    order_.sort(near_, places_.size());
   }
 
-  /// Puts pairs that were found in order: first by the first of each, so that few are left.
-  void sort_into_near(std::span<const std::pair<int, int>> found, std::size_t bodies)
+  /// Finds where each body is in the list of bounds, and in that of the tree.
+  void find_places(std::span<const Bounds> bounds)
   {
-    next_.assign(bodies + 1, 0);
-    for (const auto& pair : found)
+    int bodies = 0;
+    for (const Bounds& one : bounds)
     {
-      ++next_[static_cast<std::size_t>(pair.first) + 1];
+      bodies = std::max(bodies, one.body + 1);
     }
-    std::partial_sum(next_.begin(), next_.end(), next_.begin());
-    make_room(near_, found.size());
-    near_.resize(found.size());
-    for (const auto& pair : found)
+    places_.resize(static_cast<std::size_t>(bodies));
+    leaves_.resize(static_cast<std::size_t>(bodies));
+    std::uint32_t leaf = 0;
+    for (const Bounds& one : tree_.all())
     {
-      near_[next_[static_cast<std::size_t>(pair.first)]++] = pair;
-    }
-    std::uint32_t first = 0;
-    for (std::size_t body = 0; body < bodies; ++body)
-    {
-      std::sort(near_.begin() + first, near_.begin() + next_[body]);
-      first = next_[body];
+      places_[static_cast<std::size_t>(one.body)] = static_cast<std::uint32_t>(one.place);
+      leaves_[static_cast<std::size_t>(one.body)] = leaf++;
     }
   }
 
   BoundsTree tree_;
+  PairOrder order_;
   std::vector<std::pair<int, int>> pairs_, near_, found_; // near: by their rooms
-  std::vector<Bounds> rooms_;                             // by their places in the list of bounds
-  std::vector<std::size_t> leaves_, left_; // by the same; the places of those that left
-  std::vector<std::size_t> places_;        // of bodies in that list
-  std::vector<std::uint32_t> next_;        // where the next pair is put that begins with a body
-  std::size_t moved_ = 0;                  // rooms given since pairs were found
+  std::vector<std::uint32_t> places_, leaves_; // of bodies in the list of bounds, in the tree
+  std::vector<std::size_t> left_;              // the leaves of those that left their room
+  std::size_t moved_ = 0;                      // rooms given since pairs were found
   bool roomy_ = false, asked_ = false; // whether there are rooms; whether the tree was asked for
 };
 // [overlapping_pairs]

@@ -5,7 +5,7 @@
 
 #include "05_resolution/contacts/broad_phase.hpp"
 #include "05_resolution/contacts/narrow_phase.hpp"
-#include "05_resolution/lanes/make_room.hpp"
+#include "05_resolution/contacts/pair_order.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,21 +35,6 @@ inline WorldContact new_contact(const Scene& scene, int a, int b)
   contact.friction = std::sqrt(body_a.friction * body_b.friction);
   contact.restitution = restitution_of(scene, a, b);
   return contact;
-}
-
-/// Takes contacts in among others, away from where they were; both are in the order of their pairs,
-/// and so is the result. Room grows by an eighth more than they need.
-inline void merge_in(std::vector<WorldContact>& contacts, std::span<WorldContact> others)
-{
-  std::size_t known = contacts.size(), other = others.size();
-  make_room(contacts, known + other);
-  contacts.resize(known + other);
-  while (other > 0)
-  {
-    const bool later = known > 0 && pair_of(contacts[known - 1]) > pair_of(others[other - 1]);
-    contacts[known + other - 1] = std::move(later ? contacts[known - 1] : others[other - 1]);
-    later ? --known : --other;
-  }
 }
 
 /// Brings contacts up to date with these pairs of bodies; both are in order. Pairs that are not as
@@ -102,7 +87,7 @@ void update_contacts(
     }
   }
   contacts.erase(kept, contacts.end());
-  merge_in(contacts, begun);
+  merge_in(contacts, std::span(begun));
 }
 // [world_contacts]
 

@@ -1,61 +1,18 @@
 #pragma once
 
 /// \file
-/// \brief A body's bounds, and all pairs of leaves of a tree that overlap.
+/// \brief All pairs of leaves of a tree that overlap.
 
 #include "05_resolution/contacts/bounds_tree.hpp"
 #include "05_resolution/contacts/rigid_body.hpp"
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace cookbook
 {
-
-// [reach]
-/// How far [m] a body reaches from its centre along the axes of the world; `axes()` are its own.
-template <class Axes>
-struct Reach
-{
-  const Axes& axes;
-
-  Vector3<double> operator()(const BoxShape& box) const
-  {
-    return axes().cwiseAbs() * box.half_extents;
-  }
-  Vector3<double> operator()(const SphereShape& ball) const
-  {
-    return Vector3<double>::Constant(ball.radius);
-  }
-  Vector3<double> operator()(const PlaneShape&) const
-  {
-    return Vector3<double>::Constant(std::numeric_limits<double>::infinity());
-  }
-};
-
-/// The bounds of a shape at a place [m], wider by a margin [m]; `axes()` are the shape's own.
-template <class Axes>
-Eigen::AlignedBox<double, 3> bounds_at(
-    const Vector3<double>& center, const Axes& axes, const decltype(SceneBody::shape)& shape,
-    double margin)
-{
-  const Vector3<double> reach =
-      std::visit(Reach<Axes>{axes}, shape) + Vector3<double>::Constant(margin);
-  return {center - reach, center + reach};
-}
-
-/// The bounds of a shape where its body is, wider by a margin [m].
-inline Eigen::AlignedBox<double, 3>
-bounds_of(const RigidBody& body, const decltype(SceneBody::shape)& shape, double margin)
-{
-  const auto axes = [&]() -> const Matrix3<double>& { return body.axes; };
-  return bounds_at(body.motion.center, axes, shape, margin);
-}
-// [reach]
 
 /// A box wider by a share of its smallest size on all sides.
 inline Eigen::AlignedBox<double, 3> roomy(const Eigen::AlignedBox<double, 3>& box, double share)
@@ -77,6 +34,44 @@ boxes_intersect(const Eigen::AlignedBox<double, 3>& a, const Eigen::AlignedBox<d
     along_all &= b.min()[axis] <= a.max()[axis];
   }
   return along_all;
+}
+
+/// Calls `visit(body)` for all bodies below a node of a tree whose bounds `enters(box)` says may
+/// matter, and those of all branches above them.
+template <class Enters, class Visit>
+void each_below(const BoundsTree& tree, std::size_t node, const Enters& enters, const Visit& visit)
+{
+  const BoundsTree::Node& here = tree.nodes()[node];
+  if (!enters(here.box))
+  {
+    return;
+  }
+  if (here.right > 0)
+  {
+    each_below(tree, node + 1, enters, visit);
+    return each_below(tree, here.right, enters, visit);
+  }
+  for (const Bounds& leaf : tree.leaves().subspan(here.first, here.end - here.first))
+  {
+    if (enters(leaf.box))
+    {
+      visit(leaf.body);
+    }
+  }
+}
+
+/// The same for all bodies of a tree; what is endless is always visited.
+template <class Enters, class Visit>
+void each_that(const BoundsTree& tree, const Enters& enters, const Visit& visit)
+{
+  for (const Bounds& one : tree.endless())
+  {
+    visit(one.body);
+  }
+  if (!tree.nodes().empty())
+  {
+    each_below(tree, 0, enters, visit);
+  }
 }
 
 /// Asks all pairs of leaves of which one is below one node of a tree and one below another.
@@ -156,7 +151,7 @@ void each_overlap(const BoundsTree& tree, const Meet& meet)
 inline void
 add_overlaps(const BoundsTree& tree, std::size_t leaf, std::vector<std::pair<int, int>>& pairs)
 {
-  const Bounds& one = tree.leaves()[leaf];
+  const Bounds& one = tree.all()[leaf];
   const auto meet = [&](int other)
   {
     if (other != one.body)
@@ -164,7 +159,8 @@ add_overlaps(const BoundsTree& tree, std::size_t leaf, std::vector<std::pair<int
       pairs.emplace_back(std::minmax(one.body, other));
     }
   };
-  tree.each_that([&](const auto& box) { return boxes_intersect(box, one.box); }, meet);
+  each_that(
+      tree, [&](const auto& box) { return boxes_intersect(box, one.box); }, meet);
 }
 // [each_overlap]
 

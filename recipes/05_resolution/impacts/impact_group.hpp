@@ -92,7 +92,8 @@ private:
     const Eigen::AlignedBox<double, 3> here =
         bounds_of(one.body, shape, slack * harmless_depth(thinness(step_.scene, one.number)));
     std::vector<int> found;
-    step_.tree->each_that(
+    each_that(
+        *step_.tree,
         [&](const Eigen::AlignedBox<double, 3>& box) { return boxes_intersect(box, here); },
         [&](int j) { found.push_back(j); });
     std::sort(found.begin(), found.end());

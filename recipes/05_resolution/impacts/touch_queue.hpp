@@ -124,8 +124,8 @@ private:
     const Eigen::AlignedBox<double, 3> way = way_of(i);
     const auto watched = [&](int one)
     { return is_ball(step_.scene, one) || is_swept_box(step_, one); };
-    step_.tree->each_that(
-        [&](const Eigen::AlignedBox<double, 3>& box) { return box.intersects(way); },
+    each_that(
+        *step_.tree, [&](const Eigen::AlignedBox<double, 3>& box) { return box.intersects(way); },
         [&](int j)
         {
           const bool asked = j == i || std::find(done.begin(), done.end(), j) != done.end();

@@ -3,6 +3,8 @@
 /// \file
 /// \brief Islands: movable bodies that hang together by contacts.
 
+#include "05_resolution/contacts/pair_order.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
@@ -12,12 +14,6 @@
 
 namespace cookbook
 {
-
-/// A pair of bodies is one of itself; other things that touch say so of themselves.
-inline std::pair<int, int> pair_of(const std::pair<int, int>& pair)
-{
-  return pair;
-}
 
 // [islands]
 /// Writes the island of every body: the lowest number of all bodies that hang together with it by

@@ -3,9 +3,9 @@
 /// \file
 /// \brief Bodies of a world that hang together by contacts, found anew in each step.
 
-#include "05_resolution/contacts/groups.hpp"
 #include "05_resolution/contacts/world_contact.hpp"
 #include "05_resolution/islands/find_islands.hpp"
+#include "05_resolution/lanes/groups.hpp"
 
 #include <algorithm>
 #include <cstddef>

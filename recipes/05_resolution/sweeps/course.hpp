@@ -16,10 +16,12 @@ struct Ahead
 {
   Vector3<double> way; ///< [m], of its centre, where nothing touches it
   double turn;         ///< [m], how far it takes any of its points that it turns
-  double farthest;     ///< [m], how far any of its points goes
   double harmless;     ///< [m], how deep another may get into it unforeseen
   bool swept;          ///< whether it is left to the sweep: a box that goes far, a ball sooner
   bool forced;         ///< whether forces pull it
+
+  /// How far [m] any of its points goes.
+  double farthest() const { return way.norm() + turn; }
 };
 
 /// A step of a world as it is before it is taken.

@@ -95,10 +95,9 @@ inline Ahead ahead_of(const StepAhead& step, int i)
   Ahead ahead;
   ahead.way = way_on(step, i, flying_share);
   ahead.turn = turn_on(step, i);
-  ahead.farthest = ahead.way.norm() + ahead.turn;
   ahead.harmless = harmless_depth(thinness(step.scene, i));
   ahead.swept =
-      body.round ? ahead.farthest > ahead.harmless : is_far(step.scene, i, ahead.farthest);
+      body.round ? ahead.farthest() > ahead.harmless : is_far(step.scene, i, ahead.farthest());
   ahead.forced = !is_fixed(body) && force_on(step.forces, place_of(i)).acceleration.any();
   return ahead;
 }
@@ -124,11 +123,11 @@ inline Eigen::AlignedBox<double, 3> foreseen_bounds(const StepAhead& step, int i
   const RigidBody& body = step.bodies[place_of(i)];
   const Ahead& ahead = step.ahead[place_of(i)];
   const auto& shape = step.scene.bodies[place_of(i)].shape;
-  if (is_far(step.scene, i, ahead.farthest))
+  if (is_far(step.scene, i, ahead.farthest()))
   {
     return bounds_of(body, shape, margin / 2);
   }
-  const double rounding = 1e-9 * ahead.farthest;
+  const double rounding = 1e-9 * ahead.farthest();
   const Eigen::AlignedBox<double, 3> here =
       bounds_of(body, shape, margin / 2 + ahead.turn + rounding);
   return here.merged(here.translated(ahead.way))

@@ -84,7 +84,7 @@ inline bool may_meet(const StepCourses& step, int i, int j, double time)
 strays(const StepCourses& step, std::span<const RigidBody> ends)
 {
   std::vector<std::size_t> found;
-  const std::vector<Bounds>& leaves = step.tree->leaves();
+  const std::span<const Bounds> leaves = step.tree->leaves();
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
   {
     const int i = leaves[leaf].body;
@@ -112,7 +112,8 @@ void each_that_may_have_met(StepCourses& step, std::span<const RigidBody> ends, 
   std::vector<std::pair<int, int>> pairs(step.near.begin(), step.near.end());
   for (const std::size_t leaf : astray)
   {
-    step.tree->widen(leaf, way_of(step.tree->leaves()[leaf]));
+    const Bounds& one = step.tree->leaves()[leaf];
+    step.tree->widen(leaf, one.box.merged(way_of(one)));
   }
   for (const std::size_t leaf : astray)
   {

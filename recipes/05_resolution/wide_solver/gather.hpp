@@ -29,9 +29,10 @@ std::array<Lanes, 4> gathered(LaneBody* bodies, const int* of, const Row& row)
   return {rows[0], rows[1], rows[2], rows[3]};
 }
 
-/// The bodies of all lanes: how they move now, and their inverse masses, but not where they are.
+/// The bodies of all lanes: how they move now, and their inverse masses, but not where they are;
+/// and how fast [m/s] they leave overlaps.
 template <class Lanes>
-void gather_body(LaneBody* bodies, const int* of, Body<Lanes>& to)
+Lanes gather_body(LaneBody* bodies, const int* of, Body<Lanes>& to)
 {
   const auto v = gathered<Lanes>(bodies, of, [](LaneBody& body) { return body.velocity; });
   const auto w = gathered<Lanes>(bodies, of, [](LaneBody& body) { return body.angular_velocity; });
@@ -44,6 +45,7 @@ void gather_body(LaneBody* bodies, const int* of, Body<Lanes>& to)
   to.inverse_inertia.col(0) = Vector3<Lanes>(xx, xy, k[0]);
   to.inverse_inertia.col(1) = Vector3<Lanes>(xy, yy, k[1]);
   to.inverse_inertia.col(2) = Vector3<Lanes>(k[0], k[1], k[2]);
+  return k[3];
 }
 
 /// Puts three numbers of the bodies of all lanes back.

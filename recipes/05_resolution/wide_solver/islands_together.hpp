@@ -31,9 +31,8 @@ public:
   {
     islands_.push_back(island);
     make_room(contacts_, contacts_.size() + island.contacts.size());
-    make_room(speeds_, contacts_.size() + island.contacts.size());
     contacts_.insert(contacts_.end(), island.contacts.begin(), island.contacts.end());
-    speeds_.resize(contacts_.size(), static_cast<float>(correction_speed));
+    speeds_.push_back(correction_speed);
   }
 
   /// Calls `call(body)` with the numbers of all bodies, island by island.
@@ -51,13 +50,13 @@ public:
 
   std::span<const Island> all() const { return islands_; }    ///< as they were added
   std::span<const int> contacts() const { return contacts_; } ///< the numbers of theirs
-  /// How fast [m/s] the overlap of a contact is taken away, by its place among all.
-  float correction_speed(std::size_t place) const { return speeds_[place]; }
+  /// How fast [m/s] the overlaps of each are taken away.
+  std::span<const double> correction_speeds() const { return speeds_; }
 
 private:
   std::vector<Island> islands_;
   std::vector<int> contacts_;
-  std::vector<float> speeds_;
+  std::vector<double> speeds_;
 };
 // [islands_together]
 

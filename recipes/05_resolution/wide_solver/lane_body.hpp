@@ -10,13 +10,13 @@ namespace cookbook
 
 // [lane_body]
 /// What a solver needs of a body, in float: one line of a cache, so that those of several are
-/// gathered by whole rows. The last number of a row of three is not used.
+/// gathered by whole rows. The last number of how it moves is not used.
 struct alignas(64) LaneBody
 {
   float velocity[4] = {};         ///< [m/s], world
   float angular_velocity[4] = {}; ///< [rad/s], world
   float inverse_masses[4] = {};   ///< mass [1/kg], then xx, xy, yy of inertia [1/(kg m²)], world
-  float inverse_inertia[4] = {};  ///< of the same inertia xz, yz, zz
+  float inverse_inertia[4] = {}; ///< of the same xz, yz, zz; then how fast [m/s] it leaves overlaps
 };
 
 /// Copies three numbers, or four.

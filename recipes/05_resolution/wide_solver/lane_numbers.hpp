@@ -46,16 +46,14 @@ public:
     }
   }
 
-  /// Puts a contact into a lane of all, but for its points, and how fast [m/s] its overlap is taken
-  /// away.
-  void put(const WorldContact& contact, float correction_speed, std::size_t lane)
+  /// Puts a contact into a lane of all, but for its points.
+  void put(const WorldContact& contact, std::size_t lane)
   {
     a_[lane] = contact.a;
     b_[lane] = contact.b;
     WideContact<double> of;
     of.normal = contact.normal;
     of.coefficient = contact.friction;
-    of.correction_speed = correction_speed;
     const std::size_t numbers = lane / lanes_ * contact_numbers;
     WriteLane<float> write{&contacts_[numbers * lanes_ + lane % lanes_], lanes_};
     each_given(of, write);

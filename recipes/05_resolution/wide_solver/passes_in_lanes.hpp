@@ -10,6 +10,7 @@
 #include "05_resolution/wide_solver/wide_contact.hpp"
 #include "05_resolution/wide_solver/wide_view.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace cookbook
@@ -30,8 +31,8 @@ void look_at_each(const WideView& all, bool pushes, const Look& look)
     WideContact<Lanes> of;
     ReadLanes<Lanes> read{all.contacts + group * lanes * contact_numbers};
     each_given(of, read);
-    gather_body(all.bodies, a, of.a);
-    gather_body(all.bodies, b, of.b);
+    using std::max; // what cannot move has none
+    of.correction_speed = max(gather_body(all.bodies, a, of.a), gather_body(all.bodies, b, of.b));
     for (std::size_t place = here.first; place < here.first + here.points; ++place)
     {
       float* const numbers = all.points + place * lanes * point_numbers;

@@ -20,16 +20,15 @@ struct WideContact
   Body<Real> b;          ///< the bodies B
   Vector3<Real> normal;  ///< [1], world, from A to B
   Real coefficient;      ///< [1], of friction
-  Real correction_speed; ///< [m/s], no overlap is taken away faster
+  Real correction_speed; ///< [m/s], no overlap is taken away faster; its bodies'
 };
 
-/// The numbers of a contact, without its bodies', in the order in which they lie in memory.
+/// The numbers of a contact, without those of its bodies, in the order in which they lie in memory.
 template <class Real, class Call>
 void each_given(WideContact<Real>& of, Call& call)
 {
   each_number(of.normal, call);
   call(of.coefficient);
-  call(of.correction_speed);
 }
 
 /// The numbers of a point, without its contact's, in the order in which they lie in memory, behind
@@ -59,7 +58,7 @@ void each_given(ContactConstraint<Real>& at, Call& call)
   each_number(at.arms.b, call);
 }
 
-inline constexpr std::size_t contact_numbers = 5; ///< numbers of a contact's each_given()
+inline constexpr std::size_t contact_numbers = 4; ///< numbers of a contact's each_given()
 inline constexpr std::size_t gap_numbers = 1;     ///< a point's gap
 inline constexpr std::size_t pushed_numbers = 5;  ///< numbers of each_pushed()
 inline constexpr std::size_t point_masses = 8;    ///< numbers of each_mass()

@@ -3,7 +3,6 @@
 /// \file
 /// \brief The contacts of islands side by side, colour by colour, and all that is done to them.
 
-#include "05_resolution/lanes/make_room.hpp"
 #include "05_resolution/wide_solver/islands_together.hpp"
 #include "05_resolution/wide_solver/lane_numbers.hpp"
 #include "05_resolution/wide_solver/passes_in_lanes.hpp"
@@ -53,9 +52,9 @@ public:
     numbers_.clear(groups_, passes_.lanes, static_cast<int>(world.bodies.size()));
     for_each_contact(
         world,
-        [&](const WorldContact& contact, float correction_speed, std::size_t lane)
+        [&](const WorldContact& contact, std::size_t lane)
         {
-          numbers_.put(contact, correction_speed, lane);
+          numbers_.put(contact, lane);
           std::size_t place = first_of(lane);
           for (const WorldPoint& point : contact.points)
           {
@@ -81,7 +80,7 @@ public:
   {
     for_each_contact(
         world,
-        [&](const WorldContact& contact, float, std::size_t lane)
+        [&](const WorldContact& contact, std::size_t lane)
         {
           const auto touches = [&](const TurningBody& one)
           { return one.number == contact.a || one.number == contact.b; };
@@ -114,7 +113,7 @@ public:
     const float scale = static_cast<float>(substeps);
     for_each_contact(
         world,
-        [&](WorldContact& contact, float, std::size_t lane)
+        [&](WorldContact& contact, std::size_t lane)
         {
           std::size_t place = first_of(lane);
           for (WorldPoint& known : contact.points)
@@ -136,7 +135,7 @@ private:
   /// The place of the first point of a lane.
   std::size_t first_of(std::size_t lane) const { return groups_.all()[lane / passes_.lanes].first; }
 
-  /// Calls `call(contact, correction_speed, lane)` for all contacts, with their lanes among all.
+  /// Calls `call(contact, lane)` for all contacts, with their lanes among all.
   template <class Call>
   void for_each_contact(IslandView world, const Call& call)
   {
@@ -145,10 +144,7 @@ private:
       const int taken = groups_.taken()[lane];
       if (taken != WideGroups::none)
       {
-        const std::size_t place = place_of(taken);
-        call(
-            world.contacts[place_of(islands.contacts()[place])], islands.correction_speed(place),
-            lane);
+        call(world.contacts[place_of(islands.contacts()[place_of(taken)])], lane);
       }
     }
   }
@@ -157,14 +153,17 @@ private:
   /// of what is fixed: nothing moves it.
   void take_bodies(IslandView world)
   {
-    make_room(bodies_, world.bodies.size() + 1);
     bodies_.assign(world.bodies.size() + 1, {});
-    islands.for_each_body(
-        [&](int i)
-        {
-          put_motion(world.bodies[place_of(i)], body(i));
-          put_inverse_masses(world.bodies[place_of(i)], body(i));
-        });
+    for (std::size_t island = 0; island < islands.all().size(); ++island)
+    {
+      const float speed = static_cast<float>(islands.correction_speeds()[island]);
+      for (const int i : islands.all()[island].bodies)
+      {
+        put_motion(world.bodies[place_of(i)], body(i));
+        put_inverse_masses(world.bodies[place_of(i)], body(i));
+        body(i).inverse_inertia[3] = speed;
+      }
+    }
   }
 
   WidePasses passes_;

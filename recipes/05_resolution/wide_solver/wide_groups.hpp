@@ -5,8 +5,8 @@
 
 #include "04_obb_manifolds/feature_memory/contact_memory.hpp"
 #include "05_resolution/contact_graph/contact_graph.hpp"
-#include "05_resolution/contacts/groups.hpp"
 #include "05_resolution/islands/island_points.hpp"
+#include "05_resolution/lanes/groups.hpp"
 #include "05_resolution/lanes/make_room.hpp"
 #include "05_resolution/wide_solver/wide_view.hpp"
 

@@ -4,7 +4,6 @@
 /// \brief Bodies of a world that move on, as many at a time as a register has doubles.
 
 #include "05_resolution/contacts/moved_body.hpp"
-#include "05_resolution/lanes/make_room.hpp"
 #include "05_resolution/lanes/turn_in_lanes.hpp"
 #include "05_resolution/wide_solver/islands_together.hpp"
 #include "05_resolution/wide_solver/wide_view.hpp"
@@ -33,7 +32,7 @@ public:
   move(std::span<RigidBody> bodies, const IslandsTogether& islands, double time, const Take& take)
   {
     little_.clear();
-    make_room(little_, bodies.size());
+    little_.reserve(bodies.size());
     islands.for_each_body(
         [&](int i)
         {

@@ -115,8 +115,8 @@ public:
     checked(shape);
     const Eigen::AlignedBox<double, 3> around = bounds_of(shape);
     std::vector<BodyId> found;
-    tree_.each_that(
-        [&](const Eigen::AlignedBox<double, 3>& box) { return box.intersects(around); },
+    each_that(
+        tree_, [&](const Eigen::AlignedBox<double, 3>& box) { return box.intersects(around); },
         [&](int body)
         {
           const auto meets = [&](const auto& of) { return overlaps(placed(at(body), of), shape); };
@@ -181,7 +181,7 @@ private:
         first = Met{id, *hit};
       }
     };
-    tree_.each_that(may_come_first, ask);
+    each_that(tree_, may_come_first, ask);
     return first;
   }
 
