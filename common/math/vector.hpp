@@ -13,9 +13,17 @@ namespace cookbook
 template <class Real, int Size>
 using Vector = Eigen::Matrix<Real, Size, 1>;
 
+/// A vector or point in a plane.
+template <class Real>
+using Vector2 = Eigen::Matrix<Real, 2, 1>;
+
 /// A vector or point in space.
 template <class Real>
 using Vector3 = Eigen::Matrix<Real, 3, 1>;
+
+/// A 2 by 2 matrix.
+template <class Real>
+using Matrix2 = Eigen::Matrix<Real, 2, 2>;
 
 /// A 3 by 3 matrix; as a rotation, its columns are the body's axes in the world.
 template <class Real>

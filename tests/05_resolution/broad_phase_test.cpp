@@ -87,9 +87,9 @@ struct MetPairs
     std::vector<Course> courses;
     std::vector<double> ways;
     BroadPhase near;
-    near.pairs(bounds);
+    pairs_by(near, bounds);
     std::vector<bool> deep(ends.size(), false);
-    StepCourses step{scene, {}, {}, falls, gone, near.last(), courses, ways, deep};
+    StepCourses step{scene, {}, {}, falls, gone, near.near(), courses, ways, deep};
     step.tree = &near.tree(bounds);
     set_out(step, ends);
     compare(step, ends);
@@ -133,7 +133,7 @@ TEST_CASE(
   {
     std::vector<Bounds> bounds = random_bounds(draw);
     const auto wanted = every_overlapping_pair(bounds);
-    wrong += tree.pairs(bounds) != wanted ? 1 : 0;
+    wrong += pairs_by(tree, bounds) != wanted ? 1 : 0;
     wrong += swept_pairs(bounds) != wanted ? 1 : 0;
     found += wanted.size();
   }
@@ -204,7 +204,7 @@ TEST_CASE("a tree that follows bodies finds the pairs that every pair gives, how
       bounds.erase(bounds.begin() + step / 10);
     }
     CAPTURE(step);
-    REQUIRE(tree.pairs(bounds) == every_overlapping_pair(bounds));
+    REQUIRE(pairs_by(tree, bounds) == every_overlapping_pair(bounds));
   }
 }
 
@@ -319,7 +319,7 @@ TEST_CASE("a grid of boxes has its 8 neighbours, less at the sides", "[case:L6]"
     // Two rows of pairs along the sides, and two along the diagonals.
     const auto pairs =
         static_cast<std::size_t>(2 * side * (side - 1) + 2 * (side - 1) * (side - 1));
-    CHECK(BroadPhase().pairs(bounds).size() == pairs);
+    CHECK(pairs_by_tree(bounds).size() == pairs);
     CHECK(swept_pairs(bounds).size() == pairs);
   }
 }
@@ -328,7 +328,7 @@ TEST_CASE("10,000 boxes in a row along any axis have 9,999 pairs; all in one pla
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    CHECK(BroadPhase().pairs(row_bounds(10'000, axis)).size() == 9'999);
+    CHECK(pairs_by_tree(row_bounds(10'000, axis)).size() == 9'999);
   }
   // 300 in one place are 44,850 pairs, more than 100 for each.
   std::vector<Bounds> heaped = row_bounds(300, 0);
@@ -336,9 +336,9 @@ TEST_CASE("10,000 boxes in a row along any axis have 9,999 pairs; all in one pla
   {
     one.box = heaped.front().box;
   }
-  CHECK_THROWS_AS(BroadPhase().pairs(heaped), TooManyContacts);
+  CHECK_THROWS_AS(pairs_by_tree(heaped), TooManyContacts);
   heaped.resize(201);
-  CHECK(BroadPhase().pairs(heaped).size() == 20'100);
+  CHECK(pairs_by_tree(heaped).size() == 20'100);
 }
 // [L5]
 

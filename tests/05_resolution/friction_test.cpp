@@ -24,7 +24,10 @@ namespace
 
 using V = Vector3<double>;
 
+using AlongSurface = Vector2<double>;
+
 const V up(0, 1, 0);
+const SurfaceAxes<double> floor_axes = surface_axes(up);
 
 /// A vector of fractions, rounded.
 V rounded(const Vector3<Rational>& v)
@@ -64,14 +67,15 @@ BodyPair<double> over_ground(const V& velocity)
 }
 
 /// What it feels at its lowest point: K = 1 + r²/I = 7/2.
-const SlidingMass<double> of_ball{
-    Matrix3<double>(Vector3<double>(2, 0, 2).asDiagonal()) / 7, 2 / 7.0};
+const SlidingMass<double> of_ball{Matrix2<double>::Identity() * 2 / 7, 2 / 7.0};
 
-/// Friction after one more visit to the lowest point of a ball.
+/// Friction after one more visit to the lowest point of a ball, in the world.
 V visited(const BodyPair<double>& ball, const V& so_far, double most)
 {
   const Arms<double> arms = arms_to<double>(ball, {0, 0, 0});
-  return friction_impulse(sliding_velocity(ball.a, ball.b, up, arms), of_ball, so_far, most);
+  const AlongSurface sliding = sliding_velocity(ball.a, ball.b, floor_axes, arms);
+  return floor_axes.in_world(
+      friction_impulse<double>(sliding, of_ball, floor_axes.along(so_far), most));
 }
 
 FrictionRule cone()
@@ -82,20 +86,21 @@ FrictionRule cone()
 } // namespace
 
 // [R6]
-TEMPLATE_TEST_CASE("an impulse (3, 0, 4) within 2.5 is (1.5, 0, 2)", "[R6]", float, double)
+TEMPLATE_TEST_CASE("an impulse (3, 4) within 2.5 is (1.5, 2)", "[R6]", float, double)
 {
-  using Vector = Vector3<TestType>;
-  const Vector impulse(3, 0, 4);
+  using Vector = Vector2<TestType>;
+  const Vector impulse(3, 4);
   CHECK(within_cone<TestType>(impulse, 10) == impulse);
   CHECK(within_cone<TestType>(impulse, 5) == impulse);
-  CHECK(within_cone<TestType>(impulse, TestType(2.5)) == Vector(TestType(1.5), 0, 2));
-  CHECK(within_cone<TestType>(impulse, 0) == Vector(0, 0, 0));
-  CHECK(within_cone<TestType>(impulse, -1) == Vector(0, 0, 0));
-  CHECK(within_cone<TestType>(Vector::Zero(), 0) == Vector(0, 0, 0));
+  CHECK(within_cone<TestType>(impulse, TestType(2.5)) == Vector(TestType(1.5), 2));
+  CHECK(within_cone<TestType>(impulse, 0) == Vector(0, 0));
+  CHECK(within_cone<TestType>(impulse, -1) == Vector(0, 0));
+  CHECK(within_cone<TestType, 2>(Vector::Zero(), 0) == Vector(0, 0));
 }
 
 TEMPLATE_TEST_CASE(
-    "a direction along a surface is across its normal, of length 1", "[R6]", double, float)
+    "the axes of a surface are across its normal and each other, of length 1", "[R6]", double,
+    float)
 {
   using Vector = Vector3<TestType>;
   const TestType rounding = 4 * std::numeric_limits<TestType>::epsilon();
@@ -112,26 +117,37 @@ TEMPLATE_TEST_CASE(
   }
   for (const Vector& normal : normals)
   {
-    const Vector along = direction_along(normal);
-    CAPTURE(normal.transpose(), along.transpose());
-    REQUIRE(std::abs(along.dot(normal)) <= rounding);
-    REQUIRE(std::abs(along.norm() - 1) <= rounding);
+    const auto [u, w] = surface_axes(normal);
+    CAPTURE(normal.transpose(), u.transpose(), w.transpose());
+    REQUIRE(std::abs(u.dot(normal)) <= rounding);
+    REQUIRE(std::abs(u.norm() - 1) <= rounding);
+    REQUIRE((w - normal.cross(u)).norm() <= rounding);
   }
-  CHECK(direction_along<TestType>(Vector::Zero()) == Vector::UnitX());
+  const auto [u, w] = surface_axes<TestType>(Vector::Zero());
+  CHECK(u == Vector::UnitX());
+  CHECK(w == Vector::UnitY());
+}
+
+TEST_CASE(
+    "along the axes of a surface (3, 5, 4) is what lies along it; back in the world (3, 0, 4)")
+{
+  const V whole(3, 5, 4);
+  CHECK(floor_axes.along(whole).norm() == Catch::Approx(5).epsilon(rounding));
+  CHECK((floor_axes.in_world(floor_axes.along(whole)) - V(3, 0, 4)).norm() <= rounding);
 }
 
 TEST_CASE("a ball that slides at (3, 0, 4) feels 2/7 of its mass: 10/7 N s make it roll", "[R6]")
 {
   const BodyPair<double> bodies = over_ground({3, 0, 4});
   const Arms<double> arms = arms_to<double>(bodies, {0, 0, 0});
-  const SlidingMass<double> felt = sliding_mass(bodies.a, bodies.b, up, arms);
+  const SlidingMass<double> felt = sliding_mass(bodies.a, bodies.b, floor_axes, arms);
   CHECK(felt.least == Catch::Approx(2 / 7.0).epsilon(rounding));
   CHECK((felt.ending - of_ball.ending).norm() <= rounding);
   const V enough = visited(bodies, {0, 0, 0}, 5);
   CHECK((enough + V(3, 0, 4) * 2 / 7).norm() <= rounding);
   BodyPair<double> rolls = bodies;
   push_apart(rolls.a, rolls.b, arms, enough);
-  CHECK(sliding_velocity(rolls.a, rolls.b, up, arms).norm() <= 4 * rounding);
+  CHECK(sliding_velocity(rolls.a, rolls.b, floor_axes, arms).norm() <= 4 * rounding);
   CHECK((rolls.b.motion.velocity - V(3, 0, 4) * 5 / 7).norm() <= 4 * rounding);
   // No more than 1/2, straight against the sliding.
   const V little = visited(bodies, {0, 0, 0}, 0.5);
@@ -156,9 +172,10 @@ TEST_CASE("friction keeps momenta and takes energy, for 100 random pairs", "[R6]
     const V normal = rounded(meeting.normal), point = rounded(meeting.point);
     const BodyPair<double> before{rounded(meeting.bodies.a), rounded(meeting.bodies.b)};
     const Arms<double> arms = arms_to(before, point);
-    const SlidingMass<double> mass = sliding_mass(before.a, before.b, normal, arms);
-    const V sliding = sliding_velocity(before.a, before.b, normal, arms);
-    const V impulse = friction_impulse<double>(sliding, mass, {0, 0, 0}, 0.5);
+    const SurfaceAxes<double> surface = surface_axes(normal);
+    const SlidingMass<double> mass = sliding_mass(before.a, before.b, surface, arms);
+    const AlongSurface sliding = sliding_velocity(before.a, before.b, surface, arms);
+    const V impulse = surface.in_world(friction_impulse<double>(sliding, mass, {0, 0}, 0.5));
     BodyPair<double> after = before;
     push_apart(after.a, after.b, arms, impulse);
     CHECK(impulse.norm() <= 0.5 + rounding);
@@ -180,15 +197,17 @@ TEST_CASE("visited often, 100 points either stick or rub straight against their 
     const V normal = rounded(meeting.normal), point = rounded(meeting.point);
     Body<double> a = rounded(meeting.bodies.a), b = rounded(meeting.bodies.b);
     const Arms<double> arms = arms_to<double>({a, b}, point);
-    const SlidingMass<double> mass = sliding_mass(a, b, normal, arms);
-    V sum = V::Zero();
+    const SurfaceAxes<double> surface = surface_axes(normal);
+    const SlidingMass<double> mass = sliding_mass(a, b, surface, arms);
+    AlongSurface sum = AlongSurface::Zero();
     for (int visit = 0; visit < 400; ++visit)
     {
-      const V next = friction_impulse(sliding_velocity(a, b, normal, arms), mass, sum, 0.2);
-      push_apart<double>(a, b, arms, next - sum);
+      const AlongSurface next =
+          friction_impulse(sliding_velocity(a, b, surface, arms), mass, sum, 0.2);
+      push_apart<double>(a, b, arms, surface.in_world(next - sum));
       sum = next;
     }
-    const V slides = sliding_velocity(a, b, normal, arms);
+    const AlongSurface slides = sliding_velocity(a, b, surface, arms);
     if (slides.norm() > 1e-9)
     {
       ++sliding;
@@ -211,10 +230,12 @@ TEST_CASE(
   CHECK(
       inverse_mass_at(ground, cube.body, heading(45), corner) ==
       Catch::Approx(2.5).epsilon(4 * rounding));
-  const SlidingMass<double> felt = sliding_mass(ground, cube.body, up, corner);
+  const SlidingMass<double> felt = sliding_mass(ground, cube.body, floor_axes, corner);
+  const AlongSurface diagonal = floor_axes.along(heading(45)),
+                     across = floor_axes.along(heading(135));
   CHECK(1 / felt.least == Catch::Approx(5.5).epsilon(4 * rounding));
-  CHECK((felt.ending * heading(45) - heading(45) / 2.5).norm() <= 4 * rounding);
-  CHECK((felt.ending * heading(135) - heading(135) / 5.5).norm() <= 4 * rounding);
+  CHECK((felt.ending * diagonal - diagonal / 2.5).norm() <= 4 * rounding);
+  CHECK((felt.ending * across - across / 5.5).norm() <= 4 * rounding);
 }
 
 TEST_CASE("one direction coupled with itself is K; with one across it, what turning alone couples")
@@ -248,7 +269,7 @@ TEST_CASE("no direction of 360 along the surface has a larger K, for 100 random 
       largest = std::max(largest, inverse_mass_at(a, b, direction, arms));
     }
     // Half a degree off, a cosine squared is short of one by 7.6e-5.
-    const double k = 1 / sliding_mass(a, b, normal, arms).least;
+    const double k = 1 / sliding_mass(a, b, surface_axes(normal), arms).least;
     CHECK(k >= largest * (1 - 10 * rounding));
     CHECK(k <= largest * (1 + 8e-5));
   }
@@ -263,11 +284,12 @@ TEST_CASE("one visit ends the sliding of 100 random pairs, if the cone is wide e
     const V normal = rounded(meeting.normal), point = rounded(meeting.point);
     Body<double> a = rounded(meeting.bodies.a), b = rounded(meeting.bodies.b);
     const Arms<double> arms = arms_to<double>({a, b}, point);
-    const V sliding = sliding_velocity(a, b, normal, arms);
-    const V impulse =
-        friction_impulse<double>(sliding, sliding_mass(a, b, normal, arms), {0, 0, 0}, 1e9);
-    push_apart(a, b, arms, impulse);
-    CHECK(sliding_velocity(a, b, normal, arms).norm() <= 1e-12 * (1 + sliding.norm()));
+    const SurfaceAxes<double> surface = surface_axes(normal);
+    const AlongSurface sliding = sliding_velocity(a, b, surface, arms);
+    const AlongSurface impulse =
+        friction_impulse<double>(sliding, sliding_mass(a, b, surface, arms), {0, 0}, 1e9);
+    push_apart(a, b, arms, surface.in_world(impulse));
+    CHECK(sliding_velocity(a, b, surface, arms).norm() <= 1e-12 * (1 + sliding.norm()));
   }
 }
 
@@ -277,11 +299,15 @@ TEST_CASE("a rod that turns about its length only, and cannot be moved, is held 
   const Body<double> ground = immovable<double>({0, 0, 0});
   Body<double> rod = immovable<double>({0, 1, 0});
   rod.inverse_inertia(0, 0) = 2;
-  const SlidingMass<double> felt = sliding_mass(ground, rod, up, {{0, 0, 0}, {0, -1, 0}});
+  const SlidingMass<double> felt = sliding_mass(ground, rod, floor_axes, {{0, 0, 0}, {0, -1, 0}});
   CHECK(felt.least == 0.5);
-  CHECK(
-      (friction_impulse<double>({0, 0, 3}, felt, {0, 0, 0}, 9) - V(0, 0, -1.5)).norm() <= rounding);
-  CHECK(friction_impulse<double>({3, 0, 0}, felt, {0, 0, 0}, 9).allFinite());
+  const auto held = [&](const V& sliding)
+  {
+    return floor_axes.in_world(
+        friction_impulse<double>(floor_axes.along(sliding), felt, {0, 0}, 9));
+  };
+  CHECK((held({0, 0, 3}) - V(0, 0, -1.5)).norm() <= rounding);
+  CHECK(held({3, 0, 0}).allFinite());
 }
 
 TEST_CASE("nothing rubs where nothing moves, and where no push moves it", "[R6]")
@@ -292,10 +318,10 @@ TEST_CASE("nothing rubs where nothing moves, and where no push moves it", "[R6]"
   driven.b.inverse_mass = 0;
   driven.b.inverse_inertia.setZero();
   const Arms<double> arms = arms_to<double>(driven, {0, 0, 0});
-  const SlidingMass<double> felt = sliding_mass(driven.a, driven.b, up, arms);
+  const SlidingMass<double> felt = sliding_mass(driven.a, driven.b, floor_axes, arms);
   CHECK(felt.least == 0);
   CHECK(felt.ending.isZero(0));
-  CHECK(friction_impulse<double>({1, 0, 0}, felt, {0, 0, 0}, 1) == V(0, 0, 0));
+  CHECK(friction_impulse<double>({1, 0}, felt, {0, 0}, 1) == AlongSurface(0, 0));
 }
 // [R6]
 
@@ -477,15 +503,20 @@ TEST_CASE(
 // [friction_pitfalls]
 TEST_CASE("along the diagonal a pyramid holds √2 times as much, a polygon 1/cos(90°/n)", "[R6]")
 {
-  CHECK(within_pyramid<double>({5, 0, 5}, 1) == V(1, 0, 1));
-  CHECK(within_pyramid<double>({-5, 0, 0.5}, 1) == V(-1, 0, 0.5));
+  CHECK(within_pyramid<double>({5, 5}, 1) == AlongSurface(1, 1));
+  CHECK(within_pyramid<double>({-5, 0.5}, 1) == AlongSurface(-1, 0.5));
   for (const int axes : {2, 4, 8})
   {
     const double corner = 90.0 / axes;
-    const double held = within_polygon<double>(5 * heading(corner), 1, axes).norm();
+    const auto pushed = [](double degrees)
+    {
+      return AlongSurface(
+          5 * Eigen::Rotation2Dd(degrees * std::numbers::pi / 180).toRotationMatrix().col(0));
+    };
+    const double held = within_polygon<double>(pushed(corner), 1, axes).norm();
     CHECK(held == Catch::Approx(1 / std::cos(corner * std::numbers::pi / 180)).epsilon(1e-14));
-    CHECK(within_polygon<double>(5 * heading(2 * corner), 1, axes).norm() == Catch::Approx(1));
-    CHECK(within_polygon<double>({0.5, 0, 0.1}, 1, axes) == V(0.5, 0, 0.1));
+    CHECK(within_polygon<double>(pushed(2 * corner), 1, axes).norm() == Catch::Approx(1));
+    CHECK(within_polygon<double>({0.5, 0.1}, 1, axes) == AlongSurface(0.5, 0.1));
   }
 }
 

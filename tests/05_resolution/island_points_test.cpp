@@ -53,13 +53,14 @@ struct OnGround
   /// The friction after so many visits.
   V rubbed(int visits)
   {
-    IslandPoint point = island_point(floor, body, contact, contact.points[0]);
+    IslandPoint point =
+        island_point(floor, body, contact, frame_of(floor, body, contact), contact.points[0]);
     for (int i = 0; i < visits; ++i)
     {
       add_friction(point);
     }
     store({&point, 1});
-    return point.friction;
+    return point.surface.in_world(point.friction);
   }
 };
 
@@ -130,7 +131,7 @@ TEST_CASE(
     CHECK((held + about_up(degrees) * (along + across)).norm() <= 1e-13);
     const Arms<double> arms{
         about_up(degrees) * V(0.5, 0, 0.5), about_up(degrees) * V(0.5, -0.5, 0.5)};
-    CHECK(sliding_velocity<double>(cube.floor, cube.body, up, arms).norm() <= 1e-13);
+    CHECK(sliding_velocity<double>(cube.floor, cube.body, surface_axes(up), arms).norm() <= 1e-13);
     // Half of 2 N s is less than √2: it rubs against what still slides.
     const V rubbed = sliding_cube(degrees, 2).rubbed(2000);
     CHECK(rubbed.norm() == Catch::Approx(1).epsilon(1e-14));
@@ -153,7 +154,9 @@ TEST_CASE("soft steps: a gap of 2 cm may close within a small step of 10 ms, at 
   OnGround ball(ball_body("ball", 0.5, {0, 0.52, 0}), {0, 0, 0}, 0);
   ball.body.motion.velocity = {0, -5, 0};
   ball.contact.points[0].on_b = {0, -0.5, 0};
-  IslandPoint point = island_point(ball.floor, ball.body, ball.contact, ball.contact.points[0]);
+  IslandPoint point = island_point(
+      ball.floor, ball.body, ball.contact, frame_of(ball.floor, ball.body, ball.contact),
+      ball.contact.points[0]);
   correct<double>(ball.floor, ball.body, point, softness(12.5, 5.0, 0.01), 0.01, 1);
   CHECK(ball.body.motion.velocity.y() == Catch::Approx(-2).epsilon(1e-12));
   // Slower, it does not close at all, and nothing pushes.
@@ -174,7 +177,8 @@ TEST_CASE("balls that come closer by no more than rounding of their speeds do no
     low.motion.velocity = {0.3, -1, 0};
     high.motion.velocity = {0, -1 - closing, 0};
     WorldContact contact = contact_at(low, high, {0, 1}, {0, 0.5, 0});
-    std::vector<ImpactPoint> points{{island_point(low, high, contact, contact.points[0]), 0}};
+    std::vector<ImpactPoint> points{
+        {island_point(low, high, contact, frame_of(low, high, contact), contact.points[0]), 0}};
     reach_targets(points, 1);
     CHECK((points[0].point.impulse > 0) == (closing == 1e-12));
   }

@@ -382,16 +382,15 @@ TEST_CASE(
 
   RigidBody turned = rigid_body(cube);
   turn_by(turned, {0, 0, 0.05});
-  WorldPoint point;
-  point.on_a = point.on_b = {0.5, 0.5, 0};
   const SceneBody sphere{.name = "ball", .shape = SphereShape{0.5}, .mass = 1};
   RigidBody ball = rigid_body(sphere);
   turn_by(ball, {0, 0, 1});
   take_arms(ball, 0.07);
-  const Arms<double> arms = kept_arms(turned, ball, point);
-  CHECK(arms.a == Vector3<double>(0.5, 0.5, 0));
-  CHECK(arms.b == Vector3<double>(0.5, 0.5, 0));
-  CHECK(arms_of(turned, ball, point).a != arms.a);
+  CHECK(kept_axes(turned) == Matrix3<double>::Identity());
+  CHECK(kept_axes(ball) == Matrix3<double>::Identity());
+  CHECK(turned.axes != kept_axes(turned));
+  take_arms(turned, 0.04);
+  CHECK(turned.axes == kept_axes(turned));
 }
 // [taken_arms]
 

@@ -38,9 +38,15 @@ World wide_world(const Scene& scene, int substeps = 4)
 using Four = Pack<float, 4>;
 
 /// One lane of a vector.
-Vector3<float> lane_of(const Vector3<Four>& v, std::size_t lane)
+template <int Size>
+Vector<float, Size> lane_of(const Vector<Four, Size>& v, std::size_t lane)
 {
-  return {v.x()[lane], v.y()[lane], v.z()[lane]};
+  Vector<float, Size> one;
+  for (int i = 0; i < Size; ++i)
+  {
+    one[i] = v[i][lane];
+  }
+  return one;
 }
 
 /// Sets one lane of a vector or matrix.
@@ -87,14 +93,14 @@ OneContact drawn_contact(BoxDraw& draw)
   const Body<float> a = drawn_body(draw), b = drawn_body(draw);
   const Vector3<double> normal = draw.direction();
   const Vector3<double> arm_a = draw.vector(-1, 1), arm_b = draw.vector(-1, 1);
-  const Vector3<float> zero = Vector3<float>::Zero();
-  ContactConstraint<float> at{zero, {zero, zero}, 0, 0, 0, 0, zero, 0, {Matrix3<float>::Zero(), 0}};
-  at.normal = normal.cast<float>();
-  at.arms = {arm_a.cast<float>(), arm_b.cast<float>()};
+  const Vector3<float> along = normal.cast<float>();
+  const Arms<float> arms{arm_a.cast<float>(), arm_b.cast<float>()};
+  ContactConstraint<float> at{along, surface_axes(along),        arms, 0, 0, 0, 0, {0, 0},
+                              0,     {Matrix2<float>::Zero(), 0}};
   at.coefficient = static_cast<float>(draw.between(0, 1));
   at.apart = static_cast<float>(draw.between(-0.05, 0.05));
   at.impulse = draw.whole(2) == 0 ? 0.0f : static_cast<float>(draw.between(0, 2));
-  at.friction = (at.impulse / 4 * normal.unitOrthogonal().cast<float>()).eval();
+  at.friction = at.surface.along(at.impulse / 4 * normal.unitOrthogonal().cast<float>());
   return {a, b, at};
 }
 
@@ -111,6 +117,8 @@ void set_lane(FourContacts& to, std::size_t lane, const OneContact& from)
   set_lane(to.of.a, lane, from.a);
   set_lane(to.of.b, lane, from.b);
   set_lane(to.at.normal, lane, from.at.normal);
+  set_lane(to.at.surface.u, lane, from.at.surface.u);
+  set_lane(to.at.surface.w, lane, from.at.surface.w);
   set_lane(to.at.arms.a, lane, from.at.arms.a);
   set_lane(to.at.arms.b, lane, from.at.arms.b);
   set_lane(to.at.friction, lane, from.at.friction);
@@ -120,10 +128,12 @@ void set_lane(FourContacts& to, std::size_t lane, const OneContact& from)
 }
 
 /// True if two numbers have the same bits.
-bool same(const Vector3<float>& a, const Vector3<float>& b)
+template <int Size>
+bool same(const Vector<float, Size>& a, const Vector<float, Size>& b)
 {
-  const auto bits = [](float x) { return std::bit_cast<std::uint32_t>(x); };
-  return bits(a.x()) == bits(b.x()) && bits(a.y()) == bits(b.y()) && bits(a.z()) == bits(b.z());
+  const auto alike = [](float x, float y)
+  { return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y); };
+  return std::equal(a.begin(), a.end(), b.begin(), alike);
 }
 
 } // namespace
@@ -449,7 +459,8 @@ TEST_CASE("two contacts with a ball in common, solved at once, lose a push")
   const Four zero(0);
   const Vector3<Four> none(zero, zero, zero);
   Body<Four> bodies_a, bodies_b;
-  ContactConstraint<Four> at{none, {none, none}, zero, zero, Four(1), zero, none, zero, {}};
+  ContactConstraint<Four> at{none,    {none, none}, {none, none}, zero, zero,
+                             Four(1), zero,         {zero, zero}, zero, {}};
   for (const std::size_t lane : {0u, 1u})
   {
     at.normal.x().lanes[lane] = 1;

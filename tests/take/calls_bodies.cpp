@@ -179,10 +179,12 @@ int main()
         const auto [bodies, normal, point] = drawn_meeting(draw);
         auto [a, b] = bodies;
         const Arms<double> arms = arms_to(bodies, point);
-        const SlidingMass<double> mass = sliding_mass(a, b, normal, arms);
-        const Vector3<double> so_far = 0.1 * draw.unit().cross(normal);
+        const SurfaceAxes<double> surface = surface_axes(normal);
+        const SlidingMass<double> mass = sliding_mass(a, b, surface, arms);
+        const Vector2<double> so_far = surface.along(0.1 * draw.unit());
+        const Vector2<double> sliding = sliding_velocity(a, b, surface, arms);
         const Vector3<double> impulse =
-            friction_impulse(sliding_velocity(a, b, normal, arms), mass, so_far, draw.number(0, 2));
+            surface.in_world(friction_impulse(sliding, mass, so_far, draw.number(0, 2)));
         bits(mass.least, impulse);
         push_apart(a, b, arms, impulse);
         add(bits, BodyPair<double>{a, b});

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -26,8 +27,8 @@ public:
   struct Node
   {
     Eigen::AlignedBox<double, 3> box; ///< [m], holds all below
-    std::size_t first, end;           ///< of its leaves
-    std::size_t right;                ///< its second child; the first stands behind it; 0: none
+    std::uint32_t first, end;         ///< of its leaves
+    std::uint32_t right;              ///< its second child; the first stands behind it; 0: none
   };
 
   const std::vector<Node>& nodes() const { return nodes_; } ///< the root first
@@ -125,12 +126,12 @@ private:
     nodes_.clear();
     if (finite_ > 0)
     {
-      grow(0, finite_);
+      grow(0, static_cast<std::uint32_t>(finite_));
     }
     built_ = spread();
   }
 
-  void grow(std::size_t first, std::size_t end)
+  void grow(std::uint32_t first, std::uint32_t end)
   {
     const std::size_t here = nodes_.size();
     nodes_.push_back({box_around(first, end), first, end, 0});
@@ -147,11 +148,11 @@ private:
     (centers.max() / 2 - centers.min() / 2).maxCoeff(&axis);
     const auto before = [axis](const Bounds& a, const Bounds& b)
     { return std::pair(center(a)[axis], a.body) < std::pair(center(b)[axis], b.body); };
-    const std::size_t middle = first + (end - first) / 2;
+    const std::uint32_t middle = first + (end - first) / 2;
     Bounds* const leaf = all_.data();
     std::nth_element(leaf + first, leaf + middle, leaf + end, before);
     grow(first, middle);
-    nodes_[here].right = nodes_.size();
+    nodes_[here].right = static_cast<std::uint32_t>(nodes_.size());
     grow(middle, end);
   }
 

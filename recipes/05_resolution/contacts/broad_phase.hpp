@@ -26,27 +26,26 @@ namespace cookbook
 class BroadPhase
 {
 public:
-  /// All pairs of bodies whose bounds overlap, in order of number; TooManyContacts if there are
-  /// more than 100 for each body.
-  const std::vector<std::pair<int, int>>& pairs(std::span<const Bounds> bounds)
+  /// Calls `call(pair)` with all pairs of bodies whose bounds overlap, in order of number; or
+  /// throws TooManyContacts, if more than 100 for each body are near.
+  template <class Call>
+  void each_pair(std::span<const Bounds> bounds, const Call& call)
   {
     if (!follow(bounds))
     {
       find(bounds);
     }
-    pairs_.clear();
-    for (const auto& [a, b] : near_)
+    for (const std::pair<int, int>& pair : near_)
     {
-      if (boxes_intersect(bounds[place(a)].box, bounds[place(b)].box))
+      if (boxes_intersect(bounds[place(pair.first)].box, bounds[place(pair.second)].box))
       {
-        add(pairs_, a, b);
+        call(pair);
       }
     }
-    check(pairs_.size(), 100);
-    return pairs_;
   }
 
-  const std::vector<std::pair<int, int>>& last() const { return pairs_; } ///< the pairs last found
+  /// Those pairs, and others that are nearly as near.
+  const std::vector<std::pair<int, int>>& near() const { return near_; }
 
   /// A tree of the bounds that pairs were last found of, to be changed. While it is asked for,
   /// nobody is given room.
@@ -66,23 +65,17 @@ private:
 
   std::size_t place(int body) const { return places_[static_cast<std::size_t>(body)]; }
 
-  static void add(std::vector<std::pair<int, int>>& pairs, int a, int b)
-  {
-    make_room(pairs, pairs.size() + 1);
-    pairs.emplace_back(a, b);
-  }
-
   const Eigen::AlignedBox<double, 3>& room_of(int body) const
   {
     return tree_.all()[leaves_[static_cast<std::size_t>(body)]].box;
   }
 
-  void check(std::size_t pairs, std::size_t most) const
+  void check_near() const
   {
-    const std::size_t bodies = tree_.all().size();
-    if (pairs > most * bodies)
+    const std::size_t bodies = tree_.all().size(), most = 100 * bodies;
+    if (near_.size() > most)
     {
-      throw TooManyContacts(bodies, most * bodies);
+      throw TooManyContacts(bodies, most);
     }
   }
 
@@ -95,7 +88,7 @@ private:
       return false;
     }
     left_.clear();
-    for (std::size_t leaf = 0; leaf < bounds.size(); ++leaf)
+    for (std::uint32_t leaf = 0; leaf < bounds.size(); ++leaf)
     {
       const Bounds& known = tree_.all()[leaf];
       if (!known.box.contains(bounds[static_cast<std::size_t>(known.place)].box))
@@ -124,12 +117,16 @@ private:
     {
       add_overlaps(tree_, leaf, found_);
     }
+    const auto is_known = [&](const auto& pair)
+    { return std::binary_search(near_.begin(), near_.end(), pair); };
+    found_.erase(std::remove_if(found_.begin(), found_.end(), is_known), found_.end());
     std::sort(found_.begin(), found_.end());
+    found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
     merge_in(near_, std::span(found_));
-    near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
     const auto apart = [&](const auto& pair)
     { return !boxes_intersect(room_of(pair.first), room_of(pair.second)); };
     near_.erase(std::remove_if(near_.begin(), near_.end(), apart), near_.end());
+    check_near();
   }
 
   /// Finds all pairs anew, and gives room to all that have hardly moved, or kept to their room.
@@ -153,8 +150,9 @@ private:
         tree_,
         [&](int a, int b)
         {
-          add(near_, a, b);
-          check(near_.size(), 200);
+          make_room(near_, near_.size() + 1);
+          near_.emplace_back(a, b);
+          check_near();
         });
     order_.sort(near_, places_.size());
   }
@@ -179,10 +177,10 @@ private:
 
   BoundsTree tree_;
   PairOrder order_;
-  std::vector<std::pair<int, int>> pairs_, near_, found_; // near: by their rooms
-  std::vector<std::uint32_t> places_, leaves_; // of bodies in the list of bounds, in the tree
-  std::vector<std::size_t> left_;              // the leaves of those that left their room
-  std::size_t moved_ = 0;                      // rooms given since pairs were found
+  std::vector<std::pair<int, int>> near_, found_; // by their rooms
+  std::vector<std::uint32_t> places_, leaves_;    // of bodies in the list of bounds, in the tree
+  std::vector<std::uint32_t> left_;               // the leaves of those that left their room
+  std::size_t moved_ = 0;                         // rooms given since pairs were found
   bool roomy_ = false, asked_ = false; // whether there are rooms; whether the tree was asked for
 };
 // [overlapping_pairs]

@@ -6,6 +6,7 @@
 #include "05_resolution/contacts/broad_phase.hpp"
 #include "05_resolution/contacts/narrow_phase.hpp"
 #include "05_resolution/contacts/pair_order.hpp"
+#include "05_resolution/lanes/make_room.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,28 +38,29 @@ inline WorldContact new_contact(const Scene& scene, int a, int b)
   return contact;
 }
 
-/// Brings contacts up to date with these pairs of bodies; both are in order. Pairs that are not as
-/// near as `reach(a, b)` says have none, and neither have those that ignore each other.
+/// Brings contacts up to date with pairs of bodies, which `each_pair(call)` calls `call(pair)`
+/// with; both are in order. Pairs that are not as near as `reach(a, b)` says have none, and neither
+/// have those that ignore each other.
 ///
 /// What is known already keeps its place in the list, as long as no pair before it begins or ends.
 /// `still(i)` says that a body has not moved since; a contact of two such bodies stays as it is.
 /// `begun` is room for those that begin.
-template <class Reach, class Still>
+template <class EachPair, class Reach, class Still>
 void update_contacts(
     std::vector<WorldContact>& contacts, std::vector<WorldContact>& begun, const Scene& scene,
-    std::span<const RigidBody> bodies, std::span<const std::pair<int, int>> pairs,
-    const Reach& reach, const Still& still)
+    std::span<const RigidBody> bodies, const EachPair& each_pair, const Reach& reach,
+    const Still& still)
 {
   begun.clear();
   const auto touches = [&](WorldContact& contact)
   {
     const std::size_t a = place_of(contact.a), b = place_of(contact.b);
-    const UpdateContact update{contact, bodies[a], bodies[b], reach(contact.a, contact.b)};
-    std::visit(update, scene.bodies[a].shape, scene.bodies[b].shape);
+    const UpdateContact points{contact, bodies[a], bodies[b], reach(contact.a, contact.b)};
+    std::visit(points, scene.bodies[a].shape, scene.bodies[b].shape);
     return !contact.points.empty();
   };
   auto kept = contacts.begin(), known = contacts.begin();
-  for (const std::pair<int, int>& pair : pairs)
+  const auto update = [&](const std::pair<int, int>& pair)
   {
     const bool both_still = still(pair.first) && still(pair.second);
     while (known != contacts.end() && pair_of(*known) < pair)
@@ -67,7 +69,7 @@ void update_contacts(
     }
     if (ignores(scene, pair))
     {
-      continue;
+      return;
     }
     if (known != contacts.end() && pair_of(*known) == pair)
     {
@@ -79,13 +81,15 @@ void update_contacts(
     }
     else if (!both_still)
     {
+      make_room(begun, begun.size() + 1);
       begun.push_back(new_contact(scene, pair.first, pair.second));
       if (!touches(begun.back()))
       {
         begun.pop_back();
       }
     }
-  }
+  };
+  each_pair(update);
   contacts.erase(kept, contacts.end());
   merge_in(contacts, std::span(begun));
 }

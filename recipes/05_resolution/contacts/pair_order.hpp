@@ -24,7 +24,7 @@ inline std::pair<int, int> pair_of(const std::pair<int, int>& pair)
 }
 
 /// Takes things in among others, away from where they were; both are in the order of their pairs,
-/// and so is the result. Room grows by an eighth more than they need.
+/// and so is the result. Room grows by a sixteenth more than they need.
 template <class One>
 void merge_in(std::vector<One>& all, std::span<One> others)
 {

@@ -55,7 +55,8 @@ held_friction(const WorldContact& contact, const WorldPoint& point, double push,
     return Vector3<double>::Zero();
   }
   const Vector3<double> across = along_surface(point.friction, contact.normal);
-  return within_cone<double>(GiveSettings().kept * across, contact.friction * std::max(0.0, push));
+  return within_cone<double, 3>(
+      GiveSettings().kept * across, contact.friction * std::max(0.0, push));
 }
 
 /// How the direct solver is run where contacts are so soft; where they are, friction keeps to the

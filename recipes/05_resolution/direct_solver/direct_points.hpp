@@ -103,7 +103,7 @@ inline void press(
   point.friction = point.wanted;
   if (!(point.wanted.squaredNorm() <= point.bound * point.bound))
   {
-    point.friction = within_cone(point.wanted, point.bound);
+    point.friction = within_cone<double, 3>(point.wanted, point.bound);
     point.grip = Grip::slip;
   }
 }

@@ -26,7 +26,7 @@ void hold_turn(Body<Real>& a, Body<Real>& b, const Real& most)
   }
   const Vector3<Real> turning = b.motion.angular_velocity - a.motion.angular_velocity;
   const Vector3<Real> ending = -relative.inverse() * turning / scale;
-  const Vector3<Real> impulse = within_cone<Real>(ending, most);
+  const Vector3<Real> impulse = within_cone<Real, 3>(ending, most);
   a.motion.angular_velocity -= a.inverse_inertia * impulse;
   b.motion.angular_velocity += b.inverse_inertia * impulse;
 }

@@ -12,7 +12,7 @@
 namespace cookbook
 {
 
-// [sliding_velocity]
+// [surface_axes]
 /// What of a vector lies along the surface that has this unit normal.
 template <class Real>
 Vector3<Real> along_surface(const Vector3<Real>& v, const Vector3<Real>& normal)
@@ -20,12 +20,42 @@ Vector3<Real> along_surface(const Vector3<Real>& v, const Vector3<Real>& normal)
   return v - v.dot(normal) * normal;
 }
 
-/// The velocity [m/s] with which B's surface slides over A's at a contact point.
+/// Two unit directions of a surface, at right angles, world.
 template <class Real>
-Vector3<Real> sliding_velocity(
-    const Body<Real>& a, const Body<Real>& b, const Vector3<Real>& normal, const Arms<Real>& arms)
+struct SurfaceAxes
 {
-  return along_surface<Real>(relative_velocity(a.motion, b.motion, arms), normal);
+  Vector3<Real> u;
+  Vector3<Real> w;
+
+  /// A vector of the surface in the world.
+  Vector3<Real> in_world(const Vector2<Real>& of) const { return of.x() * u + of.y() * w; }
+  /// What of a vector of the world lies along the surface.
+  Vector2<Real> along(const Vector3<Real>& v) const { return {v.dot(u), v.dot(w)}; }
+};
+
+/// Those of the surface that has this unit normal, without a branch (Duff 2017); for a normal of
+/// zero two axes of the world.
+template <class Real>
+SurfaceAxes<Real> surface_axes(const Vector3<Real>& normal)
+{
+  using std::copysign;
+  const Real x = normal.x(), y = normal.y(), side = copysign(Real(1), normal.z());
+  const Real share = Real(1) / (side + normal.z());
+  const Real mixed = -share * x * y;
+  return {
+      {Real(1) - side * share * x * x, side * mixed, -side * x}, {mixed, side - share * y * y, -y}};
+}
+// [surface_axes]
+
+// [sliding_velocity]
+/// The velocity [m/s] with which B's surface slides over A's at a contact point, along the axes of
+/// the surface.
+template <class Real>
+Vector2<Real> sliding_velocity(
+    const Body<Real>& a, const Body<Real>& b, const SurfaceAxes<Real>& surface,
+    const Arms<Real>& arms)
+{
+  return surface.along(relative_velocity(a.motion, b.motion, arms));
 }
 // [sliding_velocity]
 
@@ -33,8 +63,8 @@ Vector3<Real> sliding_velocity(
 /// An impulse [N s] along the surface, shortened to at most a length [N s]: the cone's cut; R6.
 ///
 /// A length of zero or less leaves none.
-template <class Real>
-Vector3<Real> within_cone(const Vector3<Real>& impulse, const Real& most)
+template <class Real, int Size>
+Vector<Real, Size> within_cone(const Vector<Real, Size>& impulse, const Real& most)
 {
   using std::max;
   const Real length = impulse.norm();
@@ -43,17 +73,6 @@ Vector3<Real> within_cone(const Vector3<Real>& impulse, const Real& most)
 // [within_cone]
 
 // [sliding_mass]
-/// A unit direction of the surface that has this unit normal, without a branch (Duff 2017); for a
-/// normal of zero the world's x axis.
-template <class Real>
-Vector3<Real> direction_along(const Vector3<Real>& normal)
-{
-  using std::copysign;
-  const Real side = copysign(Real(1), normal.z());
-  const Real share = normal.x() / (side + normal.z());
-  return {Real(1) - side * share * normal.x(), -side * share * normal.y(), -side * normal.x()};
-}
-
 /// How much speed [m/s] along one direction of the surface one newton second along another gives a
 /// body at an arm [1/kg].
 template <class Real>
@@ -73,47 +92,50 @@ inline constexpr float almost_none = 1e-6f;
 template <class Real>
 struct SlidingMass
 {
-  Matrix3<Real> ending; ///< [kg], world: times a sliding velocity, the impulse that ends it
+  Matrix2<Real> ending; ///< [kg], surface: times a sliding velocity, the impulse that ends it
   Real least;           ///< [kg], in the direction that is moved most, 1/K; zero: none is moved
 };
 
-/// The mass that a push along the surface feels, from K in a direction u of it and in one across.
+/// The mass that a push along the surface feels, from K along its two axes.
 template <class Real>
 SlidingMass<Real> sliding_mass(
-    const Body<Real>& a, const Body<Real>& b, const Vector3<Real>& normal, const Arms<Real>& arms)
+    const Body<Real>& a, const Body<Real>& b, const SurfaceAxes<Real>& surface,
+    const Arms<Real>& arms)
 {
   using std::sqrt;
-  const Vector3<Real> u = direction_along(normal), v = normal.cross(u);
+  const auto& [u, w] = surface;
   const Real half(Real(1) / Real(2));
-  const Real uu = inverse_mass_at(a, b, u, arms), vv = inverse_mass_at(a, b, v, arms);
-  const Real uv = coupling_at(a, u, v, arms.a) + coupling_at(b, u, v, arms.b);
-  const Real apart = half * (uu - vv);
-  const Real least = effective_mass<Real>(half * (uu + vv) + sqrt(apart * apart + uv * uv));
-  const Real alone = least * (uu + vv) - Real(1); // the lesser K, as a share of the largest
-  const Matrix3<Real> all = u * u.transpose() + v * v.transpose();
-  Matrix3<Real> across = (vv * least) * (u * u.transpose()) + (uu * least) * (v * v.transpose()) -
-                         (uv * least) * (u * v.transpose() + v * u.transpose());
+  const Real uu = inverse_mass_at(a, b, u, arms), ww = inverse_mass_at(a, b, w, arms);
+  const Real uw = coupling_at(a, u, w, arms.a) + coupling_at(b, u, w, arms.b);
+  const Real apart = half * (uu - ww);
+  const Real least = effective_mass<Real>(half * (uu + ww) + sqrt(apart * apart + uw * uw));
+  const Real alone = least * (uu + ww) - Real(1); // the lesser K, as a share of the largest
   const auto one_alone = alone <= Real(almost_none);
   const Real share = either(one_alone, least, [&] { return least / alone; });
-  return {share * either(one_alone, all, [&] { return across; }), least};
+  const auto entry = [&](const Real& if_alone, const Real& of)
+  { return share * either(one_alone, if_alone, [&] { return of * least; }); };
+  const Real across = entry(Real(0), -uw);
+  SlidingMass<Real> mass{{}, least};
+  mass.ending << entry(Real(1), ww), across, across, entry(Real(1), uu);
+  return mass;
 }
 // [sliding_mass]
 
 // [friction_impulse]
 /// The impulse [N s] of friction on B after one more visit to a contact point that slides at a
-/// velocity [m/s]; R6.
+/// velocity [m/s], both along the surface; R6.
 ///
 /// It is what ends the sliding, where that is at most μ times the normal impulse, `most` [N s].
 /// Where that is more, it goes straight against the sliding, by so little that no direction is
 /// turned back, and is cut. `so_far` is what earlier visits gave, and only the difference is still
 /// to be given: it may be one that takes back.
 template <class Real>
-Vector3<Real> friction_impulse(
-    const Vector3<Real>& sliding, const SlidingMass<Real>& mass, const Vector3<Real>& so_far,
+Vector2<Real> friction_impulse(
+    const Vector2<Real>& sliding, const SlidingMass<Real>& mass, const Vector2<Real>& so_far,
     const Real& most)
 {
-  const Vector3<Real> holding = so_far - mass.ending * sliding;
-  const auto cut = [&] { return within_cone<Real>(so_far - mass.least * sliding, most); };
+  const Vector2<Real> holding = so_far - mass.ending * sliding;
+  const auto cut = [&] { return within_cone<Real, 2>(so_far - mass.least * sliding, most); };
   return either(holding.norm() <= most, holding, cut);
 }
 // [friction_impulse]

@@ -124,9 +124,10 @@ inline double add_impact_points(
     std::vector<ImpactPoint>& points)
 {
   double fastest = 0;
+  const ContactFrame frame = frame_of(a, b, contact);
   for (WorldPoint& sum : contact.points)
   {
-    const IslandPoint point = island_point(a, b, contact, sum);
+    const IslandPoint point = island_point(a, b, contact, frame, sum);
     const double approach = std::max(0.0, -parting_speed(point));
     points.push_back({point, approach > threshold ? contact.restitution * approach : 0});
     fastest = std::max(fastest, approach);

@@ -89,34 +89,57 @@ inline void find_masses(IslandPoint& point)
   find_masses<double>(point, *point.a, *point.b);
 }
 
-/// Says at which arms [m] two bodies are pushed at a point.
-using FindArms = Arms<double>(const RigidBody&, const RigidBody&, const WorldPoint&);
+/// Says how a body is turned, as far as the arms are concerned at which it is pushed.
+using FindAxes = Matrix3<double>(const RigidBody&);
+
+/// As it is turned now.
+inline Matrix3<double> axes_now(const RigidBody& body)
+{
+  return body.axes;
+}
+
+/// What the points of a contact have in common.
+struct ContactFrame
+{
+  SurfaceAxes<double> surface; ///< [1], world
+  Matrix3<double> axes_a;      ///< [1], of body A, to take its arms by
+  Matrix3<double> axes_b;      ///< [1], of body B
+};
+
+/// That of a contact of two bodies.
+inline ContactFrame frame_of(
+    const RigidBody& a, const RigidBody& b, const WorldContact& contact,
+    FindAxes& find_axes = axes_now)
+{
+  return {surface_axes(contact.normal), find_axes(a), find_axes(b)};
+}
 
 /// A contact point of two bodies as they are, without its masses; friction of the frame before is
 /// turned into the plane of the contact as it is now.
 inline ContactConstraint<double> constraint_of(
-    const RigidBody& a, const RigidBody& b, const WorldContact& contact, const WorldPoint& of,
-    FindArms& find_arms = arms_of)
+    const RigidBody& a, const RigidBody& b, const WorldContact& contact, const ContactFrame& frame,
+    const WorldPoint& of)
 {
-  const Vector3<double>& normal = contact.normal;
-  const Vector3<double> friction = along_surface(of.friction, normal);
-  const double apart = gap(a, b, normal, of);
-  return {normal, find_arms(a, b, of), contact.friction, apart, of.carried, 0, friction, 0, {}};
+  const Arms<double> arms{frame.axes_a * of.on_a, frame.axes_b * of.on_b};
+  const double apart = gap(a, b, contact.normal, of);
+  const Vector2<double> friction = frame.surface.along(of.friction);
+  return {
+      contact.normal, frame.surface, arms, contact.friction, apart, of.carried, 0, friction, 0, {}};
 }
 
 /// A contact point of an island.
 inline IslandPoint island_point(
-    RigidBody& a, RigidBody& b, const WorldContact& contact, WorldPoint& of,
-    FindArms& find_arms = arms_of)
+    RigidBody& a, RigidBody& b, const WorldContact& contact, const ContactFrame& frame,
+    WorldPoint& of)
 {
-  IslandPoint point{constraint_of(a, b, contact, of, find_arms), &a, &b, &contact, &of};
+  IslandPoint point{constraint_of(a, b, contact, frame, of), &a, &b, &contact, &of};
   find_masses(point);
   return point;
 }
 
 /// The points of an island, contact by contact, in the room that the world has for them.
 inline std::span<IslandPoint>
-points_of(IslandView world, const Island& island, FindArms& find_arms = arms_of)
+points_of(IslandView world, const Island& island, FindAxes& find_axes = axes_now)
 {
   std::vector<IslandPoint>& points = world.room;
   points.clear();
@@ -125,9 +148,10 @@ points_of(IslandView world, const Island& island, FindArms& find_arms = arms_of)
     WorldContact& contact = world.contacts[place_of(number)];
     RigidBody& a = world.bodies[place_of(contact.a)];
     RigidBody& b = world.bodies[place_of(contact.b)];
+    const ContactFrame frame = frame_of(a, b, contact, find_axes);
     for (WorldPoint& point : contact.points)
     {
-      points.push_back(island_point(a, b, contact, point, find_arms));
+      points.push_back(island_point(a, b, contact, frame, point));
     }
   }
   return points;
@@ -139,7 +163,7 @@ inline void store(std::span<const IslandPoint> points)
   for (const IslandPoint& point : points)
   {
     point.known->impulse = point.known->carried = point.impulse;
-    point.known->friction = point.friction;
+    point.known->friction = point.surface.in_world(point.friction);
   }
 }
 

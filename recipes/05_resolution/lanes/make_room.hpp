@@ -8,13 +8,13 @@
 namespace cookbook
 {
 
-/// Room for so many, and for an eighth more where there has to be more than there was.
+/// Room for so many, and for a sixteenth more where there has to be more than there was.
 template <class List>
 void make_room(List& all, std::size_t count)
 {
   if (all.capacity() < count)
   {
-    all.reserve(count + count / 8);
+    all.reserve(count + count / 16);
   }
 }
 

@@ -48,7 +48,8 @@ position_points(IslandView world, const Island& island, double small)
   std::vector<PositionPoint> points;
   for (const IslandPoint& point : points_of(world, island))
   {
-    const Vector3<double> owed = point.friction * small / point.sliding.least;
+    const Vector3<double> owed =
+        point.surface.in_world(point.friction) * small / point.sliding.least;
     points.push_back({point, owed});
     point.known->impulse = 0;
   }

@@ -92,7 +92,7 @@ inline void correct_slip(PositionPoint& one)
   }
   const double mass = effective_mass(shift_inverse_mass(one.point, way / length));
   const Vector3<double> wanted = one.rubbed - mass * way;
-  const Vector3<double> sum = within_cone(wanted, one.point.coefficient * one.pressed);
+  const Vector3<double> sum = within_cone<double, 3>(wanted, one.point.coefficient * one.pressed);
   shift_apart(one.point, sum - one.rubbed);
   one.rubbed = sum;
   if (sum != wanted)

@@ -38,13 +38,11 @@ inline void take_arms(IslandView world, const Island& island, double limit)
   }
 }
 
-/// The arms [m], world, of a contact point as its bodies were turned when they were taken; those of
-/// a ball do not turn with it.
-inline Arms<double> kept_arms(const RigidBody& a, const RigidBody& b, const WorldPoint& point)
+/// How a body was turned when its arms were taken; a ball's do not turn with it.
+inline Matrix3<double> kept_axes(const RigidBody& body)
 {
-  const auto arm = [](const RigidBody& body, const Vector3<double>& on) -> Vector3<double>
-  { return body.round ? on : body.arms_at * on; };
-  return {arm(a, point.on_a), arm(b, point.on_b)};
+  const bool now = body.round || body.arms_at.coeffs() == body.orientation.coeffs();
+  return now ? body.axes : body.arms_at.toRotationMatrix();
 }
 // [kept_arms]
 

@@ -99,7 +99,7 @@ inline void
 soft_steps(IslandView world, const Island& island, double step, const SoftSettings& settings)
 {
   take_arms(world, island, settings.kept_turn);
-  const std::span<IslandPoint> points = points_of(world, island, kept_arms);
+  const std::span<IslandPoint> points = points_of(world, island, kept_axes);
   const double small = step / settings.substeps;
   const Softness<double> spring = spring_for(small, settings);
   const double correction_speed = speed_of_correction(world, island, step, settings);

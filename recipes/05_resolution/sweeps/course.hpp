@@ -17,8 +17,6 @@ struct Ahead
   Vector3<double> way; ///< [m], of its centre, where nothing touches it
   double turn;         ///< [m], how far it takes any of its points that it turns
   double harmless;     ///< [m], how deep another may get into it unforeseen
-  bool swept;          ///< whether it is left to the sweep: a box that goes far, a ball sooner
-  bool forced;         ///< whether forces pull it
 
   /// How far [m] any of its points goes.
   double farthest() const { return way.norm() + turn; }
@@ -32,6 +30,17 @@ struct StepAhead
   std::span<const Pull> forces;      ///< on them, force_on()
   std::span<Ahead> ahead;            ///< what is known of each, once ahead_of() has said it
 };
+
+/// Whether forces pull either of two bodies.
+inline bool are_forced(const StepAhead& step, int i, int j)
+{
+  const auto is_forced = [&](int one)
+  {
+    return !is_fixed(step.bodies[place_of(one)]) &&
+           force_on(step.forces, place_of(one)).acceleration.any();
+  };
+  return !step.forces.empty() && (is_forced(i) || is_forced(j));
+}
 // [ahead]
 
 // [course]

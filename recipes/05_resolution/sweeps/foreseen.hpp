@@ -91,15 +91,19 @@ inline bool is_far(const Scene& scene, int i, double way)
 /// How a body goes on if nothing pushes it.
 inline Ahead ahead_of(const StepAhead& step, int i)
 {
-  const RigidBody& body = step.bodies[place_of(i)];
   Ahead ahead;
   ahead.way = way_on(step, i, flying_share);
   ahead.turn = turn_on(step, i);
   ahead.harmless = harmless_depth(thinness(step.scene, i));
-  ahead.swept =
-      body.round ? ahead.farthest() > ahead.harmless : is_far(step.scene, i, ahead.farthest());
-  ahead.forced = !is_fixed(body) && force_on(step.forces, place_of(i)).acceleration.any();
   return ahead;
+}
+
+/// Whether a body is left to the sweep: a box that goes far, a ball sooner.
+inline bool is_left_to_sweep(const StepAhead& step, int i)
+{
+  const Ahead& ahead = step.ahead[place_of(i)];
+  const double way = ahead.farthest();
+  return step.bodies[place_of(i)].round ? way > ahead.harmless : is_far(step.scene, i, way);
 }
 
 /// A body where it would be after a step in which it goes and turns on as it does; its inertia is
@@ -139,7 +143,7 @@ inline double closer_by(const StepAhead& step, int i, int j)
 {
   const Ahead &of_a = step.ahead[place_of(i)], &of_b = step.ahead[place_of(j)];
   double way = (of_b.way - of_a.way).norm();
-  if (of_a.forced || of_b.forced)
+  if (are_forced(step, i, j))
   {
     const Vector3<double> pushed = way_on(step, j, pushed_share) - way_on(step, i, pushed_share);
     way = std::max(way, pushed.norm());
@@ -164,9 +168,9 @@ inline ContactReach foreseen_reach(const StepAhead& step, int i, int j, double m
   const RigidBody &a = step.bodies[place_of(i)], &b = step.bodies[place_of(j)];
   const double small = std::min(of_a.harmless, of_b.harmless);
   const double harmless = a.round || b.round ? small : std::min(small, margins_taken_back * margin);
-  const bool forced = of_a.forced || of_b.forced;
+  const bool forced = are_forced(step, i, j);
   const double closing = closer_by(step, i, j);
-  const bool harms = closing > harmless && !of_a.swept && !of_b.swept;
+  const bool harms = closing > harmless && !is_left_to_sweep(step, i) && !is_left_to_sweep(step, j);
   if (!harms && !forced)
   {
     return {margin, margin};

@@ -27,7 +27,7 @@ struct StepCourses
   std::span<const WorldContact> contacts;    ///< of this step
   const std::vector<bool>& falls;            ///< whether no other body pushed it
   const std::vector<bool>& gone;             ///< whether it is no more
-  std::span<const std::pair<int, int>> near; ///< whose bounds met as it began
+  std::span<const std::pair<int, int>> near; ///< who were near as it began
   std::vector<Course>& courses;              ///< of all bodies
   std::vector<double>& ways;                 ///< [m], how far any point of a body went
   std::vector<bool>& too_deep; ///< whom a solver left too deep, or who is swept by now

@@ -33,11 +33,13 @@ void look_at_each(const WideView& all, bool pushes, const Look& look)
     each_given(of, read);
     using std::max; // what cannot move has none
     of.correction_speed = max(gather_body(all.bodies, a, of.a), gather_body(all.bodies, b, of.b));
+    const SurfaceAxes<Lanes> surface = surface_axes(of.normal);
     for (std::size_t place = here.first; place < here.first + here.points; ++place)
     {
       float* const numbers = all.points + place * lanes * point_numbers;
       ContactConstraint<Lanes> at;
       at.normal = of.normal;
+      at.surface = surface;
       at.coefficient = of.coefficient;
       ReadLanes<Lanes> read_point{numbers};
       read_point(at.apart);

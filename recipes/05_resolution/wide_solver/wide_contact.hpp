@@ -60,8 +60,8 @@ void each_given(ContactConstraint<Real>& at, Call& call)
 
 inline constexpr std::size_t contact_numbers = 4; ///< numbers of a contact's each_given()
 inline constexpr std::size_t gap_numbers = 1;     ///< a point's gap
-inline constexpr std::size_t pushed_numbers = 5;  ///< numbers of each_pushed()
-inline constexpr std::size_t point_masses = 8;    ///< numbers of each_mass()
+inline constexpr std::size_t pushed_numbers = 4;  ///< numbers of each_pushed()
+inline constexpr std::size_t point_masses = 5;    ///< numbers of each_mass()
 inline constexpr std::size_t point_numbers =
     gap_numbers + pushed_numbers + point_masses + 6; ///< of a point
 // [wide_contact]

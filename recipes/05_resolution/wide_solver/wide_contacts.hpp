@@ -56,11 +56,12 @@ public:
         {
           numbers_.put(contact, lane);
           std::size_t place = first_of(lane);
+          const RigidBody& a = world.bodies[place_of(contact.a)];
+          const RigidBody& b = world.bodies[place_of(contact.b)];
+          const ContactFrame frame = frame_of(a, b, contact, kept_axes);
           for (const WorldPoint& point : contact.points)
           {
-            const RigidBody& a = world.bodies[place_of(contact.a)];
-            const RigidBody& b = world.bodies[place_of(contact.b)];
-            ContactConstraint<double> at = constraint_of(a, b, contact, point, kept_arms);
+            ContactConstraint<double> at = constraint_of(a, b, contact, frame, point);
             at.impulse *= share;
             at.friction *= share;
             numbers_.put(at, place++, lane);
@@ -116,12 +117,13 @@ public:
         [&](WorldContact& contact, std::size_t lane)
         {
           std::size_t place = first_of(lane);
+          const SurfaceAxes<double> surface = surface_axes(contact.normal);
           for (WorldPoint& known : contact.points)
           {
             const ContactConstraint<float> at = numbers_.pushed(place++, lane);
             known.impulse = at.sum;
             known.carried = scale * at.impulse;
-            known.friction = (scale * at.friction).cast<double>();
+            known.friction = surface.in_world((scale * at.friction).cast<double>());
           }
         });
   }

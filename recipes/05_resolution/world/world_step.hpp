@@ -33,7 +33,8 @@ inline void find_contacts(WorldState& world)
     bound.box = foreseen_bounds(step, bound.body, margin);
   }
   update_contacts(
-      world.contacts, world.begun, scene, world.bodies, world.near.pairs(world.bounds),
+      world.contacts, world.begun, scene, world.bodies,
+      [&](const auto& call) { world.near.each_pair(world.bounds, call); },
       [&](int a, int b) { return foreseen_reach(step, a, b, margin); },
       [&](int body) { return is_still(world, body); });
 }
@@ -125,7 +126,7 @@ inline void advance(WorldState& world, const WorldSolver& solver)
 inline void sweep(WorldState& world)
 {
   StepCourses step{world.scene,       world.forces,  world.contacts, world.falls,   world.gone,
-                   world.near.last(), world.courses, world.ways,     world.too_deep};
+                   world.near.near(), world.courses, world.ways,     world.too_deep};
   if (!has_boxes_to_sweep(step, world.ahead, world.bodies) && world.balls == 0)
   {
     return world.courses.shrink_to_fit(); // as long as nothing is swept

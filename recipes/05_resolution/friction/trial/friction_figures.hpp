@@ -71,7 +71,7 @@ inline plot::Grid paths_figure()
 inline plot::Figure2d cone_panel(const std::string& title, double wanted)
 {
   const double coefficient = 0.6, pressed = 1;
-  const double given = within_cone<double>({wanted, 0, 0}, coefficient * pressed).x();
+  const double given = within_cone<double, 2>({wanted, 0}, coefficient * pressed).x();
   const bool cut = given < wanted;
   plot::Figure2d figure(title, title, {{-0.95, -0.3}, {1.45, 1.3}, 330});
   figure.half_plane({0, 1}, 0)

@@ -13,21 +13,21 @@ namespace cookbook
 {
 
 // [within_pyramid]
-/// An impulse [N s] along the surface y = 0, cut along x and along z to at most a length [N s]
-/// each: along the diagonal it may be √2 times as long.
+/// An impulse [N s] along a surface, cut along each of its axes to at most a length [N s]: along
+/// the diagonal it may be √2 times as long.
 template <class Real>
-Vector3<Real> within_pyramid(const Vector3<Real>& impulse, const Real& most)
+Vector2<Real> within_pyramid(const Vector2<Real>& impulse, const Real& most)
 {
   const auto cut = [&](const Real& along) { return std::max(Real(-most), std::min(most, along)); };
-  return {cut(impulse.x()), Real(0), cut(impulse.z())};
+  return {cut(impulse.x()), cut(impulse.y())};
 }
 // [within_pyramid]
 
 // [within_polygon]
-/// An impulse [N s] along the surface y = 0, shortened to end on a regular polygon of 2 `axes`
+/// An impulse [N s] along a surface, shortened to end on a regular polygon of 2 `axes`
 /// sides around the circle of radius `most` [N s]: a scalar product for each axis.
 template <class Real>
-Vector3<Real> within_polygon(const Vector3<Real>& impulse, const Real& most, int axes)
+Vector2<Real> within_polygon(const Vector2<Real>& impulse, const Real& most, int axes)
 {
   using std::abs;
   using std::cos;
@@ -36,10 +36,10 @@ Vector3<Real> within_polygon(const Vector3<Real>& impulse, const Real& most, int
   for (int i = 0; i < axes; ++i)
   {
     const Real angle = std::numbers::pi_v<Real> * Real(i) / Real(axes);
-    const Vector3<Real> axis(cos(angle), Real(0), sin(angle));
+    const Vector2<Real> axis(cos(angle), sin(angle));
     farthest = std::max(farthest, Real(abs(impulse.dot(axis))));
   }
-  return farthest <= most ? impulse : Vector3<Real>(impulse * (most / farthest));
+  return farthest <= most ? impulse : Vector2<Real>(impulse * (most / farthest));
 }
 // [within_polygon]
 
@@ -64,7 +64,8 @@ BodyPair<Real> answered_as_published(
   {
     return bodies;
   }
-  const Vector3<Real> sliding = sliding_velocity(a, b, normal, arms);
+  const Vector3<Real> sliding =
+      along_surface<Real>(relative_velocity(a.motion, b.motion, arms), normal);
   push_apart<Real>(a, b, arms, j * normal);
   const Real speed = sliding.norm();
   if (speed * speed <= Real(published_zero))

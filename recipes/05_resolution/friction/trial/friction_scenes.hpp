@@ -17,21 +17,21 @@ namespace cookbook
 {
 
 // [friction_rules]
-/// What a rule knows when it visits a touch.
+/// What a rule knows when it visits a touch; vectors are along the axes of the floor.
 struct FrictionVisit
 {
-  Vector3<double> sliding;  ///< [m/s]
+  Vector2<double> sliding;  ///< [m/s]
   SlidingMass<double> mass; ///< [kg]
-  Vector3<double> so_far;   ///< [N s]
+  Vector2<double> so_far;   ///< [N s]
   double most;              ///< [N s], the bound from the normal impulse
   double planned;           ///< [N s], the bound that was planned from the weight
 
   /// What goes against the sliding [N s], not cut yet.
-  Vector3<double> against() const { return so_far - mass.least * sliding; }
+  Vector2<double> against() const { return so_far - mass.least * sliding; }
 };
 
 /// The impulse of friction [N s] after a visit.
-using FrictionCut = std::function<Vector3<double>(const FrictionVisit&)>;
+using FrictionCut = std::function<Vector2<double>(const FrictionVisit&)>;
 
 /// A rule of friction.
 struct FrictionRule
@@ -77,10 +77,11 @@ inline void visit(OneContactScene& scene, Touch& touch, const FrictionCut& cut)
   push_apart<double>(a, b, arms, (sum - touch.pushed) * up);
   touch.pushed = sum;
   const double planned = sum > 0 ? touch.friction * touch.weight * scene.step : 0;
-  const Vector3<double> rub = cut(
-      {sliding_velocity(a, b, up, arms), touch.sliding, touch.rubbed, touch.friction * sum,
+  const SurfaceAxes<double> floor = surface_axes(up);
+  const Vector2<double> rub = cut(
+      {sliding_velocity(a, b, floor, arms), touch.sliding, touch.rubbed, touch.friction * sum,
        planned});
-  push_apart<double>(a, b, arms, rub - touch.rubbed);
+  push_apart<double>(a, b, arms, floor.in_world(rub - touch.rubbed));
   touch.rubbed = rub;
 }
 
@@ -98,8 +99,9 @@ inline void prepare(OneContactScene& scene, Touch& touch)
   Body<double>&a = scene.solids[touch.a].body, &b = scene.solids[touch.b].body;
   const Arms<double> arms = arms_to<double>({a, b}, touch.point);
   touch.mass = effective_mass(inverse_mass_at(a, b, up, arms));
-  touch.sliding = sliding_mass(a, b, up, arms);
-  push_apart<double>(a, b, arms, touch.pushed * up + touch.rubbed);
+  const SurfaceAxes<double> floor = surface_axes(up);
+  touch.sliding = sliding_mass(a, b, floor, arms);
+  push_apart<double>(a, b, arms, touch.pushed * up + floor.in_world(touch.rubbed));
 }
 // [visit]
 

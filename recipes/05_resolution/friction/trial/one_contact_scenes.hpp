@@ -54,7 +54,7 @@ struct Touch
   SlidingMass<double> sliding{};                    ///< [kg], what one along the surface feels
   double gap = 0;                                   ///< [m], negative: a depth
   double pushed = 0;                                ///< [N s], along the normal
-  Vector3<double> rubbed = Vector3<double>::Zero(); ///< [N s], along the surface
+  Vector2<double> rubbed = Vector2<double>::Zero(); ///< [N s], along the surface
 };
 
 /// Solids and the places where they may touch; the first is the floor.

@@ -13,6 +13,22 @@
 namespace cookbook
 {
 
+/// The pairs of bodies whose bounds overlap, as a tree finds them that may have been asked before.
+inline std::vector<std::pair<int, int>>
+pairs_by(BroadPhase& tree, const std::vector<Bounds>& bounds)
+{
+  std::vector<std::pair<int, int>> pairs;
+  tree.each_pair(bounds, [&](const std::pair<int, int>& pair) { pairs.push_back(pair); });
+  return pairs;
+}
+
+/// The same, as a new tree finds them.
+inline std::vector<std::pair<int, int>> pairs_by_tree(const std::vector<Bounds>& bounds)
+{
+  BroadPhase tree;
+  return pairs_by(tree, bounds);
+}
+
 // [every_pair]
 /// What `overlapping_pairs` is to find, by asking every pair.
 inline std::vector<std::pair<int, int>> every_overlapping_pair(const std::vector<Bounds>& bounds)
