@@ -35,6 +35,7 @@ public:
     {
       find(bounds);
     }
+    check_near();
     for (const std::pair<int, int>& pair : near_)
     {
       if (boxes_intersect(bounds[place(pair.first)].box, bounds[place(pair.second)].box))
@@ -126,7 +127,6 @@ private:
     const auto apart = [&](const auto& pair)
     { return !boxes_intersect(room_of(pair.first), room_of(pair.second)); };
     near_.erase(std::remove_if(near_.begin(), near_.end(), apart), near_.end());
-    check_near();
   }
 
   /// Finds all pairs anew, and gives room to all that have hardly moved, or kept to their room.
@@ -141,8 +141,7 @@ private:
       return stays ? roomy(now, room) : now;
     };
     known ? void(tree_.follow(room_for)) : tree_.build(bounds);
-    roomy_ = gives;
-    asked_ = false;
+    roomy_ = asked_ = false;
     moved_ = 0;
     find_places(bounds);
     near_.clear();
@@ -155,6 +154,7 @@ private:
           check_near();
         });
     order_.sort(near_, places_.size());
+    roomy_ = gives;
   }
 
   /// Finds where each body is in the list of bounds, and in that of the tree.

@@ -39,7 +39,8 @@ template <class Real>
 SurfaceAxes<Real> surface_axes(const Vector3<Real>& normal)
 {
   using std::copysign;
-  const Real x = normal.x(), y = normal.y(), side = copysign(Real(1), normal.z());
+  const Real &x = normal.x(), &y = normal.y();
+  const Real side = copysign(Real(1), normal.z());
   const Real share = Real(1) / (side + normal.z());
   const Real mixed = -share * x * y;
   return {

@@ -114,8 +114,7 @@ inline ContactFrame frame_of(
   return {surface_axes(contact.normal), find_axes(a), find_axes(b)};
 }
 
-/// A contact point of two bodies as they are, without its masses; friction of the frame before is
-/// turned into the plane of the contact as it is now.
+/// A contact point of two bodies as they are, without its masses; friction is turned with it.
 inline ContactConstraint<double> constraint_of(
     const RigidBody& a, const RigidBody& b, const WorldContact& contact, const ContactFrame& frame,
     const WorldPoint& of)
