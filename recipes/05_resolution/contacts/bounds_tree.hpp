@@ -91,7 +91,7 @@ public:
   }
 
   /// Gives one of all other bounds, and widens all branches above it by them.
-  void widen(std::size_t leaf, const Eigen::AlignedBox<double, 3>& box)
+  void replace(std::size_t leaf, const Eigen::AlignedBox<double, 3>& box)
   {
     all_[leaf].box = box;
     if (leaf >= finite_)

@@ -27,7 +27,7 @@ class BroadPhase
 {
 public:
   /// Calls `call(pair)` with all pairs of bodies whose bounds overlap, in order of number; or
-  /// throws TooManyContacts, if more than 100 for each body are near.
+  /// throws TooManyContacts, if there are more than 100 for each body.
   template <class Call>
   void each_pair(std::span<const Bounds> bounds, const Call& call)
   {
@@ -35,10 +35,15 @@ public:
     {
       find(bounds);
     }
-    check_near();
+    const auto overlap = [&](const std::pair<int, int>& pair)
+    { return boxes_intersect(bounds[place(pair.first)].box, bounds[place(pair.second)].box); };
+    if (near_.size() > most(100))
+    {
+      check(std::count_if(near_.begin(), near_.end(), overlap), 100);
+    }
     for (const std::pair<int, int>& pair : near_)
     {
-      if (boxes_intersect(bounds[place(pair.first)].box, bounds[place(pair.second)].box))
+      if (overlap(pair))
       {
         call(pair);
       }
@@ -71,12 +76,13 @@ private:
     return tree_.all()[leaves_[static_cast<std::size_t>(body)]].box;
   }
 
-  void check_near() const
+  std::size_t most(std::size_t each) const { return each * tree_.all().size(); }
+
+  void check(std::ptrdiff_t pairs, std::size_t each) const
   {
-    const std::size_t bodies = tree_.all().size(), most = 100 * bodies;
-    if (near_.size() > most)
+    if (static_cast<std::size_t>(pairs) > most(each))
     {
-      throw TooManyContacts(bodies, most);
+      throw TooManyContacts(tree_.all().size(), most(each));
     }
   }
 
@@ -108,10 +114,11 @@ private:
 
   void give_rooms(std::span<const Bounds> bounds)
   {
+    roomy_ = false; // until all is done
     for (const std::size_t leaf : left_)
     {
       const std::size_t place = static_cast<std::size_t>(tree_.all()[leaf].place);
-      tree_.widen(leaf, roomy(bounds[place].box, room));
+      tree_.replace(leaf, roomy(bounds[place].box, room));
     }
     found_.clear();
     for (const std::size_t leaf : left_)
@@ -127,6 +134,7 @@ private:
     const auto apart = [&](const auto& pair)
     { return !boxes_intersect(room_of(pair.first), room_of(pair.second)); };
     near_.erase(std::remove_if(near_.begin(), near_.end(), apart), near_.end());
+    roomy_ = true;
   }
 
   /// Finds all pairs anew, and gives room to all that have hardly moved, or kept to their room.
@@ -151,7 +159,7 @@ private:
         {
           make_room(near_, near_.size() + 1);
           near_.emplace_back(a, b);
-          check_near();
+          check(std::ssize(near_), 200);
         });
     order_.sort(near_, places_.size());
     roomy_ = gives;

@@ -4,7 +4,6 @@
 /// \brief All pairs of leaves of a tree that overlap.
 
 #include "05_resolution/contacts/bounds_tree.hpp"
-#include "05_resolution/contacts/rigid_body.hpp"
 
 #include <algorithm>
 #include <cstddef>

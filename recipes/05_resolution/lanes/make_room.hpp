@@ -3,18 +3,20 @@
 /// \file
 /// \brief Room in lists that are filled anew in every step.
 
+#include <algorithm>
 #include <cstddef>
 
 namespace cookbook
 {
 
-/// Room for so many, and for a sixteenth more where there has to be more than there was.
+/// Room for so many, and for a sixteenth more, eight at least, where there has to be more than
+/// there was.
 template <class List>
 void make_room(List& all, std::size_t count)
 {
   if (all.capacity() < count)
   {
-    all.reserve(count + count / 16);
+    all.reserve(count + std::max<std::size_t>(8, count / 16));
   }
 }
 

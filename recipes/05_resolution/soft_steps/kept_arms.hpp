@@ -38,7 +38,8 @@ inline void take_arms(IslandView world, const Island& island, double limit)
   }
 }
 
-/// How a body was turned when its arms were taken; a ball's do not turn with it.
+/// How a body, its axes as it is turned now, was turned when its arms were taken; a ball's do not
+/// turn with it.
 inline Matrix3<double> kept_axes(const RigidBody& body)
 {
   const bool now = body.round || body.arms_at.coeffs() == body.orientation.coeffs();

@@ -25,7 +25,7 @@ struct Ahead
 /// A step of a world as it is before it is taken.
 struct StepAhead
 {
-  const Scene& scene;                ///< with the bodies' shapes
+  const Scene& scene;                ///< with the bodies' shapes; where they are, `bodies` says
   std::span<const RigidBody> bodies; ///< as they are
   std::span<const Pull> forces;      ///< on them, force_on()
   std::span<Ahead> ahead;            ///< what is known of each, once ahead_of() has said it

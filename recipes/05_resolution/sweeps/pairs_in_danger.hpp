@@ -113,7 +113,7 @@ void each_that_may_have_met(StepCourses& step, std::span<const RigidBody> ends, 
   for (const std::size_t leaf : astray)
   {
     const Bounds& one = step.tree->leaves()[leaf];
-    step.tree->widen(leaf, one.box.merged(way_of(one)));
+    step.tree->replace(leaf, one.box.merged(way_of(one)));
   }
   for (const std::size_t leaf : astray)
   {

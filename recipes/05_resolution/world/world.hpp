@@ -41,9 +41,9 @@ public:
     state_.may_sleep = may_sleep;
     state_.bodies.reserve(scene.bodies.size());
     state_.bounds.reserve(scene.bodies.size());
-    for (const SceneBody& body : scene.bodies)
+    while (bodies().size() < state_.scene.bodies.size())
     {
-      enter(state_, body);
+      enter(state_, state_.scene.bodies[bodies().size()]);
     }
   }
 
@@ -56,7 +56,7 @@ public:
   }
 
   /// What the bodies are, and how they were as the last step began, after its impacts; those put in
-  /// since as they were put in; also those taken out until others have their places.
+  /// or elsewhere since as they were put; also those taken out until others have their places.
   const Scene& scene() const { return state_.scene; }
   const std::vector<RigidBody>& bodies() const { return state_.bodies; } ///< in its order, as now
   /// All contacts of the last step.

@@ -30,7 +30,7 @@ inline std::vector<std::pair<int, int>> pairs_by_tree(const std::vector<Bounds>&
 }
 
 // [every_pair]
-/// What `overlapping_pairs` is to find, by asking every pair.
+/// What BroadPhase is to find, by asking every pair.
 inline std::vector<std::pair<int, int>> every_overlapping_pair(const std::vector<Bounds>& bounds)
 {
   std::vector<std::pair<int, int>> pairs;
