@@ -293,7 +293,7 @@ TEST_CASE("a tree whose leaves are widened is asked as a list of them is, and lo
       const Eigen::AlignedBox<double, 3> more(low, low + Vector3<double>::Ones());
       const int body = tree.leaves()[leaf].body;
       bounds[static_cast<std::size_t>(body)].box.extend(more);
-      tree.replace(leaf, bounds[static_cast<std::size_t>(body)].box);
+      tree.widen(leaf, more);
     }
     const Vector3<double> low(draw.whole(12), draw.whole(12), draw.whole(12));
     const Eigen::AlignedBox<double, 3> asked(low, low + Vector3<double>::Ones());

@@ -90,6 +90,12 @@ public:
     }
   }
 
+  /// Widens the bounds of one of all by a box [m], and with them all branches above it.
+  void widen(std::size_t leaf, const Eigen::AlignedBox<double, 3>& box)
+  {
+    replace(leaf, all_[leaf].box.merged(box));
+  }
+
   /// Gives one of all other bounds, and widens all branches above it by them.
   void replace(std::size_t leaf, const Eigen::AlignedBox<double, 3>& box)
   {

@@ -112,8 +112,7 @@ void each_that_may_have_met(StepCourses& step, std::span<const RigidBody> ends, 
   std::vector<std::pair<int, int>> pairs(step.near.begin(), step.near.end());
   for (const std::size_t leaf : astray)
   {
-    const Bounds& one = step.tree->leaves()[leaf];
-    step.tree->replace(leaf, one.box.merged(way_of(one)));
+    step.tree->widen(leaf, way_of(step.tree->leaves()[leaf]));
   }
   for (const std::size_t leaf : astray)
   {
