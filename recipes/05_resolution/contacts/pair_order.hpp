@@ -64,7 +64,7 @@ public:
         auto& here = pairs[next_[body]];
         std::swap(here, pairs[next_[first_of(here)]++]); // with itself, where it belongs here
       }
-      std::sort(pairs.begin() + begin, pairs.begin() + ends_[body]);
+      std::sort(pairs.data() + begin, pairs.data() + ends_[body]);
     }
   }
 
