@@ -508,11 +508,7 @@ TEST_CASE("along the diagonal a pyramid holds √2 times as much, a polygon 1/co
   for (const int axes : {2, 4, 8})
   {
     const double corner = 90.0 / axes;
-    const auto pushed = [](double degrees)
-    {
-      return AlongSurface(
-          5 * Eigen::Rotation2Dd(degrees * std::numbers::pi / 180).toRotationMatrix().col(0));
-    };
+    const auto pushed = [](double degrees) { return floor_axes.along(5 * heading(degrees)); };
     const double held = within_polygon<double>(pushed(corner), 1, axes).norm();
     CHECK(held == Catch::Approx(1 / std::cos(corner * std::numbers::pi / 180)).epsilon(1e-14));
     CHECK(within_polygon<double>(pushed(2 * corner), 1, axes).norm() == Catch::Approx(1));

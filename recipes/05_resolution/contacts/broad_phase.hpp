@@ -21,8 +21,7 @@ namespace cookbook
 // [overlapping_pairs]
 /// Finds which bodies may touch, in memory that stays from step to step.
 ///
-/// Who hardly moves is looked for with wider bounds, its room, and not again until it has left
-/// that.
+/// Who hardly moves is looked for with wider bounds, its room, and anew once it has left that.
 class BroadPhase
 {
 public:
@@ -31,13 +30,14 @@ public:
   template <class Call>
   void each_pair(std::span<const Bounds> bounds, const Call& call)
   {
-    if (!follow(bounds))
+    const bool known = tree_.is_of(bounds);
+    if (!known || !follow(bounds))
     {
-      find(bounds);
+      find(bounds, known);
     }
     const auto overlap = [&](const std::pair<int, int>& pair)
     { return boxes_intersect(bounds[place(pair.first)].box, bounds[place(pair.second)].box); };
-    if (near_.size() > most(100))
+    if (near_.size() > 100 * bounds.size())
     {
       check(std::count_if(near_.begin(), near_.end(), overlap), 100);
     }
@@ -76,21 +76,20 @@ private:
     return tree_.all()[leaves_[static_cast<std::size_t>(body)]].box;
   }
 
-  std::size_t most(std::size_t each) const { return each * tree_.all().size(); }
-
   void check(std::ptrdiff_t pairs, std::size_t each) const
   {
-    if (static_cast<std::size_t>(pairs) > most(each))
+    const std::size_t bodies = tree_.all().size(), most = each * bodies;
+    if (static_cast<std::size_t>(pairs) > most)
     {
-      throw TooManyContacts(tree_.all().size(), most(each));
+      throw TooManyContacts(bodies, most);
     }
   }
 
-  /// Whether these are the bodies that have rooms, and only few have left theirs, now or since
-  /// pairs were found; those are given others.
+  /// Whether the bodies of the tree have rooms, and only few have left theirs, now or since pairs
+  /// were found; those are given others.
   bool follow(std::span<const Bounds> bounds)
   {
-    if (!roomy_ || !tree_.is_of(bounds))
+    if (!roomy_)
     {
       return false;
     }
@@ -127,28 +126,34 @@ private:
     }
     const auto is_known = [&](const auto& pair)
     { return std::binary_search(near_.begin(), near_.end(), pair); };
-    found_.erase(std::remove_if(found_.begin(), found_.end(), is_known), found_.end());
+    std::erase_if(found_, is_known);
     std::sort(found_.begin(), found_.end());
     found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
     merge_in(near_, std::span(found_));
     const auto apart = [&](const auto& pair)
     { return !boxes_intersect(room_of(pair.first), room_of(pair.second)); };
-    near_.erase(std::remove_if(near_.begin(), near_.end(), apart), near_.end());
+    std::erase_if(near_, apart);
     roomy_ = true;
   }
 
-  /// Finds all pairs anew, and gives room to all that have hardly moved, or kept to their room.
-  void find(std::span<const Bounds> bounds)
+  /// Finds all pairs anew, and gives room to all known that have hardly moved, or kept to theirs.
+  void find(std::span<const Bounds> bounds, bool known)
   {
-    const bool known = tree_.is_of(bounds), gives = known && !asked_;
-    const auto room_for =
-        [&](const Bounds& one) // whose bounds are those of the last time, or its room
+    const bool gives = known && !asked_;
+    const auto room_for = [&](const Bounds& one) // as it was the last time, or with its room
     {
       const auto& now = bounds[static_cast<std::size_t>(one.place)].box;
       const bool stays = gives && (roomy_ ? one.box : roomy(one.box, room / 4)).contains(now);
       return stays ? roomy(now, room) : now;
     };
-    known ? void(tree_.follow(room_for)) : tree_.build(bounds);
+    if (known)
+    {
+      tree_.follow(room_for);
+    }
+    else
+    {
+      tree_.build(bounds);
+    }
     roomy_ = asked_ = false;
     moved_ = 0;
     find_places(bounds);
@@ -157,8 +162,7 @@ private:
         tree_,
         [&](int a, int b)
         {
-          make_room(near_, near_.size() + 1);
-          near_.emplace_back(a, b);
+          add_in_room(near_, std::pair(a, b));
           check(std::ssize(near_), 200);
         });
     order_.sort(near_, places_.size());

@@ -81,8 +81,7 @@ void update_contacts(
     }
     else if (!both_still)
     {
-      make_room(begun, begun.size() + 1);
-      begun.push_back(new_contact(scene, pair.first, pair.second));
+      add_in_room(begun, new_contact(scene, pair.first, pair.second));
       if (!touches(begun.back()))
       {
         begun.pop_back();

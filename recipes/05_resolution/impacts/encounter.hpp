@@ -41,8 +41,7 @@ inline void hear(const Scene& scene, const Encounter& of, std::vector<Impact>& i
   {
     const Vector3<double> place = place_of_touch(of.met, of.a);
     const Vector3<double> normal = a == of.touch.first ? of.touch.normal : -of.touch.normal;
-    make_room(impacts, impacts.size() + 1);
-    impacts.push_back({a, b, place, normal, of.approach});
+    add_in_room(impacts, Impact{a, b, place, normal, of.approach});
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace cookbook
 {
@@ -18,6 +19,14 @@ void make_room(List& all, std::size_t count)
   {
     all.reserve(count + std::max<std::size_t>(8, count / 16));
   }
+}
+
+/// Adds one at the end of a list, in such room.
+template <class List, class One>
+void add_in_room(List& all, One&& one)
+{
+  make_room(all, all.size() + 1);
+  all.push_back(std::forward<One>(one));
 }
 
 } // namespace cookbook

@@ -127,11 +127,12 @@ inline Eigen::AlignedBox<double, 3> foreseen_bounds(const StepAhead& step, int i
   const RigidBody& body = step.bodies[place_of(i)];
   const Ahead& ahead = step.ahead[place_of(i)];
   const auto& shape = step.scene.bodies[place_of(i)].shape;
-  if (is_far(step.scene, i, ahead.farthest()))
+  const double farthest = ahead.farthest();
+  if (is_far(step.scene, i, farthest))
   {
     return bounds_of(body, shape, margin / 2);
   }
-  const double rounding = 1e-9 * ahead.farthest();
+  const double rounding = 1e-9 * farthest;
   const Eigen::AlignedBox<double, 3> here =
       bounds_of(body, shape, margin / 2 + ahead.turn + rounding);
   return here.merged(here.translated(ahead.way))

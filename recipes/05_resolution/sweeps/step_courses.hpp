@@ -119,7 +119,7 @@ inline void set_out(StepCourses& step, std::span<const RigidBody> ends)
   step.ways.clear();
   for (std::size_t i = 0; i < ends.size(); ++i)
   {
-    const PastBody start = start_of(step.scene.bodies[i]);
+    const PastBody start = start_of(step, static_cast<int>(i));
     const Pull pull = pull_on(step.scene.gravity, step.forces, i);
     const Course course = step.falls[i] ? falling_course(start, ends[i], duration, pull)
                                         : pushed_course(start, ends[i], duration, pull);
