@@ -3,7 +3,7 @@
 /// \file
 /// \brief Comparing a table of verdicts with what is expected of each cell.
 
-#include "common/program/verdicts.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include "tests/catch.hpp"
 

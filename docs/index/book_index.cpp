@@ -161,7 +161,7 @@ std::string whole(const std::string& file)
 /// Copies the sources that pages show: once with marks for pieces, once without for the whole.
 void write_sources(const fs::path& root, const fs::path& folder)
 {
-  for (const char* part : {"common", "recipes", "tests"})
+  for (const char* part : {"common", "tools", "recipes", "tests"})
   {
     for (const TextFile& file : read_tree(root, part, {".hpp", ".cpp", ".expected", ".json"}))
     {
@@ -239,7 +239,7 @@ with_sizes(const fs::path& root, const std::string& page, const std::vector<std:
 {
   static const std::regex run(R"(\./cookbook run (\w+)\n[^`]*```\n)");
   static const std::regex count(R"(: (\d+) of its files in one)");
-  const std::string script = "sh '" + (root / "common/cmake/take_recipe.sh").string() + "' '";
+  const std::string script = "sh '" + (root / "tools/cmake/take_recipe.sh").string() + "' '";
   std::string result;
   std::size_t done = 0;
   for (std::sregex_iterator each(page.begin(), page.end(), run), end; each != end; ++each)

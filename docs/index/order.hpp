@@ -88,7 +88,7 @@ inline std::string shown_at(const std::string& path)
   const bool in_recipe =
       std::regex_search(path, std::regex(R"(^recipes/\d.*\.(hpp|cpp|expected)$)"));
   const bool tests = std::regex_search(path, std::regex(R"(^tests/\d.*_test\.cpp$)"));
-  const bool shared = std::regex_search(path, std::regex(R"(^common/.*\.hpp$)"));
+  const bool shared = std::regex_search(path, std::regex(R"(^(common|tools)/.*\.hpp$)"));
   return in_recipe || tests ? listing_place(name) : shared ? name : "";
 }
 
@@ -145,7 +145,7 @@ inline std::string with_whole_links(const std::string& page)
 inline std::vector<std::string> shown_paths(const std::filesystem::path& root)
 {
   std::vector<std::string> paths;
-  for (const char* part : {"common", "recipes", "tests"})
+  for (const char* part : {"common", "tools", "recipes", "tests"})
   {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / part))
     {

@@ -3,7 +3,7 @@
 
 #include "01_math/matrices/matrices.hpp"
 #include "01_math/truth/trial/whole_range.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"

@@ -9,7 +9,7 @@
 #include "01_math/numbers/trial/whole_numbers.hpp"
 #include "01_math/numbers/trial/wrap_cases.hpp"
 #include "01_math/truth/trial/whole_range.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 #include "common/math/ulp.hpp"
 
 #include "tests/catch.hpp"

@@ -6,7 +6,7 @@
 #include "01_math/rotations/rotations.hpp"
 #include "01_math/rotations/trial/rotations_cases.hpp"
 #include "01_math/truth/trial/whole_range.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"

@@ -4,7 +4,7 @@
 #include "01_math/matrices/trial/matrix_instances.hpp"
 #include "01_math/transforms/transforms.hpp"
 #include "01_math/transforms/trial/transforms_verdicts.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"

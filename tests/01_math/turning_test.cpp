@@ -5,7 +5,7 @@
 #include "01_math/truth/trial/whole_range.hpp"
 #include "01_math/turning/trial/turning_cases.hpp"
 #include "01_math/turning/turning.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"

@@ -7,7 +7,7 @@
 #include "01_math/numbers/difference_of_products.hpp"
 #include "01_math/truth/trial/whole_range.hpp"
 #include "01_math/vectors/vectors.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 

@@ -4,7 +4,7 @@
 #include "01_math/numbers/difference_of_products.hpp"
 #include "01_math/vectors/trial/vectors_cases.hpp"
 #include "01_math/vectors/vectors.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/verdicts.hpp"

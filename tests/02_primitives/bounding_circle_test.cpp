@@ -2,7 +2,7 @@
 /// What holds for circles and rectangles around points and shapes in the plane: formula P22.
 
 #include "02_primitives/bounding_circle/bounding_circle.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/02_primitives/plane_inputs.hpp"
 #include "tests/catch.hpp"

@@ -3,7 +3,7 @@
 
 #include "02_primitives/casts/casts.hpp"
 #include "02_primitives/casts/trial/casts_cases.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"

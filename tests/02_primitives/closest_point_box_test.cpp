@@ -4,7 +4,7 @@
 
 #include "02_primitives/closest_point_box/closest_point_box.hpp"
 #include "02_primitives/closest_point_box/trial/closest_point_box_cases.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"

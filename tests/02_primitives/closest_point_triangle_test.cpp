@@ -5,7 +5,7 @@
 #include "02_primitives/closest_point_triangle/trial/point_triangle_cases.hpp"
 #include "02_primitives/closest_segments/closest_segments.hpp"
 #include "02_primitives/shapes/trial/number_draw.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/02_primitives/shape_judge.hpp"
 #include "tests/catch.hpp"

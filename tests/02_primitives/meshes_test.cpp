@@ -7,7 +7,7 @@
 #include "02_primitives/meshes/trial/mesh_scenes.hpp"
 #include "02_primitives/meshes/trial/meshes_cases.hpp"
 #include "02_primitives/meshes/trial/meshes_figures.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"

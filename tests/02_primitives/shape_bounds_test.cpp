@@ -3,7 +3,7 @@
 
 #include "02_primitives/shape_bounds/shape_bounds.hpp"
 #include "02_primitives/three_planes/three_planes.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
 
 #include "tests/02_primitives/shape_judge.hpp"

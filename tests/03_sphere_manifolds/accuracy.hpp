@@ -4,7 +4,7 @@
 
 #include "02_primitives/shapes/shapes.hpp"
 #include "03_sphere_manifolds/manifold/manifold.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 #include "common/math/norm.hpp"
 #include "common/math/ulp.hpp"
 

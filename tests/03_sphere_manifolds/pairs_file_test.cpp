@@ -5,7 +5,7 @@
 #include "03_sphere_manifolds/sphere_sphere/sphere_sphere.hpp"
 
 #include "tests/catch.hpp"
-#include "tests/common/run_program.hpp"
+#include "tests/tools/run_program.hpp"
 
 #include <fstream>
 

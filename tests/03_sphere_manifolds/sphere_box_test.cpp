@@ -2,7 +2,7 @@
 /// What holds for the manifold of a sphere and an oriented box: outside, on, and inside.
 
 #include "03_sphere_manifolds/sphere_box/sphere_box.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 

@@ -4,7 +4,7 @@
 #include "03_sphere_manifolds/sphere_failures/trial/sphere_box_failures.hpp"
 #include "03_sphere_manifolds/sphere_failures/trial/sphere_failures.hpp"
 #include "03_sphere_manifolds/sphere_plane/sphere_plane.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/verdicts.hpp"

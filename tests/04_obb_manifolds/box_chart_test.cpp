@@ -7,7 +7,7 @@
 #include "04_obb_manifolds/box_chart/trial/box_chart_peers.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_chart_steps.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_flops.hpp"
-#include "common/measure/peak.hpp"
+#include "tools/measure/peak.hpp"
 
 #include "tests/catch.hpp"
 

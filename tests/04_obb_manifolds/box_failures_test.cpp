@@ -5,7 +5,7 @@
 #include "04_obb_manifolds/box_failures/trial/box_failures_methods.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_overlap_truth.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_workloads.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 

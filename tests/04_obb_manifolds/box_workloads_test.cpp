@@ -7,7 +7,7 @@
 #include "04_obb_manifolds/box_judges/trial/resting_steadiness.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_workloads.hpp"
 #include "04_obb_manifolds/separating_axes/separating_axes.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"

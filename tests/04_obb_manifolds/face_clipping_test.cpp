@@ -7,7 +7,7 @@
 #include "04_obb_manifolds/box_workloads/trial/box_overlap_truth.hpp"
 #include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "04_obb_manifolds/face_clipping/face_clipping.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"

@@ -12,7 +12,7 @@
 #include "04_obb_manifolds/edge_clipping/edge_clipping.hpp"
 #include "04_obb_manifolds/face_clipping/face_clipping.hpp"
 #include "04_obb_manifolds/gjk_epa/gjk_epa.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"

@@ -4,7 +4,7 @@
 #include "04_obb_manifolds/box_failures/trial/box_pitfalls.hpp"
 #include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "04_obb_manifolds/separating_axes/separating_axes.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"

@@ -5,7 +5,7 @@
 #include "05_resolution/damping/trial/damping_cases.hpp"
 #include "05_resolution/damping/trial/damping_pitfalls.hpp"
 #include "05_resolution/damping/trial/damping_verdicts.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 #include "common/math/vector.hpp"
 
 #include "tests/catch.hpp"

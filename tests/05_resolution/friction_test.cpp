@@ -7,7 +7,7 @@
 #include "05_resolution/friction/trial/friction_pitfalls.hpp"
 #include "05_resolution/friction/trial/friction_scenes.hpp"
 #include "05_resolution/friction/trial/friction_verdicts.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/05_resolution/meetings.hpp"
 #include "tests/catch.hpp"

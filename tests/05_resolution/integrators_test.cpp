@@ -9,7 +9,7 @@
 #include "05_resolution/integrators/trial/integrators_verdicts.hpp"
 #include "05_resolution/integrators/trial/pendulum.hpp"
 #include "05_resolution/integrators/trial/spring.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/verdicts.hpp"

@@ -7,7 +7,7 @@
 #include "05_resolution/mass_properties/mass_properties.hpp"
 #include "05_resolution/mass_properties/trial/mass_properties_cases.hpp"
 #include "05_resolution/mass_properties/trial/mass_properties_figures.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
 
 #include "tests/catch.hpp"

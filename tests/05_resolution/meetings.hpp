@@ -4,7 +4,7 @@
 
 #include "05_resolution/impulse/impulse.hpp"
 #include "05_resolution/impulse/trial/conserved.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
 
 #include <random>

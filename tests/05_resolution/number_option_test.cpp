@@ -1,7 +1,7 @@
 /// \file
 /// What holds for options that are numbers.
 
-#include "common/program/number_option.hpp"
+#include "tools/program/number_option.hpp"
 
 #include "tests/catch.hpp"
 

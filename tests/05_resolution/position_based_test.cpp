@@ -6,7 +6,7 @@
 #include "05_resolution/position_based/trial/position_based_scenes.hpp"
 #include "05_resolution/position_based/trial/solvers_verdicts.hpp"
 #include "05_resolution/scenes/trial/motion_scenes.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/verdicts.hpp"

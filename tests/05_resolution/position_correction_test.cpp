@@ -4,7 +4,7 @@
 #include "05_resolution/position_correction/position_correction.hpp"
 #include "05_resolution/position_correction/trial/position_correction_cases.hpp"
 #include "05_resolution/position_correction/trial/position_correction_scenes.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/verdicts.hpp"

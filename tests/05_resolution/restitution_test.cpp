@@ -5,7 +5,7 @@
 #include "05_resolution/restitution/trial/restitution_cases.hpp"
 #include "05_resolution/restitution/trial/restitution_pitfalls.hpp"
 #include "05_resolution/restitution/trial/restitution_scenes.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/05_resolution/meetings.hpp"
 #include "tests/catch.hpp"

@@ -6,7 +6,7 @@
 #include "05_resolution/sequential_impulses/sequential_impulses.hpp"
 #include "05_resolution/sequential_impulses/trial/sequential_impulses_pitfalls.hpp"
 #include "05_resolution/sequential_impulses/trial/sequential_impulses_scenes.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 

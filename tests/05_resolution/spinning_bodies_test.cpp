@@ -5,7 +5,7 @@
 #include "05_resolution/spinning_bodies/spinning_bodies.hpp"
 #include "05_resolution/spinning_bodies/trial/spinning_bodies_cases.hpp"
 #include "05_resolution/spinning_bodies/trial/steady_spin_cases.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/verdicts.hpp"

@@ -1,7 +1,7 @@
 /// \file
 /// What holds for the shared mathematics.
 
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 #include "common/math/norm.hpp"
 #include "common/math/rotation.hpp"
 #include "common/math/ulp.hpp"

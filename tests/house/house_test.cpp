@@ -42,10 +42,18 @@ std::vector<TextFile> together(std::vector<TextFile> a, const std::vector<TextFi
   return a;
 }
 
+/// Files of these kinds in common/, tools/ and recipes/.
+std::vector<TextFile> house_sources(const std::vector<std::string>& kinds)
+{
+  return together(
+      together(read_tree(root, "common", kinds), read_tree(root, "tools", kinds)),
+      read_tree(root, "recipes", kinds));
+}
+
 std::vector<TextFile> all_headers()
 {
   std::vector<TextFile> headers;
-  for (const char* folder : {"common", "recipes", "docs", "tests"})
+  for (const char* folder : {"common", "tools", "recipes", "docs", "tests"})
   {
     headers = together(headers, read_tree(root, folder, {".hpp"}));
   }
@@ -93,13 +101,12 @@ TEST_CASE("a failing case without test is found, and a formula's tag does not se
   CHECK(cases_are_tested(table, {{"t.cpp", "TEST_CASE(\"falls\", \"[case:S1]\")"}}).empty());
 }
 
-TEST_CASE("includes go downhill: recipes know common and earlier chapters", "[house]")
+TEST_CASE("includes go downhill: to common and to earlier chapters; tools only in programs and trials", "[house]")
 {
   const std::vector<std::string> code{".hpp", ".cpp"};
-  const auto common = read_tree(root, "common", code);
-  const auto recipes = read_tree(root, "recipes", code);
-  CHECK(common.size() + recipes.size() > 0);
-  expect_none(includes_go_downhill(together(common, recipes)));
+  const auto sources = house_sources(code);
+  CHECK(sources.size() > 0);
+  expect_none(includes_go_downhill(sources));
 }
 
 TEST_CASE("an include of a later chapter, of a recipe by common and of a test are found", "[house]")
@@ -112,13 +119,18 @@ TEST_CASE("an include of a later chapter, of a recipe by common and of a test ar
   CHECK(include("recipes/03_x/a.hpp", "common/math/norm.hpp") == 0);
   CHECK(include("common/math/a.hpp", "02_primitives/shapes.hpp") == 1);
   CHECK(include("common/math/a.hpp", "tests/catch.hpp") == 1);
+  CHECK(include("common/math/a.hpp", "tools/plot/svg.hpp") == 1);
+  CHECK(include("tools/plot/a.hpp", "03_x/b.hpp") == 1);
+  CHECK(include("recipes/03_x/a/a.hpp", "tools/plot/svg.hpp") == 1);
+  CHECK(include("recipes/03_x/a/a.cpp", "tools/plot/svg.hpp") == 0);
+  CHECK(include("recipes/03_x/a/trial/a.hpp", "tools/plot/svg.hpp") == 0);
 }
 
 TEST_CASE(
     "no folder of recipes and common has more than 14 files, and every file its room", "[house]")
 {
   std::vector<std::string> paths;
-  for (const char* folder : {"common", "recipes"})
+  for (const char* folder : {"common", "tools", "recipes"})
   {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder))
     {
@@ -154,7 +166,7 @@ TEST_CASE("a folder of 15 files and a file without a room are found", "[house]")
 TEST_CASE("nothing outside a trial includes one, but programs; rooms have no circles", "[house]")
 {
   const std::vector<std::string> code{".hpp", ".cpp"};
-  const auto sources = together(read_tree(root, "common", code), read_tree(root, "recipes", code));
+  const auto sources = house_sources(code);
   expect_none(homes_stand_alone(sources));
   expect_none(rooms_have_no_circles(sources));
 }
@@ -244,7 +256,7 @@ TEST_CASE("a listing is headed by its file, linked where a page shows it in full
   CHECK(listing_head("recipes/03_x/a/a.expected").find("files_a_output") != std::string::npos);
   CHECK(listing_head("tests/03_x/a_test.cpp").find("files_a_tests") != std::string::npos);
   CHECK(listing_head("common/math/b.hpp").find("\\ref b.hpp") != std::string::npos);
-  CHECK_FALSE(links("common/plot/b.cpp"));
+  CHECK_FALSE(links("tools/plot/b.cpp"));
   CHECK_FALSE(links("tests/03_x/accuracy.hpp"));
   CHECK_FALSE(links("recipes/03_x/a/a.json"));
   const std::string page = "Text\n\\snippet b.hpp piece\n";
@@ -275,7 +287,7 @@ TEST_CASE("no page has more words or lines of listings than a reader has patienc
 {
   const std::vector<std::string> shown{".hpp", ".cpp", ".expected"};
   const auto tree = together(
-      together(read_tree(root, "common", shown), read_tree(root, "recipes", shown)),
+      house_sources(shown),
       read_tree(root, "tests", shown));
   expect_none(pages_are_short(pages(), tree));
 }
@@ -381,7 +393,7 @@ TEST_CASE("every snippet on a page is marked twice in one file", "[house]")
 {
   const std::vector<std::string> code{".hpp", ".cpp"};
   const auto sources = together(
-      together(read_tree(root, "common", code), read_tree(root, "recipes", code)),
+      house_sources(code),
       read_tree(root, "tests", code));
   expect_none(snippets_are_marked(pages(), sources));
 }
@@ -402,7 +414,7 @@ TEST_CASE("no header is longer than 200 lines, and all of it is documented", "[h
   CHECK_FALSE(headers.empty());
   expect_none(headers_are_short(headers));
   expect_none(headers_are_documented(
-      together(read_tree(root, "common", {".hpp"}), read_tree(root, "recipes", {".hpp"}))));
+      house_sources({".hpp"})));
 }
 
 TEST_CASE("a header of 201 lines is found, one of 200 is not", "[house]")
@@ -431,7 +443,7 @@ TEST_CASE("no file names a folder of somebody's machine or a package registry", 
                                       ".in",  ".css",  ".js",  ".xml",     ".json",
                                       ".yml", ".html", ".svg", ".expected"};
   std::vector<TextFile> files;
-  for (const char* folder : {"chapters", "common", "docs", "recipes", "tests", ".github"})
+  for (const char* folder : {"chapters", "common", "tools", "docs", "recipes", "tests", ".github"})
   {
     files = together(files, read_tree(root, folder, text));
   }

@@ -4,9 +4,9 @@
 #include "01_math/angle_chart/trial/angle_chart.hpp"
 #include "01_math/vectors/trial/vectors_cases.hpp"
 #include "01_math/vectors/vectors.hpp"
-#include "common/measure/cost_chart.hpp"
-#include "common/plot/charts/bar_chart.hpp"
-#include "common/program/program.hpp"
+#include "tools/measure/cost_chart.hpp"
+#include "tools/plot/charts/bar_chart.hpp"
+#include "tools/program/program.hpp"
 
 #ifdef COOKBOOK_HAS_GLM
 #define GLM_ENABLE_EXPERIMENTAL

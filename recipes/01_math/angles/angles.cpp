@@ -4,8 +4,8 @@
 #include "01_math/angles/angles.hpp"
 #include "01_math/angles/trial/angles_cases.hpp"
 #include "01_math/angles/trial/angles_figures.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <cmath>
 #include <iostream>

@@ -2,8 +2,8 @@
 /// \brief Times ways to invert a matrix, and draws their cost against their error.
 
 #include "01_math/inverse_chart/trial/inverse_chart.hpp"
-#include "common/measure/cost_chart.hpp"
-#include "common/program/program.hpp"
+#include "tools/measure/cost_chart.hpp"
+#include "tools/program/program.hpp"
 
 namespace
 {

@@ -2,8 +2,8 @@
 /// \brief Times the chapter's functions that have no other chart, beside those of Eigen and GLM.
 
 #include "01_math/math_prices/trial/math_prices.hpp"
-#include "common/plot/charts/bar_chart.hpp"
-#include "common/program/program.hpp"
+#include "tools/plot/charts/bar_chart.hpp"
+#include "tools/program/program.hpp"
 
 int main(int argc, char** argv)
 {

@@ -4,8 +4,8 @@
 #include "01_math/matrices/matrices.hpp"
 #include "01_math/matrices/trial/matrix_instances.hpp"
 #include "01_math/matrices/trial/matrices_figures.hpp"
-#include "common/program/asking.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/asking.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 

@@ -4,9 +4,9 @@
 #include "01_math/normalize/normalize.hpp"
 #include "01_math/normalize/trial/normalize_cases.hpp"
 #include "01_math/normalize/trial/normalize_libraries.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <cmath>
 #include <iostream>

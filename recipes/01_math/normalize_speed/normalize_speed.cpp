@@ -3,8 +3,8 @@
 
 #include "01_math/normalize_speed/trial/normalize_speed.hpp"
 #include "01_math/normalize/trial/normalize_libraries.hpp"
-#include "common/measure/cost_chart.hpp"
-#include "common/program/program.hpp"
+#include "tools/measure/cost_chart.hpp"
+#include "tools/program/program.hpp"
 
 #ifdef COOKBOOK_HAS_GLM
 #include <glm/glm.hpp>

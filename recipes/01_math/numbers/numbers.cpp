@@ -9,7 +9,7 @@
 #include "01_math/numbers/trial/wrap_cases.hpp"
 #include "common/math/norm.hpp"
 #include "common/math/ulp.hpp"
-#include "common/program/program.hpp"
+#include "tools/program/program.hpp"
 
 #include <iostream>
 

@@ -2,8 +2,8 @@
 /// \brief Times ways from a matrix to a quaternion, and draws their cost against their error.
 
 #include "01_math/quaternion_chart/trial/quaternion_chart.hpp"
-#include "common/measure/cost_chart.hpp"
-#include "common/program/program.hpp"
+#include "tools/measure/cost_chart.hpp"
+#include "tools/program/program.hpp"
 
 namespace
 {

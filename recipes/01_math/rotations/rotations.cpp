@@ -5,8 +5,8 @@
 #include "01_math/rotations/rotations.hpp"
 #include "01_math/rotations/trial/rotations_cases.hpp"
 #include "01_math/rotations/trial/rotations_figures.hpp"
-#include "common/program/asking.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/asking.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 #include <numbers>

@@ -5,8 +5,8 @@
 #include "01_math/sum_chart/trial/sum_chart.hpp"
 #include "01_math/numbers/trial/wrap_cases.hpp"
 #include "01_math/sum_chart/trial/product_chart.hpp"
-#include "common/measure/cost_chart.hpp"
-#include "common/program/program.hpp"
+#include "tools/measure/cost_chart.hpp"
+#include "tools/program/program.hpp"
 
 #include <limits>
 

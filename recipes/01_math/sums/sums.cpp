@@ -3,8 +3,8 @@
 
 #include "01_math/sums/sums.hpp"
 #include "01_math/sums/trial/sums_cases.hpp"
-#include "common/plot/figures/figure2d.hpp"
-#include "common/program/program.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/program/program.hpp"
 
 #include <iostream>
 

@@ -4,8 +4,8 @@
 #include "01_math/transforms/transforms.hpp"
 #include "01_math/transforms/trial/transforms_figures.hpp"
 #include "01_math/transforms/trial/transforms_verdicts.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 

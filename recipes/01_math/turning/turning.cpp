@@ -4,8 +4,8 @@
 #include "01_math/turning/turning.hpp"
 #include "01_math/turning/trial/turning_cases.hpp"
 #include "01_math/turning/trial/turning_figures.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 

@@ -2,8 +2,8 @@
 /// \brief Times ways to turn by an angular velocity, and draws their cost against their drift.
 
 #include "01_math/turning_chart/trial/turning_chart.hpp"
-#include "common/measure/cost_chart.hpp"
-#include "common/program/program.hpp"
+#include "tools/measure/cost_chart.hpp"
+#include "tools/program/program.hpp"
 
 namespace
 {

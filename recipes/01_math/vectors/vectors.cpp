@@ -6,8 +6,8 @@
 #include "01_math/numbers/difference_of_products.hpp"
 #include "01_math/vectors/trial/vectors_cases.hpp"
 #include "01_math/vectors/trial/vectors_figures.hpp"
-#include "common/program/asking.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/asking.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 

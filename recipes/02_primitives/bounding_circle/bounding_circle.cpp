@@ -2,9 +2,9 @@
 /// \brief Bounds points by circles and a rectangle, and draws them.
 
 #include "02_primitives/bounding_circle/bounding_circle.hpp"
-#include "common/plot/figures/figure2d.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 #include <vector>

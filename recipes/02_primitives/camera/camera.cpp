@@ -6,8 +6,8 @@
 #include "02_primitives/camera/trial/camera_figures.hpp"
 #include "02_primitives/camera/trial/look_cases.hpp"
 #include "02_primitives/camera/trial/view_truth.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <cmath>
 #include <iostream>

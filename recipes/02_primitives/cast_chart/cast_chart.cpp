@@ -3,8 +3,8 @@
 
 #include "02_primitives/cast_chart/trial/cast_chart.hpp"
 #include "02_primitives/cast_chart/trial/cast_peers.hpp"
-#include "common/measure/cost_chart.hpp"
-#include "common/program/program.hpp"
+#include "tools/measure/cost_chart.hpp"
+#include "tools/program/program.hpp"
 
 namespace
 {

@@ -5,8 +5,8 @@
 #include "02_primitives/casts/trial/casts_cases.hpp"
 #include "02_primitives/casts/trial/casts_figures.hpp"
 #include "common/math/rotation.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 

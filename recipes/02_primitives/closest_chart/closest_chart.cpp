@@ -3,8 +3,8 @@
 
 #include "02_primitives/closest_chart/trial/closest_chart.hpp"
 #include "02_primitives/closest_chart/trial/closest_peers.hpp"
-#include "common/measure/cost_chart.hpp"
-#include "common/program/program.hpp"
+#include "tools/measure/cost_chart.hpp"
+#include "tools/program/program.hpp"
 
 namespace
 {

@@ -4,9 +4,9 @@
 #include "02_primitives/closest_point_box/closest_point_box.hpp"
 #include "02_primitives/closest_point_box/trial/closest_point_box_cases.hpp"
 #include "common/math/rotation.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/plot/figures/figure2d.hpp"
-#include "common/program/program.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/program/program.hpp"
 
 #include <iostream>
 #include <numbers>

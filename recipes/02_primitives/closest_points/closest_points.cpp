@@ -4,11 +4,11 @@
 #include "02_primitives/closest_points/closest_points.hpp"
 #include "02_primitives/closest_point_triangle/trial/point_triangle_cases.hpp"
 #include "common/math/rotation.hpp"
-#include "common/plot/figures/figure2d.hpp"
-#include "common/plot/figures/figure3d.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/plot/figures/figure3d.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <iostream>
 

@@ -2,8 +2,8 @@
 /// \brief Which questions about two shapes the chapter answers; and the answers to a reader's own.
 
 #include "02_primitives/finder/trial/finder.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 namespace
 {

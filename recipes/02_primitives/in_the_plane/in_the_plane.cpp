@@ -4,8 +4,8 @@
 #include "02_primitives/in_the_plane/in_the_plane.hpp"
 #include "02_primitives/in_the_plane/trial/plane_cases.hpp"
 #include "02_primitives/in_the_plane/trial/plane_figures.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 

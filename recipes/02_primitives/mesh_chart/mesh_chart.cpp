@@ -2,9 +2,9 @@
 /// \brief Times rays and closest points on meshes of growing size, with and without a tree.
 
 #include "02_primitives/mesh_chart/trial/mesh_chart.hpp"
-#include "common/measure/timing.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/program/program.hpp"
+#include "tools/measure/timing.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/program/program.hpp"
 
 #include <functional>
 #include <map>

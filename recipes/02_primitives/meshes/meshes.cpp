@@ -5,8 +5,8 @@
 #include "02_primitives/meshes/trial/mesh_file.hpp"
 #include "02_primitives/meshes/trial/meshes_cases.hpp"
 #include "02_primitives/meshes/trial/meshes_figures.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <cmath>
 #include <iostream>

@@ -5,8 +5,8 @@
 #include "02_primitives/overlap_chart/trial/overlap_chart.hpp"
 #include "02_primitives/overlap_chart/trial/triangles_chart.hpp"
 #include "02_primitives/triangle_triangle/trial/triangle_triangle_cases.hpp"
-#include "common/measure/cost_chart.hpp"
-#include "common/program/program.hpp"
+#include "tools/measure/cost_chart.hpp"
+#include "tools/program/program.hpp"
 
 namespace
 {

@@ -4,10 +4,10 @@
 #include "02_primitives/overlaps/overlaps.hpp"
 #include "02_primitives/triangle_triangle/trial/triangle_triangle_cases.hpp"
 #include "common/math/rotation.hpp"
-#include "common/plot/figures/figure2d.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <iostream>
 

@@ -2,9 +2,9 @@
 /// \brief Moves a ball along a capsule, and draws the ball of the capsule that it meets.
 
 #include "03_sphere_manifolds/sphere_capsule/sphere_capsule.hpp"
-#include "common/plot/figures/figure2d.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 

@@ -5,9 +5,9 @@
 #include "03_sphere_manifolds/sphere_chart/trial/sphere_chart_peers.hpp"
 #include "03_sphere_manifolds/sphere_methods/trial/sphere_methods_truth.hpp"
 #include "03_sphere_manifolds/sphere_pairs/sphere_pairs.hpp"
-#include "common/measure/timing.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/program/program.hpp"
+#include "tools/measure/timing.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/program/program.hpp"
 
 #include <cstring>
 #include <iostream>

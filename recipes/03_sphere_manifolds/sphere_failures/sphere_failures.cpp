@@ -4,7 +4,7 @@
 
 #include "03_sphere_manifolds/sphere_failures/trial/sphere_failures.hpp"
 #include "03_sphere_manifolds/sphere_failures/trial/sphere_box_failures.hpp"
-#include "common/program/program.hpp"
+#include "tools/program/program.hpp"
 
 #include <iostream>
 

@@ -3,9 +3,9 @@
 
 #include "03_sphere_manifolds/sphere_methods/trial/sphere_methods.hpp"
 #include "03_sphere_manifolds/sphere_methods/trial/sphere_methods_truth.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 

@@ -2,9 +2,9 @@
 /// \brief Lowers a ball through the ground, and draws it with its centre below the surface.
 
 #include "03_sphere_manifolds/sphere_plane/sphere_plane.hpp"
-#include "common/plot/figures/figure2d.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 

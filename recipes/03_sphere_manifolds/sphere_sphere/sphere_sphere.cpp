@@ -3,9 +3,9 @@
 
 #include "03_sphere_manifolds/sphere_sphere/sphere_sphere.hpp"
 #include "03_sphere_manifolds/manifold/trial/pairs_file.hpp"
-#include "common/plot/figures/figure2d.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 

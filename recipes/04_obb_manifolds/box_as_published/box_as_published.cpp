@@ -5,9 +5,9 @@
 #include "04_obb_manifolds/box_as_published/trial/box_as_published_rates.hpp"
 #include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
-#include "common/plot/charts/bar_chart.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/plot/charts/bar_chart.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 

@@ -6,8 +6,8 @@
 #include "04_obb_manifolds/box_box/trial/box_box_figures.hpp"
 #include "04_obb_manifolds/box_box/trial/compare_pairs.hpp"
 #include "04_obb_manifolds/feature_memory/feature_memory.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 

@@ -5,7 +5,7 @@
 #include "04_obb_manifolds/box_chart/trial/box_chart_measure.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_chart_shares.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_chart_steps.hpp"
-#include "common/program/program.hpp"
+#include "tools/program/program.hpp"
 
 #include <iostream>
 

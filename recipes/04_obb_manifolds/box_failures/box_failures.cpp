@@ -4,7 +4,7 @@
 
 #include "04_obb_manifolds/box_failures/trial/box_failures.hpp"
 #include "04_obb_manifolds/box_failures/trial/box_failures_methods.hpp"
-#include "common/program/program.hpp"
+#include "tools/program/program.hpp"
 
 #include <iostream>
 

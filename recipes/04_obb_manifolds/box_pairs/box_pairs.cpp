@@ -6,9 +6,9 @@
 #include "04_obb_manifolds/box_judges/trial/manifold_error.hpp"
 #include "04_obb_manifolds/box_pairs/trial/box_pairs_scenes.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
-#include "common/plot/figures/figure3d.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/plot/figures/figure3d.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 

@@ -3,11 +3,11 @@
 
 #include "04_obb_manifolds/box_workloads/trial/box_workloads.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_workload_contents.hpp"
-#include "common/measure/statistics.hpp"
-#include "common/plot/figures/figure3d.hpp"
-#include "common/plot/panel.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/measure/statistics.hpp"
+#include "tools/plot/figures/figure3d.hpp"
+#include "tools/plot/panel.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <charconv>
 #include <iostream>

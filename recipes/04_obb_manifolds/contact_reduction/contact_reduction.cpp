@@ -7,7 +7,7 @@
 #include "04_obb_manifolds/box_judges/trial/resting_steadiness.hpp"
 #include "04_obb_manifolds/contact_reduction/trial/contact_reduction_figures.hpp"
 #include "04_obb_manifolds/contact_reduction/trial/contact_reduction_verdicts.hpp"
-#include "common/program/program.hpp"
+#include "tools/program/program.hpp"
 
 #include <iostream>
 

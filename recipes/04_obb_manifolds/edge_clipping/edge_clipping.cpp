@@ -6,8 +6,8 @@
 #include "04_obb_manifolds/box_cases/trial/contacts_figure.hpp"
 #include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 

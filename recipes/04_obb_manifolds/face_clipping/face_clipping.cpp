@@ -8,8 +8,8 @@
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
 #include "04_obb_manifolds/face_clipping/trial/face_clipping_figures.hpp"
 #include "04_obb_manifolds/face_clipping/trial/same_pair_figures.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 #include <set>

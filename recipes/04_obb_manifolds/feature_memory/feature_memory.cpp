@@ -6,9 +6,9 @@
 #include "04_obb_manifolds/feature_memory/trial/feature_memory_figures.hpp"
 #include "04_obb_manifolds/feature_memory/trial/feature_memory_scenes.hpp"
 #include "04_obb_manifolds/feature_memory/trial/feature_memory_verdicts.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 #include <string>

@@ -7,8 +7,8 @@
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
 #include "04_obb_manifolds/gjk_epa/trial/gjk_epa_figures.hpp"
 #include "04_obb_manifolds/gjk_epa/trial/gjk_epa_verdicts.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 

@@ -8,8 +8,8 @@
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
 #include "04_obb_manifolds/separating_axes/trial/separating_axes_figures.hpp"
 #include "04_obb_manifolds/separating_axes/trial/shadows_figure.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 

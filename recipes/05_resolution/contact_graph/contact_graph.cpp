@@ -3,8 +3,8 @@
 
 #include "05_resolution/contact_graph/contact_graph.hpp"
 #include "05_resolution/contact_graph/trial/contact_graph_figures.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 

@@ -5,9 +5,9 @@
 #include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/world_inputs.hpp"
 #include "05_resolution/world/world_queries.hpp"
-#include "common/program/number_option.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/number_option.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <algorithm>
 #include <iostream>

@@ -5,8 +5,8 @@
 #include "05_resolution/damping/trial/damping_cases.hpp"
 #include "05_resolution/damping/trial/damping_figures.hpp"
 #include "05_resolution/damping/trial/damping_verdicts.hpp"
-#include "common/program/number_option.hpp"
-#include "common/program/program.hpp"
+#include "tools/program/number_option.hpp"
+#include "tools/program/program.hpp"
 
 #include <iostream>
 

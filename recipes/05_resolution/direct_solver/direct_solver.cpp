@@ -4,8 +4,8 @@
 #include "05_resolution/direct_solver/direct_solver.hpp"
 #include "05_resolution/direct_solver/trial/direct_solver_figures.hpp"
 #include "05_resolution/direct_solver/trial/direct_solver_scenes.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <cmath>
 #include <iostream>

@@ -3,10 +3,10 @@
 /// more crowded ones.
 
 #include "05_resolution/engine_chart/trial/engine_chart.hpp"
-#include "common/measure/timing.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/measure/timing.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <algorithm>
 #include <iostream>

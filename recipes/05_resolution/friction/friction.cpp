@@ -5,8 +5,8 @@
 #include "05_resolution/friction/friction.hpp"
 #include "05_resolution/friction/trial/friction_figures.hpp"
 #include "05_resolution/friction/trial/friction_verdicts.hpp"
-#include "common/program/number_option.hpp"
-#include "common/program/program.hpp"
+#include "tools/program/number_option.hpp"
+#include "tools/program/program.hpp"
 
 #include <iostream>
 

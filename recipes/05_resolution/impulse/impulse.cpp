@@ -7,8 +7,8 @@
 #include "05_resolution/impulse/trial/impulse_figures.hpp"
 #include "05_resolution/impulse/trial/impulse_scenes.hpp"
 #include "05_resolution/impulse/trial/impulse_tables.hpp"
-#include "common/program/number_option.hpp"
-#include "common/program/program.hpp"
+#include "tools/program/number_option.hpp"
+#include "tools/program/program.hpp"
 
 #include <iostream>
 

@@ -5,8 +5,8 @@
 #include "05_resolution/integrators/trial/integrators_figures.hpp"
 #include "05_resolution/integrators/trial/integrators_published_verdicts.hpp"
 #include "05_resolution/integrators/trial/integrators_tables.hpp"
-#include "common/program/number_option.hpp"
-#include "common/program/program.hpp"
+#include "tools/program/number_option.hpp"
+#include "tools/program/program.hpp"
 
 #include <iostream>
 

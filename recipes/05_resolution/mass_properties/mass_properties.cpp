@@ -5,8 +5,8 @@
 #include "05_resolution/mass_properties/trial/mass_properties_cases.hpp"
 #include "05_resolution/mass_properties/trial/mass_properties_figures.hpp"
 #include "05_resolution/mass_properties/trial/mass_properties_tables.hpp"
-#include "common/program/number_option.hpp"
-#include "common/program/program.hpp"
+#include "tools/program/number_option.hpp"
+#include "tools/program/program.hpp"
 
 #include <iostream>
 

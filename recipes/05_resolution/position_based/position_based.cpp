@@ -7,9 +7,9 @@
 #include "05_resolution/position_based/trial/position_based_pitfalls.hpp"
 #include "05_resolution/position_based/trial/position_based_scenes.hpp"
 #include "05_resolution/position_based/trial/solvers_verdicts.hpp"
-#include "common/program/number_option.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/number_option.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 

@@ -4,8 +4,8 @@
 #include "05_resolution/position_correction/position_correction.hpp"
 #include "05_resolution/position_correction/trial/position_correction_cases.hpp"
 #include "05_resolution/position_correction/trial/position_correction_figures.hpp"
-#include "common/program/number_option.hpp"
-#include "common/program/program.hpp"
+#include "tools/program/number_option.hpp"
+#include "tools/program/program.hpp"
 
 #include <algorithm>
 #include <iostream>

@@ -6,8 +6,8 @@
 #include "05_resolution/restitution/trial/restitution_cases.hpp"
 #include "05_resolution/restitution/trial/restitution_figures.hpp"
 #include "05_resolution/restitution/trial/restitution_scenes.hpp"
-#include "common/program/number_option.hpp"
-#include "common/program/program.hpp"
+#include "tools/program/number_option.hpp"
+#include "tools/program/program.hpp"
 
 #include <iostream>
 

@@ -4,9 +4,9 @@
 #include "05_resolution/sequential_impulses/sequential_impulses.hpp"
 #include "05_resolution/sequential_impulses/trial/sequential_impulses_figures.hpp"
 #include "05_resolution/sequential_impulses/trial/sequential_impulses_scenes.hpp"
-#include "common/program/number_option.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/number_option.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <iostream>
 #include <numbers>

@@ -4,8 +4,8 @@
 #include "05_resolution/sleeping/sleeping.hpp"
 #include "05_resolution/sleeping/trial/sleeping_cases.hpp"
 #include "05_resolution/sleeping/trial/sleeping_figures.hpp"
-#include "common/program/number_option.hpp"
-#include "common/program/program.hpp"
+#include "tools/program/number_option.hpp"
+#include "tools/program/program.hpp"
 
 #include <iostream>
 

@@ -5,8 +5,8 @@
 #include "05_resolution/soft_steps/trial/corner_spin.hpp"
 #include "05_resolution/soft_steps/trial/soft_steps_figures.hpp"
 #include "05_resolution/soft_steps/trial/tall_towers.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <cmath>
 #include <iostream>

@@ -6,8 +6,8 @@
 #include "05_resolution/spinning_bodies/trial/spinning_bodies_figures.hpp"
 #include "05_resolution/spinning_bodies/trial/spinning_bodies_tables.hpp"
 #include "05_resolution/spinning_bodies/trial/steady_spin_cases.hpp"
-#include "common/program/number_option.hpp"
-#include "common/program/program.hpp"
+#include "tools/program/number_option.hpp"
+#include "tools/program/program.hpp"
 
 #include <iostream>
 

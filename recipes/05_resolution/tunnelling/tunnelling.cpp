@@ -5,8 +5,8 @@
 #include "05_resolution/tunnelling/trial/tunnelling_box_cases.hpp"
 #include "05_resolution/tunnelling/trial/tunnelling_cases.hpp"
 #include "05_resolution/tunnelling/trial/tunnelling_figures.hpp"
-#include "common/program/number_option.hpp"
-#include "common/program/program.hpp"
+#include "tools/program/number_option.hpp"
+#include "tools/program/program.hpp"
 
 #include <iostream>
 

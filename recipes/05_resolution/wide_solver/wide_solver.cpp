@@ -3,8 +3,8 @@
 
 #include "05_resolution/wide_solver/wide_solver.hpp"
 #include "05_resolution/wide_solver/trial/wide_solver_runs.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <cmath>
 #include <iostream>

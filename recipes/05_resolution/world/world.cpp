@@ -12,9 +12,9 @@
 #include "05_resolution/world/trial/world_figures.hpp"
 #include "05_resolution/world/trial/world_runs.hpp"
 #include "05_resolution/world/trial/world_tables.hpp"
-#include "common/files/whole_file.hpp"
-#include "common/program/number_option.hpp"
-#include "common/program/program.hpp"
+#include "tools/files/whole_file.hpp"
+#include "tools/program/number_option.hpp"
+#include "tools/program/program.hpp"
 
 #include <filesystem>
 #include <iostream>

@@ -4,10 +4,10 @@
 
 #include "05_resolution/world_chart/trial/world_chart.hpp"
 #include "05_resolution/world_chart/trial/broad_phase_scenes.hpp"
-#include "common/measure/timing.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/measure/timing.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <algorithm>
 #include <iostream>

@@ -4,8 +4,8 @@
 /// \brief Pairs of vectors of every angle, and how wrong a way to find it is.
 
 #include "01_math/angles/trial/angles_cases.hpp"
-#include "common/exact/exact.hpp"
-#include "common/measure/statistics.hpp"
+#include "tools/exact/exact.hpp"
+#include "tools/measure/statistics.hpp"
 
 #include <cmath>
 #include <limits>

@@ -4,8 +4,8 @@
 /// \brief Ways to find an angle, pairs of vectors that break some, and ways to compare vectors.
 
 #include "01_math/angles/angles.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <array>
 #include <cmath>

@@ -5,9 +5,9 @@
 /// and the steps of the arc cosine.
 
 #include "01_math/angles/trial/angles_cases.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/plot/figures/figure2d.hpp"
-#include "common/plot/figures/figure3d.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/plot/figures/figure3d.hpp"
 
 #include <string>
 #include <vector>

@@ -5,7 +5,7 @@
 
 #include "01_math/matrices/matrices.hpp"
 #include "01_math/matrices/trial/matrix_instances.hpp"
-#include "common/measure/statistics.hpp"
+#include "tools/measure/statistics.hpp"
 
 #ifdef COOKBOOK_HAS_GLM
 #include <glm/gtc/type_ptr.hpp>

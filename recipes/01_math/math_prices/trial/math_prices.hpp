@@ -6,7 +6,7 @@
 
 #include "01_math/transforms/transforms.hpp"
 #include "common/math/vector.hpp"
-#include "common/measure/timing.hpp"
+#include "tools/measure/timing.hpp"
 
 #include <functional>
 #include <string>

@@ -5,9 +5,9 @@
 
 #include "01_math/matrices/matrices.hpp"
 #include "01_math/matrices/trial/lu_inverses.hpp"
-#include "common/exact/exact.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/exact/exact.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 /// \file
 /// \brief The figures of matrices: where a square's edges go, and columns that may be parallel.
 
-#include "common/plot/figures/figure2d.hpp"
-#include "common/plot/panel.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/plot/panel.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/LU>

@@ -4,10 +4,10 @@
 /// \brief Vectors that break some way of normalising, and how far an answer is from the truth.
 
 #include "01_math/normalize/normalize.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 #include "common/math/ulp.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 /// \brief Named workloads of vectors, and how wrong a way to normalise is on each.
 
 #include "01_math/normalize/trial/normalize_cases.hpp"
-#include "common/measure/statistics.hpp"
+#include "tools/measure/statistics.hpp"
 
 #include <cmath>
 #include <limits>

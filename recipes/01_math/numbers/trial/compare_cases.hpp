@@ -4,7 +4,7 @@
 /// \brief Ways to compare two numbers, and the numbers that break them.
 
 #include "01_math/numbers/numbers.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 /// \file
 /// \brief The numbers of a very small float on a line.
 
-#include "common/plot/figures/figure2d.hpp"
+#include "tools/plot/figures/figure2d.hpp"
 
 #include <cmath>
 #include <vector>

@@ -4,8 +4,8 @@
 /// \brief Ways to subtract a product from another, and the products that break them.
 
 #include "01_math/numbers/difference_of_products.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <array>
 #include <cmath>

@@ -4,8 +4,8 @@
 /// \brief Ways to wrap an angle, and the angles that break them.
 
 #include "01_math/numbers/wrap_angle.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <array>
 #include <cmath>

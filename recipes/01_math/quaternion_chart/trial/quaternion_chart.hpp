@@ -5,9 +5,9 @@
 
 #include "01_math/rotations/quaternion_of.hpp"
 #include "01_math/rotations/trial/rotations_pitfalls.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
-#include "common/measure/statistics.hpp"
+#include "tools/measure/statistics.hpp"
 
 #ifdef COOKBOOK_HAS_GLM
 #include <glm/gtc/quaternion.hpp>

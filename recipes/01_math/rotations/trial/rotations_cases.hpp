@@ -6,8 +6,8 @@
 #include "01_math/rotations/rotations.hpp"
 #include "01_math/rotations/trial/eigen_between.hpp"
 #include "01_math/rotations/trial/rotations_pitfalls.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <cmath>
 #include <functional>

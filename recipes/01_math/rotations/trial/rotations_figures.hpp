@@ -4,8 +4,8 @@
 /// \brief Drawings of rotations: the circle about an axis, the axes that lock, arc and chord.
 
 #include "01_math/rotations/rotations.hpp"
-#include "common/plot/figures/figure2d.hpp"
-#include "common/plot/figures/figure3d.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/plot/figures/figure3d.hpp"
 
 #include <numbers>
 #include <string>

@@ -4,7 +4,7 @@
 /// \brief Lists of a million floats whose sums are known exactly, and how far off a way to add is.
 
 #include "01_math/sums/trial/sums_cases.hpp"
-#include "common/measure/statistics.hpp"
+#include "tools/measure/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include "01_math/sums/sums.hpp"
 #include "common/math/ulp.hpp"
 #include "common/math/vector.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <array>
 #include <cmath>

@@ -4,8 +4,8 @@
 /// \brief The figures of transforms: two orders, a normal through a scale, a pose and its inverse.
 
 #include "01_math/transforms/transforms.hpp"
-#include "common/plot/figures/figure2d.hpp"
-#include "common/plot/panel.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/plot/panel.hpp"
 
 #include <cmath>
 #include <string>

@@ -2,8 +2,8 @@
 
 #include "01_math/transforms/trial/local_cases.hpp"
 #include "01_math/transforms/trial/transforms_cases.hpp"
-#include "common/exact/exact.hpp"
-#include "common/program/table.hpp"
+#include "tools/exact/exact.hpp"
+#include "tools/program/table.hpp"
 
 #include <algorithm>
 #include <cmath>

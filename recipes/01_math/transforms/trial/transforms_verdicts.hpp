@@ -3,7 +3,7 @@
 /// \file
 /// \brief What the ways to carry a plane along, and to see a point in a body's frame, come to.
 
-#include "common/program/verdicts.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <string>
 #include <vector>

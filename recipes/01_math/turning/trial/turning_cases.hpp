@@ -6,8 +6,8 @@
 #include "01_math/rotations/quaternion_of.hpp"
 #include "01_math/turning/trial/turning_pitfalls.hpp"
 #include "01_math/turning/turning.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <cmath>
 #include <functional>

@@ -4,7 +4,7 @@
 /// \brief Drawings of a step of turning: along the circle, and along its tangent.
 
 #include "01_math/turning/trial/turning_cases.hpp"
-#include "common/plot/figures/figure2d.hpp"
+#include "tools/plot/figures/figure2d.hpp"
 
 #include <cmath>
 #include <numbers>

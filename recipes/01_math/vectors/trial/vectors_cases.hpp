@@ -5,8 +5,8 @@
 
 #include "01_math/numbers/difference_of_products.hpp"
 #include "01_math/vectors/vectors.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <string>
 #include <vector>

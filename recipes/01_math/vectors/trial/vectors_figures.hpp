@@ -5,8 +5,8 @@
 
 #include "01_math/numbers/difference_of_products.hpp"
 #include "01_math/vectors/vectors.hpp"
-#include "common/plot/figures/figure2d.hpp"
-#include "common/plot/figures/figure3d.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/plot/figures/figure3d.hpp"
 
 namespace cookbook
 {

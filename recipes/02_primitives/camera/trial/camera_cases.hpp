@@ -4,7 +4,7 @@
 /// \brief Scenes that break some way to keep depths, or to leave out boxes.
 
 #include "02_primitives/camera/camera.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <array>
 #include <numbers>

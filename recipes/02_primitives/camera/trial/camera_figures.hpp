@@ -5,9 +5,9 @@
 /// keep.
 
 #include "02_primitives/camera/camera.hpp"
-#include "common/plot/figures/figure2d.hpp"
-#include "common/plot/figures/figure3d.hpp"
-#include "common/plot/panel.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/plot/figures/figure3d.hpp"
+#include "tools/plot/panel.hpp"
 
 #include <array>
 #include <cmath>

@@ -5,8 +5,8 @@
 
 #include "02_primitives/camera/look_at.hpp"
 #include "common/math/rotation.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,8 +6,8 @@
 #include "02_primitives/casts/casts.hpp"
 #include "02_primitives/casts/trial/casts_pitfalls.hpp"
 #include "02_primitives/shapes/trial/number_draw.hpp"
-#include "common/exact/exact.hpp"
-#include "common/measure/statistics.hpp"
+#include "tools/exact/exact.hpp"
+#include "tools/measure/statistics.hpp"
 
 #include <cmath>
 #include <functional>

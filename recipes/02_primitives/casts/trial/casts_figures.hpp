@@ -5,7 +5,7 @@
 
 #include "02_primitives/casts/casts.hpp"
 #include "common/math/rotation.hpp"
-#include "common/plot/figures/figure2d.hpp"
+#include "tools/plot/figures/figure2d.hpp"
 
 #include <cmath>
 #include <optional>

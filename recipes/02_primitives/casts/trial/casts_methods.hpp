@@ -5,8 +5,8 @@
 
 #include "02_primitives/casts/casts.hpp"
 #include "02_primitives/casts/trial/casts_pitfalls.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <array>
 #include <cmath>

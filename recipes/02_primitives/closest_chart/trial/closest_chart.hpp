@@ -7,8 +7,8 @@
 #include "02_primitives/closest_segments/closest_segments.hpp"
 #include "02_primitives/meshes/triangle_closest.hpp"
 #include "02_primitives/shapes/trial/number_draw.hpp"
-#include "common/exact/exact.hpp"
-#include "common/measure/statistics.hpp"
+#include "tools/exact/exact.hpp"
+#include "tools/measure/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,10 +5,10 @@
 /// truth.
 
 #include "02_primitives/closest_point_box/trial/closest_point_box_pitfalls.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <array>
 #include <cmath>

@@ -4,7 +4,7 @@
 /// \brief Points and triangles that break some way to find the closest point.
 
 #include "02_primitives/closest_points/closest_points.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Which questions about which two shapes have an answer, by the names of the shapes.
 
-#include "common/program/asking.hpp"
+#include "tools/program/asking.hpp"
 
 #include <optional>
 #include <string>

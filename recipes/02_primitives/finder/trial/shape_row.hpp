@@ -4,7 +4,7 @@
 /// \brief The columns of a shape in a reader's file, checked as they are read.
 
 #include "02_primitives/shapes/shapes.hpp"
-#include "common/files/pairs_row.hpp"
+#include "tools/files/pairs_row.hpp"
 
 #include <cmath>
 #include <string>

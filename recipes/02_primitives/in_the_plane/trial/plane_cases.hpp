@@ -4,8 +4,8 @@
 /// \brief Shapes in the plane that break some way of answering.
 
 #include "02_primitives/in_the_plane/trial/plane_pitfalls.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <array>
 #include <string>

@@ -4,8 +4,8 @@
 /// \brief The scene of shapes in the plane, and its figures.
 
 #include "02_primitives/in_the_plane/in_the_plane.hpp"
-#include "common/plot/figures/figure2d.hpp"
-#include "common/plot/panel.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/plot/panel.hpp"
 
 #include <cmath>
 #include <string>

@@ -5,8 +5,8 @@
 
 #include "02_primitives/meshes/meshes.hpp"
 #include "02_primitives/meshes/trial/mesh_scenes.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <array>
 #include <functional>

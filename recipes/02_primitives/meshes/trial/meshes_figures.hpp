@@ -5,7 +5,7 @@
 
 #include "02_primitives/meshes/meshes.hpp"
 #include "02_primitives/meshes/trial/mesh_scenes.hpp"
-#include "common/plot/figures/figure2d.hpp"
+#include "tools/plot/figures/figure2d.hpp"
 
 #include <cmath>
 #include <cstddef>

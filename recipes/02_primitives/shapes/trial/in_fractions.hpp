@@ -4,7 +4,7 @@
 /// \brief The exact shapes that floats and doubles make.
 
 #include "02_primitives/shapes/more_shapes.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 
 namespace cookbook
 {

@@ -5,7 +5,7 @@
 
 #include "02_primitives/overlaps/overlaps.hpp"
 #include "02_primitives/triangle_triangle/triangles_meet.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <array>
 #include <cstddef>

@@ -6,8 +6,8 @@
 #include "02_primitives/shapes/checked_shapes.hpp"
 #include "02_primitives/shapes/shapes.hpp"
 #include "03_sphere_manifolds/manifold/manifold.hpp"
-#include "common/files/pairs_row.hpp"
-#include "common/program/program.hpp"
+#include "tools/files/pairs_row.hpp"
+#include "tools/program/program.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 /// \file
 /// \brief What the chart of speed against accuracy says in words and tables.
 
-#include "common/measure/pareto.hpp"
-#include "common/measure/statistics.hpp"
-#include "common/program/table.hpp"
+#include "tools/measure/pareto.hpp"
+#include "tools/measure/statistics.hpp"
+#include "tools/program/table.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 /// \brief Other libraries' spheres, prepared as they like it, to be timed beside ours.
 
 #include "02_primitives/shapes/shapes.hpp"
-#include "common/measure/timing.hpp"
+#include "tools/measure/timing.hpp"
 
 #include <memory>
 #include <optional>

@@ -4,8 +4,8 @@
 /// \brief Whether a method's answer for a sphere is right, and in what way it is not.
 
 #include "03_sphere_manifolds/manifold/manifold.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <cmath>
 #include <numbers>

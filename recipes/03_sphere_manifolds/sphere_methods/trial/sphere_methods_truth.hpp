@@ -4,9 +4,9 @@
 /// \brief Pairs of spheres by the name of what is hard about them, and how wrong a method is there.
 
 #include "03_sphere_manifolds/sphere_methods/trial/sphere_methods.hpp"
-#include "common/exact/exact.hpp"
+#include "tools/exact/exact.hpp"
 #include "common/math/ulp.hpp"
-#include "common/measure/statistics.hpp"
+#include "tools/measure/statistics.hpp"
 
 #include <functional>
 #include <random>

@@ -5,7 +5,7 @@
 
 #include "04_obb_manifolds/box_box/box_box.hpp"
 #include "04_obb_manifolds/box_box/trial/box_box_scenes.hpp"
-#include "common/plot/panel.hpp"
+#include "tools/plot/panel.hpp"
 
 #include <optional>
 #include <string>

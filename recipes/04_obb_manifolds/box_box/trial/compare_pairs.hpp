@@ -5,7 +5,7 @@
 
 #include "04_obb_manifolds/box_judges/trial/method_times.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
-#include "common/files/whole_file.hpp"
+#include "tools/files/whole_file.hpp"
 
 #include <iostream>
 #include <random>

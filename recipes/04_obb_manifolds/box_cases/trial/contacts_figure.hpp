@@ -5,8 +5,8 @@
 
 #include "02_primitives/shapes/shapes.hpp"
 #include "03_sphere_manifolds/manifold/manifold.hpp"
-#include "common/plot/figures/figure3d.hpp"
-#include "common/program/table.hpp"
+#include "tools/plot/figures/figure3d.hpp"
+#include "tools/program/table.hpp"
 
 #include <algorithm>
 #include <cmath>

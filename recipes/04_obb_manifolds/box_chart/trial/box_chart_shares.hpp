@@ -6,7 +6,7 @@
 #include "04_obb_manifolds/box_chart/trial/batch_and_memory.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_chart.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_flops.hpp"
-#include "common/measure/peak.hpp"
+#include "tools/measure/peak.hpp"
 
 #include <memory>
 #include <string>

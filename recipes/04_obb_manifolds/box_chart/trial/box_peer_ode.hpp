@@ -5,7 +5,7 @@
 
 #include "03_sphere_manifolds/manifold/manifold.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_pair.hpp"
-#include "common/measure/timing.hpp"
+#include "tools/measure/timing.hpp"
 
 #include <ode/ode.h>
 

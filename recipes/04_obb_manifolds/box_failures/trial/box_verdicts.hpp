@@ -8,8 +8,8 @@
 #include "04_obb_manifolds/box_failures/trial/box_failures.hpp"
 #include "04_obb_manifolds/box_failures/trial/box_pitfalls.hpp"
 #include "04_obb_manifolds/gjk_epa/gjk_epa.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <functional>
 #include <optional>

@@ -4,10 +4,10 @@
 /// \brief Times of methods for two boxes, side by side, and the chart of cost against error.
 
 #include "04_obb_manifolds/box_judges/trial/timed_methods.hpp"
-#include "common/measure/pareto.hpp"
-#include "common/measure/statistics.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/program/table.hpp"
+#include "tools/measure/pareto.hpp"
+#include "tools/measure/statistics.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/program/table.hpp"
 
 #include <functional>
 #include <limits>

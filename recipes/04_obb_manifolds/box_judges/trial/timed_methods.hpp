@@ -4,8 +4,8 @@
 /// \brief The methods that give a whole manifold of two boxes, made ready to be checked and timed.
 
 #include "04_obb_manifolds/box_judges/trial/manifold_check.hpp"
-#include "common/measure/timing.hpp"
-#include "common/program/program.hpp"
+#include "tools/measure/timing.hpp"
+#include "tools/program/program.hpp"
 
 #include <functional>
 #include <string>

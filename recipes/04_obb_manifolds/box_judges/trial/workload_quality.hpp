@@ -5,7 +5,7 @@
 
 #include "04_obb_manifolds/box_judges/trial/manifold_error.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_workloads.hpp"
-#include "common/measure/statistics.hpp"
+#include "tools/measure/statistics.hpp"
 
 #include <algorithm>
 #include <vector>

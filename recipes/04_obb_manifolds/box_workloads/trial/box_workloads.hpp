@@ -4,7 +4,7 @@
 /// \brief Ten sets of pairs of boxes by name, shared by tests, charts and the reader's own trials.
 
 #include "04_obb_manifolds/box_workloads/trial/random_box_pairs.hpp"
-#include "common/files/csv.hpp"
+#include "tools/files/csv.hpp"
 
 #include <string>
 #include <vector>

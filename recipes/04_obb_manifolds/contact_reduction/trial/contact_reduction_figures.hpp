@@ -7,9 +7,9 @@
 #include "04_obb_manifolds/contact_reduction/trial/contact_reduction_pitfalls.hpp"
 #include "04_obb_manifolds/contact_reduction/trial/contact_reduction_truth.hpp"
 #include "04_obb_manifolds/contact_reduction/trial/contact_support.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/plot/figures/figure2d.hpp"
-#include "common/program/table.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/program/table.hpp"
 
 #include <string>
 #include <vector>

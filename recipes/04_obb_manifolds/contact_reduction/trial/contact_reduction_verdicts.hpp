@@ -9,8 +9,8 @@
 #include "04_obb_manifolds/contact_reduction/trial/contact_reduction_pitfalls.hpp"
 #include "04_obb_manifolds/contact_reduction/trial/contact_reduction_truth.hpp"
 #include "04_obb_manifolds/contact_reduction/trial/contact_support.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <functional>
 #include <string>

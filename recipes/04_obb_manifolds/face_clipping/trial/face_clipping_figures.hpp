@@ -5,9 +5,9 @@
 
 #include "04_obb_manifolds/face_clipping/face_clipping.hpp"
 #include "04_obb_manifolds/face_clipping/trial/face_clipping_scenes.hpp"
-#include "common/plot/figures/figure2d.hpp"
-#include "common/plot/panel.hpp"
-#include "common/program/table.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/plot/panel.hpp"
+#include "tools/program/table.hpp"
 
 #include <span>
 #include <string>

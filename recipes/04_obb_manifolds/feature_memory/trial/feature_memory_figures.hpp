@@ -5,7 +5,7 @@
 
 #include "04_obb_manifolds/face_clipping/box_features.hpp"
 #include "04_obb_manifolds/feature_memory/trial/feature_memory_scenes.hpp"
-#include "common/plot/figures/figure2d.hpp"
+#include "tools/plot/figures/figure2d.hpp"
 
 #include <cmath>
 

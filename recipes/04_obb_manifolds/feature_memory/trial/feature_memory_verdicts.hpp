@@ -8,7 +8,7 @@
 #include "04_obb_manifolds/face_clipping/face_clipping.hpp"
 #include "04_obb_manifolds/feature_memory/trial/feature_memory_scenes.hpp"
 #include "04_obb_manifolds/gjk_epa/gjk_epa.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <functional>
 #include <string>

@@ -6,10 +6,10 @@
 
 #include "04_obb_manifolds/gjk_epa/gjk_epa.hpp"
 #include "04_obb_manifolds/gjk_epa/trial/gjk_epa_cases.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/plot/figures/figure2d.hpp"
-#include "common/plot/figures/figure3d.hpp"
-#include "common/plot/panel.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/plot/figures/figure3d.hpp"
+#include "tools/plot/panel.hpp"
 
 #include <algorithm>
 #include <cmath>

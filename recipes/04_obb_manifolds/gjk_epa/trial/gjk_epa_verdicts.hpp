@@ -6,8 +6,8 @@
 #include "04_obb_manifolds/gjk_epa/trial/gjk_epa_box_cases.hpp"
 #include "04_obb_manifolds/gjk_epa/trial/gjk_epa_cases.hpp"
 #include "04_obb_manifolds/gjk_epa/trial/gjk_epa_pitfalls.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 namespace cookbook
 {

@@ -6,10 +6,10 @@
 
 #include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
 #include "04_obb_manifolds/separating_axes/separating_axes.hpp"
-#include "common/plot/charts/bar_chart.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/plot/figures/figure3d.hpp"
-#include "common/program/table.hpp"
+#include "tools/plot/charts/bar_chart.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/plot/figures/figure3d.hpp"
+#include "tools/program/table.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 /// \file
 /// \brief A picture of the mechanism of separating_axes: the shadows of two boxes on an axis.
 
-#include "common/plot/figures/figure2d.hpp"
-#include "common/plot/panel.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/plot/panel.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 /// \brief A pyramid whose contacts are drawn in their colours.
 
 #include "05_resolution/contact_graph/trial/contact_graph_scenes.hpp"
-#include "common/plot/figures/figure2d.hpp"
-#include "common/plot/panel.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/plot/panel.hpp"
 
 #include <array>
 #include <string>

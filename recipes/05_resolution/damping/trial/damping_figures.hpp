@@ -4,7 +4,7 @@
 /// \brief The figures of damping: a fall at three rates, factors over the step, error over rate.
 
 #include "05_resolution/damping/trial/damping_cases.hpp"
-#include "common/plot/charts/chart.hpp"
+#include "tools/plot/charts/chart.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 /// \brief Which way to damp holds in which case.
 
 #include "05_resolution/damping/trial/damping_cases.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <cmath>
 #include <string>

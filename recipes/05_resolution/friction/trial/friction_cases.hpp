@@ -4,8 +4,8 @@
 /// \brief Slides, slopes and rolls with closed forms, and what each rule of friction makes of them.
 
 #include "05_resolution/friction/trial/friction_scenes.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 /// \brief The figures of friction: where a block stops, what a slope does, error against cost.
 
 #include "05_resolution/friction/trial/friction_cases.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/plot/figures/figure2d.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/plot/figures/figure2d.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 
 #include "05_resolution/impulse/impulse.hpp"
 #include "05_resolution/impulse/trial/impulse_pitfalls.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <cmath>
 #include <string>

@@ -6,9 +6,9 @@
 #include "05_resolution/impulse/trial/bounce_cases.hpp"
 #include "05_resolution/impulse/trial/impulse_pitfalls.hpp"
 #include "05_resolution/impulse/trial/impulse_scenes.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/plot/figures/figure2d.hpp"
-#include "common/plot/figures/figure3d.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/plot/figures/figure3d.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 /// \brief What each integrator costs, in evaluations of the force, and how wrong it then is.
 
 #include "05_resolution/integrators/trial/integrators_scenes.hpp"
-#include "common/measure/pareto.hpp"
+#include "tools/measure/pareto.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 /// \brief The figures of the integrators: phase planes, energy over time, cost against error.
 
 #include "05_resolution/integrators/trial/integrators_cost_scenes.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/plot/figures/figure2d.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/plot/figures/figure2d.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 /// \brief Which integrator holds in which case of swinging and falling.
 
 #include "05_resolution/integrators/trial/integrators_scenes.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <algorithm>
 #include <cmath>

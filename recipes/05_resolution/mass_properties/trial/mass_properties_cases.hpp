@@ -5,8 +5,8 @@
 
 #include "05_resolution/mass_properties/trial/mass_properties_pitfalls.hpp"
 #include "05_resolution/mass_properties/trial/mass_properties_scenes.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <cmath>
 #include <string>

@@ -5,8 +5,8 @@
 /// than a capsule's cost.
 
 #include "05_resolution/mass_properties/trial/mass_properties_scenes.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/plot/figures/figure2d.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/plot/figures/figure2d.hpp"
 
 #include <cmath>
 #include <numbers>

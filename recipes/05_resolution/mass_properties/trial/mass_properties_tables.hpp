@@ -6,7 +6,7 @@
 #include "02_primitives/shapes/checked_shapes.hpp"
 #include "05_resolution/mass_properties/checked_mass.hpp"
 #include "05_resolution/mass_properties/trial/mass_properties_figures.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/table.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -5,7 +5,7 @@
 
 #include "05_resolution/position_based/trial/position_based_scenes.hpp"
 #include "05_resolution/position_based/trial/solvers_cases.hpp"
-#include "common/plot/charts/chart.hpp"
+#include "tools/plot/charts/chart.hpp"
 
 #include <cmath>
 #include <string>

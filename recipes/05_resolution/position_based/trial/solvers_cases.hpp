@@ -9,8 +9,8 @@
 #include "05_resolution/sequential_impulses/sequential_impulses.hpp"
 #include "05_resolution/world/trial/world_measures.hpp"
 #include "05_resolution/world/world.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <algorithm>
 #include <cmath>

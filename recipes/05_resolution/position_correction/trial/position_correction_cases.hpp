@@ -4,8 +4,8 @@
 /// \brief What becomes of the cube inside the floor, way by way: speed, hop, jumps, rest.
 
 #include "05_resolution/position_correction/trial/position_correction_scenes.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 /// \brief The figures of position correction: height and depth over time, hop over time to get out.
 
 #include "05_resolution/position_correction/trial/position_correction_cases.hpp"
-#include "common/plot/charts/chart.hpp"
+#include "tools/plot/charts/chart.hpp"
 
 #include <algorithm>
 #include <string>

@@ -4,8 +4,8 @@
 /// \brief Drops of a ball, and what each rule for its bounces makes of them.
 
 #include "05_resolution/restitution/trial/restitution_scenes.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <cmath>
 #include <functional>

@@ -4,7 +4,7 @@
 /// \brief The figures of restitution: heights over time, coming to rest, error against cost.
 
 #include "05_resolution/restitution/trial/restitution_scenes.hpp"
-#include "common/plot/charts/chart.hpp"
+#include "tools/plot/charts/chart.hpp"
 
 #include <algorithm>
 #include <cmath>

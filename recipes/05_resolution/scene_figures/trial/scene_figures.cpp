@@ -4,7 +4,7 @@
 #include "05_resolution/scene_figures/trial/scene_figures.hpp"
 #include "05_resolution/scene_figures/trial/scene_bounds_figures.hpp"
 #include "05_resolution/scene_figures/trial/scene_motion_figures.hpp"
-#include "common/plot/figures/figure2d.hpp"
+#include "tools/plot/figures/figure2d.hpp"
 
 namespace cookbook
 {

@@ -4,7 +4,7 @@
 /// \brief Pictures of scenes: one frame, several side by side, and frames that move.
 
 #include "05_resolution/scenes/trial/frames.hpp"
-#include "common/plot/panel.hpp"
+#include "tools/plot/panel.hpp"
 
 #include <functional>
 

@@ -4,8 +4,8 @@
 /// \brief Bodies that move: paths that change in time, and a clock.
 
 #include "05_resolution/scene_figures/trial/scene_paths_figures.hpp"
-#include "common/plot/charts/axis.hpp"
-#include "common/plot/text.hpp"
+#include "tools/plot/charts/axis.hpp"
+#include "tools/plot/text.hpp"
 
 #include <utility>
 

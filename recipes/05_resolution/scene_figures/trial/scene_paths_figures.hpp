@@ -4,7 +4,7 @@
 /// \brief The bodies of a scene as SVG paths, from far to near.
 
 #include "05_resolution/scene_figures/trial/scene_outline_figures.hpp"
-#include "common/plot/svg.hpp"
+#include "tools/plot/svg.hpp"
 
 #include <algorithm>
 

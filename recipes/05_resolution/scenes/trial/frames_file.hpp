@@ -4,7 +4,7 @@
 /// \brief Frames as CSV: a row for each body and step.
 
 #include "05_resolution/scenes/trial/frames.hpp"
-#include "common/files/csv.hpp"
+#include "tools/files/csv.hpp"
 
 #include <ostream>
 

@@ -2,7 +2,7 @@
 /// Makes scenes of JSON values, and checks each value where it is read.
 
 #include "05_resolution/scenes/trial/scene_file.hpp"
-#include "common/files/json_object_file.hpp"
+#include "tools/files/json_object_file.hpp"
 
 #include <fstream>
 #include <iterator>

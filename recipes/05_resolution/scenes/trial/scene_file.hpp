@@ -4,7 +4,7 @@
 /// \brief The reader's own scene: from a JSON file, with errors by line.
 
 #include "05_resolution/contacts/scene.hpp"
-#include "common/files/json_file.hpp"
+#include "tools/files/json_file.hpp"
 
 #include <filesystem>
 #include <istream>

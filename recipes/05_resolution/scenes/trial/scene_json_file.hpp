@@ -4,7 +4,7 @@
 /// \brief A scene as JSON, to be changed by its reader.
 
 #include "05_resolution/contacts/scene.hpp"
-#include "common/files/csv.hpp"
+#include "tools/files/csv.hpp"
 
 #include <string>
 

@@ -5,7 +5,7 @@
 
 #include "05_resolution/scenes/trial/crowd_scenes.hpp"
 #include "05_resolution/scenes/trial/motion_scenes.hpp"
-#include "common/files/closest_name.hpp"
+#include "tools/files/closest_name.hpp"
 
 #include <charconv>
 #include <stdexcept>

@@ -4,10 +4,10 @@
 /// \brief The figures of sequential impulses: how errors shrink with passes, and with frames.
 
 #include "05_resolution/sequential_impulses/trial/sequential_impulses_scenes.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/plot/figures/figure2d.hpp"
-#include "common/plot/panel.hpp"
-#include "common/program/table.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/plot/panel.hpp"
+#include "tools/program/table.hpp"
 
 #include <cmath>
 #include <string>

@@ -5,8 +5,8 @@
 
 #include "05_resolution/sleeping/trial/sleeping_scenes.hpp"
 #include "05_resolution/sleeping/trial/sleeping_tower_scenes.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <string>
 #include <vector>

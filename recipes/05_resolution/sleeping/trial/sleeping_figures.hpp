@@ -4,9 +4,9 @@
 /// \brief What the program of sleeping draws: a ball that is put to sleep on its way, and islands.
 
 #include "05_resolution/sleeping/trial/sleeping_scenes.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/plot/figures/figure2d.hpp"
-#include "common/plot/panel.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/plot/panel.hpp"
 
 #include <string>
 #include <utility>

@@ -5,8 +5,8 @@
 
 #include "05_resolution/scenes/trial/world_scenes.hpp"
 #include "05_resolution/world/trial/world_runs.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/plot/figures/figure2d.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/plot/figures/figure2d.hpp"
 
 #include <string>
 #include <vector>

@@ -8,8 +8,8 @@
 #include "05_resolution/soft_steps/tallest_tower.hpp"
 #include "05_resolution/world/solvers.hpp"
 #include "05_resolution/world/trial/world_measures.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/plot/figures/figure2d.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/plot/figures/figure2d.hpp"
 
 #include <Eigen/Geometry>
 

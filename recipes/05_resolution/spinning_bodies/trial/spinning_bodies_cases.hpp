@@ -6,8 +6,8 @@
 #include "05_resolution/spinning_bodies/trial/spinning_bodies_scenes.hpp"
 #include "05_resolution/spinning_bodies/trial/spinning_bodies_truth.hpp"
 #include "05_resolution/spinning_bodies/trial/steady_spin_cases.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <array>
 #include <cmath>

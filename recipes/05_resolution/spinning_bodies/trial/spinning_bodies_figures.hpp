@@ -6,8 +6,8 @@
 
 #include "05_resolution/spinning_bodies/trial/spinning_bodies_cases.hpp"
 #include "05_resolution/spinning_bodies/trial/steady_spin_cases.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/plot/figures/figure3d.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/plot/figures/figure3d.hpp"
 
 #include <string>
 #include <vector>

@@ -5,7 +5,7 @@
 
 #include "05_resolution/spinning_bodies/trial/spinning_bodies_scenes.hpp"
 #include "05_resolution/spinning_bodies/trial/spinning_bodies_truth.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/table.hpp"
 
 #include <cmath>
 #include <string>

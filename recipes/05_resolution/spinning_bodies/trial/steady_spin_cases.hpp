@@ -4,8 +4,8 @@
 /// \brief Steady spins, and where each way to turn an orientation ends.
 
 #include "01_math/turning/trial/turning_pitfalls.hpp"
-#include "common/program/table.hpp"
-#include "common/program/verdicts.hpp"
+#include "tools/program/table.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -4,9 +4,9 @@
 /// \brief What the program of tunnelling draws: paths at a wall, looks against errors, near misses.
 
 #include "05_resolution/tunnelling/trial/tunnelling_scenes.hpp"
-#include "common/plot/charts/chart.hpp"
-#include "common/plot/figures/figure2d.hpp"
-#include "common/plot/panel.hpp"
+#include "tools/plot/charts/chart.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/plot/panel.hpp"
 
 #include <cmath>
 #include <string>

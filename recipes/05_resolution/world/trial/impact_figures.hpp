@@ -3,8 +3,8 @@
 /// \file
 /// \brief What a step does about a cube that comes down, as four drawings.
 
-#include "common/plot/figures/figure2d.hpp"
-#include "common/plot/panel.hpp"
+#include "tools/plot/figures/figure2d.hpp"
+#include "tools/plot/panel.hpp"
 
 #include <Eigen/Geometry>
 

@@ -5,7 +5,7 @@
 
 #include "05_resolution/scenes/trial/scene_bodies.hpp"
 #include "05_resolution/world/trial/world_runs.hpp"
-#include "common/plot/charts/chart.hpp"
+#include "tools/plot/charts/chart.hpp"
 
 #include <Eigen/Core>
 

@@ -7,7 +7,7 @@
 #include "05_resolution/world/solver_names.hpp"
 #include "05_resolution/world/trial/world_runs.hpp"
 #include "05_resolution/world/world_inputs.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/table.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Scenes on which solvers fail, run with each of them; compiled once for program and test.
 
-#include "common/program/verdicts.hpp"
+#include "tools/program/verdicts.hpp"
 
 #include <vector>
 

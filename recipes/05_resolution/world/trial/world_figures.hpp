@@ -6,8 +6,8 @@
 #include "05_resolution/scene_figures/trial/scene_figures.hpp"
 #include "05_resolution/scenes/trial/world_scenes.hpp"
 #include "05_resolution/world/trial/world_runs.hpp"
-#include "common/program/program.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
 #include <cmath>
 #include <string>

@@ -4,7 +4,7 @@
 /// \brief What the program of the world prints of a run, and of scenes under all solvers.
 
 #include "05_resolution/world/trial/world_runs.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/table.hpp"
 
 #include <cmath>
 #include <string>

@@ -8,7 +8,7 @@
 #include "05_resolution/world/trial/world_cost_measured.hpp"
 #include "05_resolution/world/trial/world_runs.hpp"
 #include "05_resolution/world_chart/trial/world_peer_bullet.hpp"
-#include "common/program/table.hpp"
+#include "tools/program/table.hpp"
 
 #include <algorithm>
 #include <cstddef>
