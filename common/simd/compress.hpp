@@ -25,7 +25,6 @@ inline constexpr bool compresses_at_once = true; ///< whether Compress is one in
 inline constexpr bool compresses_at_once = false; ///< whether Compress is one instruction
 #endif
 
-// [compress]
 /// Moves the lanes whose bits are set to the front, in their order; what follows them is not meant.
 class Compress
 {
@@ -95,7 +94,6 @@ private:
   const Order& order_;
 #endif
 };
-// [compress]
 
 } // namespace COOKBOOK_INSTRUCTION_SET
 } // namespace cookbook

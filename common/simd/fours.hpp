@@ -18,7 +18,6 @@ namespace cookbook
 inline namespace COOKBOOK_INSTRUCTION_SET
 {
 
-// [transpose]
 /// Of each four of a and the same four of b, in their places 0 to 3 and 4 to 7, these.
 template <std::size_t... Places, class Real, std::size_t Width>
 Pack<Real, Width> of_fours(const Pack<Real, Width>& a, const Pack<Real, Width>& b)
@@ -47,9 +46,7 @@ void transpose(Pack<Real, Width> (&rows)[4])
   c = of_fours<0, 1, 4, 5>(high_ab, high_cd);
   d = of_fours<2, 3, 6, 7>(high_ab, high_cd);
 }
-// [transpose]
 
-// [fours]
 /// Half the numbers of a pack, from a place on.
 template <std::size_t From, class Real, std::size_t Width>
 Pack<Real, Width / 2> half(const Pack<Real, Width>& of)
@@ -97,7 +94,6 @@ void store_fours(const Pack<Real, Width>& from, const Four& four, std::size_t fi
     store_fours(half<Width / 2>(from), four, first + Width / 8);
   }
 }
-// [fours]
 
 } // namespace COOKBOOK_INSTRUCTION_SET
 } // namespace cookbook

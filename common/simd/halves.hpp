@@ -14,7 +14,6 @@ namespace cookbook
 inline namespace COOKBOOK_INSTRUCTION_SET
 {
 
-// [halves]
 /// Four numbers as two packs of two: what Pack<Real, 4> is, lane for lane.
 ///
 /// A compiler also splits a pack that is wider than a register, but not always well: g++ 12 takes
@@ -93,7 +92,6 @@ struct Halves
         cookbook::select(mask.high, yes.high, no.high)};
   }
 };
-// [halves]
 
 /// Number I of a pair and number J of another, 0 or 1 each.
 template <int I, int J, class Real>

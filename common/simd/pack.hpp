@@ -25,7 +25,6 @@ namespace cookbook
 inline namespace COOKBOOK_INSTRUCTION_SET
 {
 
-// [pack]
 /// `Width` numbers that are computed with as if they were one; `Width` is a power of two.
 template <class Real, std::size_t Width>
 struct Pack
@@ -101,7 +100,6 @@ struct Pack
   friend Mask operator&(const Mask& a, const Mask& b) { return {a.lanes & b.lanes}; }
   friend Mask operator|(const Mask& a, const Mask& b) { return {a.lanes | b.lanes}; }
 };
-// [pack]
 
 /// A pack is made of plain numbers.
 template <class Real, std::size_t Width>

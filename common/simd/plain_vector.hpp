@@ -15,7 +15,6 @@ namespace cookbook
 inline namespace COOKBOOK_INSTRUCTION_SET
 {
 
-// [plain_vector]
 /// Numbers side by side, each computed with by itself.
 template <class Number, std::size_t Width>
 struct PlainVector
@@ -96,7 +95,6 @@ struct PlainVector
     return of<Bits>(a, b, [](Number x, Number y) { return x == y ? -1 : 0; });
   }
 };
-// [plain_vector]
 
 } // namespace COOKBOOK_INSTRUCTION_SET
 } // namespace cookbook

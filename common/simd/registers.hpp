@@ -17,12 +17,10 @@ namespace cookbook
 inline namespace COOKBOOK_INSTRUCTION_SET
 {
 
-// [registers]
 /// Four plain numbers: floats in one register, doubles in two. A row of three leaves the fourth
 /// idle; it holds the third again, so that it never decides.
 template <class Real>
 using Registers = std::conditional_t<sizeof(Real) == 4, Pack<Real, 4>, Halves<Real>>;
-// [registers]
 
 /// The first three lanes moved one on: y, z, x.
 template <class Real>

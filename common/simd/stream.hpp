@@ -15,7 +15,6 @@
 namespace cookbook
 {
 
-// [stream]
 /// Copies bytes past the cache: memory that is only written need not be read first.
 ///
 /// Where the processor has no such stores it is a plain copy. Others see the bytes after
@@ -46,6 +45,5 @@ inline void end_of_stream()
   _mm_sfence();
 #endif
 }
-// [stream]
 
 } // namespace cookbook

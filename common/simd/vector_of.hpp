@@ -19,7 +19,6 @@ namespace cookbook
 inline namespace COOKBOOK_INSTRUCTION_SET
 {
 
-// [vector_of]
 #if defined(COOKBOOK_PLAIN)
 
 /// `Width` numbers side by side.
@@ -111,7 +110,6 @@ Vector spread(Number same)
 }
 
 #endif
-// [vector_of]
 
 } // namespace COOKBOOK_INSTRUCTION_SET
 } // namespace cookbook

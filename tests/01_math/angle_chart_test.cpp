@@ -7,7 +7,6 @@
 
 using namespace cookbook;
 
-// [angle_workload_test]
 TEMPLATE_TEST_CASE(
     "half of the workload's angles are below a tenth, a quarter above 2", "[angles]", float, double)
 {
@@ -38,4 +37,3 @@ TEMPLATE_TEST_CASE(
     CHECK((method.name == "recommended") == (error <= allowed_roundings * roundoff));
   }
 }
-// [angle_workload_test]

@@ -87,7 +87,6 @@ TEST_CASE(
 }
 // [A3]
 
-// [clamped]
 TEST_CASE(
     "of 729 vectors and three times each, acos is not a number for some, clamped for none", "[M5]")
 {
@@ -108,7 +107,6 @@ TEST_CASE(
   CHECK(beyond_one > 1);
   CHECK(clamped_nan == 0);
 }
-// [clamped]
 
 // [signed]
 TEMPLATE_TEST_CASE("about z, x to y is a right angle and y to x minus one", "[M5]", float, double)
@@ -154,7 +152,6 @@ TEMPLATE_TEST_CASE("the angle with a zero vector of any signs is 0", "[degenerat
 }
 // [zero]
 
-// [cases]
 TEST_CASE("each way to find an angle holds or fails as the table says", "[case:A3]")
 {
   check_verdicts(
@@ -180,9 +177,7 @@ TEST_CASE("an angle 11 roundings off is right, one 13 off is not", "[case:A3]")
   CHECK_FALSE(angle_verdict(1 + 14 * 0x1p-53, 1.0).holds);
   CHECK_FALSE(angle_verdict(1 - 13 * 0x1p-53, 1.0).holds);
 }
-// [cases]
 
-// [equal]
 TEST_CASE("a comparison within 0.005 says that 4 mm are nothing", "[equal]")
 {
   CHECK(equal_as_published<float>({0.004f, 0, 0}, {0, 0, 0}));
@@ -204,4 +199,3 @@ TEST_CASE("each way to compare holds or fails as the table says", "[equal]")
        {"(1e6, 0, 0) and the next float", {"isApprox", "within roundings"}},
        {"(0.1 + 0.6 − 0.7, 0, 0) and 0", {"as published", "within roundings"}}});
 }
-// [equal]

@@ -80,7 +80,6 @@ TEST_CASE(
 }
 // [volume]
 
-// [permanent]
 TEST_CASE(
     "the permanent of 1 2 3, 4 5 6, 7 8 9 is 450, whatever the signs; of ones, 6 and 24", "[M11]")
 {
@@ -96,9 +95,7 @@ TEST_CASE(
   larger(3, 0) = -2;
   CHECK(permanent<double>(larger) == 900);
 }
-// [permanent]
 
-// [condition]
 TEST_CASE(
     "a diagonal matrix has the condition 1, and 1 1 0, 1 1.01 0, 0 0 1 that of 403 / 3", "[M11]")
 {
@@ -134,9 +131,7 @@ TEST_CASE(
   CHECK(change <= Rational(403) * tiny);
   CHECK(change >= Rational(402) * tiny);
 }
-// [condition]
 
-// [wide_double]
 TEST_CASE("a wide double keeps 1 + 2^-90, and sizes far beyond those of double", "[M11]")
 {
   const WideDouble one = 1.0, tiny = 0x1p-90;
@@ -178,9 +173,7 @@ TEST_CASE("sums, products and quotients of wide doubles are right to 2^-100", "[
     CHECK(abs(Rational(exact_of(a / b) - x / y)) <= bound * abs(Rational(x / y)));
   }
 }
-// [wide_double]
 
-// [scales]
 TEMPLATE_TEST_CASE(
     "Scale(s) has the inverse Scale(1/s) for every power of two whose inverse fits", "[case:A4]",
     float, double)
@@ -207,9 +200,7 @@ TEST_CASE("Scale(0.1) and Scale(1e-4) times their inverses are one within 1e-6",
     CHECK(published(0, 0) == s);
   }
 }
-// [scales]
 
-// [singular]
 TEMPLATE_TEST_CASE(
     "1 to 9, in rows, is singular, times every power of two, and so is what is not finite", "[M11]",
     float, double)
@@ -232,7 +223,6 @@ TEMPLATE_TEST_CASE(
   CHECK_FALSE(inverse<TestType, 3>(Matrix3<TestType>::Zero()).has_value());
   CHECK_FALSE(inverse<TestType, 4>(Matrix4<TestType>::Ones()).has_value());
 }
-// [singular]
 
 TEST_CASE("a cofactor that underflows to few digits, over a small determinant, is a full number")
 {
@@ -246,7 +236,6 @@ TEST_CASE("a cofactor that underflows to few digits, over a small determinant, i
   CHECK(back(1, 1) == 1 / s);
 }
 
-// [threshold]
 TEMPLATE_TEST_CASE(
     "1 1 0, 1 1+d 0, 0 0 1 is singular to rounding for d of 1 or 2 ulps, and not for 3", "[M11]",
     float, double)
@@ -260,7 +249,6 @@ TEMPLATE_TEST_CASE(
     CHECK(inverse<TestType, 3>(m).has_value() == (ulps > 2));
   }
 }
-// [threshold]
 
 // [solve]
 TEST_CASE(

@@ -10,7 +10,6 @@
 
 using namespace cookbook;
 
-// [cases]
 TEST_CASE("each way to normalise holds or fails as the table says", "[case:A1][case:A2]")
 {
   check_verdicts(
@@ -74,7 +73,6 @@ TEST_CASE("with a threshold of 1e-6, a length of 1e-6 counts and one below is ze
   CHECK(normalize_threshold<double>({0.999e-6, 0, 0}).length == 0);
   CHECK(normalize_threshold<double>({0.999e-6, 0, 0}).unit == Vector3<double>(0, 1, 0));
 }
-// [cases]
 
 // [zero]
 TEMPLATE_TEST_CASE(

@@ -348,7 +348,6 @@ TEST_CASE("10 roundings at size 1 allow 5 gaps of 2^-23 above 1, not 6", "[compa
   CHECK(equal_to_rounding(1e-45f, 4e-45f, 0.0f, 4)); // four products may have been lost
 }
 
-// [comparison_scales]
 TEMPLATE_TEST_CASE(
     "100,000 comparisons at any size are those of |a − b| ≤ γₙ size + n smallest numbers",
     "[compare]", float, double)
@@ -378,7 +377,6 @@ TEMPLATE_TEST_CASE(
   CHECK(wrong == 0);
   CHECK(same > random_inputs / 10);
 }
-// [comparison_scales]
 
 // [intervals]
 TEST_CASE(

@@ -197,14 +197,12 @@ TEST_CASE("a third of a turn about (1,1,1) takes x to y; the trace is 1 + 2 cos 
 }
 // [M8]
 
-// [degenerate_turns]
 TEST_CASE("about the zero vector nothing turns, nor by the angle zero", "[M8]")
 {
   const Matrix3<double> none = Matrix3<double>::Identity();
   CHECK(rotation_about<double>({0, 0, 0}, 2) == none);
   CHECK(rotation_about<double>({1, 2, 3}, 0) == none);
 }
-// [degenerate_turns]
 
 // [ijk]
 TEST_CASE("i² = j² = k² = ijk = -1, ij = k and ji = -k; (1+i)(1+j) = 1+i+j+k")

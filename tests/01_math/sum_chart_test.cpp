@@ -42,7 +42,6 @@ TEST_CASE(
 }
 // [sum_lists]
 
-// [split]
 TEST_CASE("of 1000 times ad − bc = 1, all but the naive way say 1", "[products]")
 {
   int naive = 0, right = 0;
@@ -57,4 +56,3 @@ TEST_CASE("of 1000 times ad − bc = 1, all but the naive way say 1", "[products
   CHECK(naive < 10);
   CHECK(right == 2000);
 }
-// [split]

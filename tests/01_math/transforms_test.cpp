@@ -258,7 +258,6 @@ TEST_CASE("there is no way back through a scale of 1e-310, whose inverse does no
   CHECK_FALSE(to_local<double>(t, {1, 2, 3}).has_value());
 }
 
-// [plane_cases]
 TEST_CASE("each way to carry a plane along holds or fails as the table says", "[case:X35]")
 {
   const std::vector<std::string> three{"n by M", "Eigen's transform", "recommended"};
@@ -275,9 +274,7 @@ TEST_CASE("each way to carry a plane along holds or fails as the table says", "[
        {"Scale(1e-20)", {"n by M", "recommended"}},
        {"flattened to z = 0", {"recommended"}}});
 }
-// [plane_cases]
 
-// [local_cases]
 TEST_CASE("each way to a body's frame holds or fails as the table says", "[M15]")
 {
   const std::string isometry = "Isometry3::inverse()", general = "Affine3::inverse()";
@@ -291,4 +288,3 @@ TEST_CASE("each way to a body's frame holds or fails as the table says", "[M15]"
        {"a turn and Scale(1e-15)", {best}},
        {"grown by 1 %, 4,000 km away", {best}}});
 }
-// [local_cases]

@@ -191,7 +191,6 @@ TEMPLATE_TEST_CASE(
   CHECK(scaled<TestType>({6, -1, 0}).exponent == 2);
 }
 
-// [any_size]
 TEMPLATE_TEST_CASE(
     "(3,5,7) along (0,0,2) is (0,0,7), for any power of two of both", "[whole]", float, double)
 {
@@ -227,7 +226,6 @@ TEMPLATE_TEST_CASE(
       length<TestType>({most / 2, most / 2, 0}) / most ==
       Catch::Approx(std::sqrt(0.5)).epsilon(1e-6));
 }
-// [any_size]
 
 // [nearly_parallel]
 TEST_CASE("(1e8+1,1e8,0) × (1e8,1e8-1,0) is (0,0,-1), where the textbook's is zero", "[cross]")
@@ -238,7 +236,6 @@ TEST_CASE("(1e8+1,1e8,0) × (1e8,1e8-1,0) is (0,0,-1), where the textbook's is z
 }
 // [nearly_parallel]
 
-// [differences]
 TEST_CASE("a difference of products is right at both ends of the range of double", "[cross]")
 {
   const double tiny = 0x1p-1074, huge = 0x1p1023;
@@ -263,7 +260,6 @@ TEST_CASE("a difference of products is right at both ends of the range of double
           std::ldexp(1 + 0x1p-52, -480), std::ldexp(1 + 0x1p-52, -480),
           std::ldexp(1 + 0x1p-51, -960), 1.0) == 0x1p-1064);
 }
-// [differences]
 
 // [lerp]
 TEST_CASE("lerp is exact at both ends, and halfway between -3e38 and 3e38 is 0", "[lerp]")
@@ -290,7 +286,6 @@ TEST_CASE("in 10,000 steps from 0.1 to 0.7 lerp never turns back; the mixture do
 }
 // [lerp]
 
-// [cases]
 TEST_CASE("formulas on vectors hold or fail as the table says", "[vectors]")
 {
   const std::vector<std::string> ours{"recommended"};
@@ -307,9 +302,7 @@ TEST_CASE("formulas on vectors hold or fail as the table says", "[vectors]")
        {"lerp as (1 − t) a + t b: from 0.1 to 0.1, t = 0.2", ours},
        {"(3, 5, 0) − (1, 2, 0), as published", ours}});
 }
-// [cases]
 
-// [needed]
 TEST_CASE("in a room the textbook's formulas are within 10 roundings of the recommended", "[room]")
 {
   for (const Vector3<int>& whole : whole_vectors(3))
@@ -320,4 +313,3 @@ TEST_CASE("in a room the textbook's formulas are within 10 roundings of the reco
     CHECK((a.cross(n) - accurate_cross(a, n)).cwiseAbs().maxCoeff() <= allowed);
   }
 }
-// [needed]

@@ -11,7 +11,6 @@
 
 using namespace cookbook;
 
-// [bounds_optimised]
 TEMPLATE_TEST_CASE(
     "optimised, too, circles and rectangles hold all points: at 1e6 steps of 0.1, and anywhere",
     "[P22]", float, double)
@@ -54,4 +53,3 @@ TEMPLATE_TEST_CASE(
   CHECK(by_rectangle == 0);
   CHECK(around_segment == 0);
 }
-// [bounds_optimised]

@@ -198,7 +198,6 @@ TEST_CASE("bounds of a segment, a circle, a rectangle and one turned by 3-4-5, b
 }
 // [bounds_of_shapes]
 
-// [huge_bounds]
 TEST_CASE("at both ends of the range, bounds are finite and right")
 {
   const std::vector<Point> huge{{-0x1p1022, 0}, {0x1p1022, 0}, {0, 0x1p1021}};
@@ -207,4 +206,3 @@ TEST_CASE("at both ends of the range, bounds are finite and right")
   const std::vector<Point> tiny{{0, 0}, {0x1p-1070, 0}, {0x1p-1070, 0}};
   CHECK(minimal_circle<double>(tiny).radius == 0x1p-1071);
 }
-// [huge_bounds]

@@ -84,7 +84,6 @@ TEMPLATE_TEST_CASE(
 }
 // [look_at_degenerate]
 
-// [look_verdicts]
 TEST_CASE("each way to turn a camera holds or fails as the table says", "[camera]")
 {
   const std::string bare = "unguarded", bound = "threshold", best = "recommended";
@@ -99,4 +98,3 @@ TEST_CASE("each way to turn a camera holds or fails as the table says", "[camera
        {"1e-25 m from the target", {best}},
        {"1e25 m from the target", {best}}});
 }
-// [look_verdicts]

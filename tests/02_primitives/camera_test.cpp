@@ -176,7 +176,6 @@ TEST_CASE("4,000 km away a pixel of a float camera is where it would be near by"
 }
 // [there_and_back]
 
-// [camera_verdicts]
 TEST_CASE("each way to keep depths holds or fails as the table says", "[camera]")
 {
   const std::string zero = "0…1, unasked", whole = "−1…1", best = "reversed";
@@ -188,4 +187,3 @@ TEST_CASE("each way to keep depths holds or fails as the table says", "[camera]"
        {"the same, near plane at 10 m", {zero, whole, best}},
        {"1 m apart at 1 km, near plane at 0", {whole, best}}});
 }
-// [camera_verdicts]

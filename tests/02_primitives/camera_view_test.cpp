@@ -156,7 +156,6 @@ TEST_CASE("corners leave out boxes that the planes keep, and lose none", "[P18]"
 }
 // [conservative]
 
-// [view_verdicts]
 TEST_CASE("each way to leave out boxes holds or fails as the table says", "[P18]")
 {
   const std::string planes = "six planes", both = "planes and corners";
@@ -170,4 +169,3 @@ TEST_CASE("each way to leave out boxes holds or fails as the table says", "[P18]
        {"a wall just beyond a far corner", {both}},
        {"across a slanted edge", {planes, both}}});
 }
-// [view_verdicts]

@@ -144,7 +144,6 @@ TEST_CASE("triangles of a grid, flat ones and points too: the verdict is the exa
 }
 // [polygons]
 
-// [way_apart]
 TEST_CASE("circles 3-4-5 apart leave along (3, 4) / 5; about one centre, along +y", "[case:B5]")
 {
   const auto way = way_apart<double>({{0, 0}, 4}, {{3, 4}, 2});
@@ -182,7 +181,6 @@ TEST_CASE("circles that touch but for a rounding overlap if, and only if, none i
   CHECK(different == 0);
   CHECK(apart > 1000);
 }
-// [way_apart]
 
 // [plane_verdicts]
 TEST_CASE(

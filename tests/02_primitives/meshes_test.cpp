@@ -494,7 +494,6 @@ TEST_CASE("an STL file, as text and binary: corners at one place become one", "[
 }
 // [mesh_errors]
 
-// [mesh_verdicts]
 TEST_CASE("each way to cast at a mesh holds or fails as the table says", "[case:E7][case:E9]")
 {
   const std::string first = "first, with bounds", nearest = "nearest, with bounds";
@@ -508,4 +507,3 @@ TEST_CASE("each way to cast at a mesh holds or fails as the table says", "[case:
        {"a flat triangle", {first, nearest, best}},
        {"a square of 0.5 mm, met upright", {best}}});
 }
-// [mesh_verdicts]

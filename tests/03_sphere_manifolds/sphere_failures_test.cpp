@@ -83,7 +83,6 @@ TEST_CASE(
 }
 // [box_verdicts]
 
-// [right_depths]
 TEST_CASE("the depths in the tables are those of fractions, within 1e-6 m", "[verdict]")
 {
   const auto thousandths = [](int count) { return Rational(count, 1000); };
@@ -110,9 +109,7 @@ TEST_CASE("the depths in the tables are those of fractions, within 1e-6 m", "[ve
                     {"D8", thousandths(500 - 4000)},
                     {"X28", thousandths(500 - 4000)}});
 }
-// [right_depths]
 
-// [verdicts]
 TEST_CASE("a verdict says what is wrong: contact, depth, normal, number", "[verdict]")
 {
   const Right right{0.5, {1, 0, 0}, 1e-6};
@@ -135,7 +132,6 @@ TEST_CASE("a verdict says what is wrong: contact, depth, normal, number", "[verd
   CHECK_FALSE(verdict_of(Found{{1, 1.1e-6, 0}, 0.5}, right).holds);
   CHECK_FALSE(verdict_of(Found{{1 + 1.1e-6, 0, 0}, 0.5}, right).holds);
 }
-// [verdicts]
 
 // [published_half]
 TEST_CASE(

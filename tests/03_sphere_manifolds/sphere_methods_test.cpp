@@ -146,7 +146,6 @@ TEST_CASE(
 }
 // [reciprocal]
 
-// [survives]
 TEST_CASE("sphere_sphere in float is within 4 ulps on every workload but far", "[S1][S2][S10]")
 {
   for (const std::string workload :
@@ -159,7 +158,6 @@ TEST_CASE("sphere_sphere in float is within 4 ulps on every workload but far", "
     CHECK(found.normal <= 4);
   }
 }
-// [survives]
 
 TEST_CASE("the workloads are what they are called", "[sphere_methods]")
 {

@@ -134,7 +134,6 @@ TEST_CASE("a core's peak is asked for by lanes that there are", "[box_chart]")
   CHECK_THROWS_AS(measure::peak_flops(5), std::invalid_argument);
 }
 
-// [contenders]
 TEST_CASE("the batch and the recipe with a memory answer as box_box does", "[box_chart]")
 {
   const BoxPairLists lists = box_pair_lists(box_workload("random", 50).pairs);
@@ -182,7 +181,6 @@ TEST_CASE("other libraries find that two cubes overlap, and how deep", "[box_cha
     peer.prepare(lists)();
   }
 }
-// [contenders]
 
 TEST_CASE("a step is told beside the row that it is the faster form of", "[box_chart]")
 {

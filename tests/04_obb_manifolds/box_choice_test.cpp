@@ -41,7 +41,6 @@ std::size_t points_of(const Obb<double>& a, const Obb<double>& b)
 
 } // namespace
 
-// [tolerances]
 TEMPLATE_TEST_CASE("hair and margin go with the boxes' sizes", "[O9]", float, double)
 {
   using Real = TestType;
@@ -55,7 +54,6 @@ TEMPLATE_TEST_CASE("hair and margin go with the boxes' sizes", "[O9]", float, do
     CHECK(tolerances.margin == Catch::Approx(0.00875).epsilon(1e-6));
   }
 }
-// [tolerances]
 
 // [bar]
 TEMPLATE_TEST_CASE(
@@ -165,7 +163,6 @@ TEMPLATE_TEST_CASE(
 }
 // [gap]
 
-// [sizes]
 TEMPLATE_TEST_CASE(
     "boxes so large or small that squares do not fit are made of another size, to the last bit",
     "[O9]", float, double)
@@ -224,9 +221,7 @@ TEMPLATE_TEST_CASE(
       Obb<Real>{{-most, -most, most}, straight, unit},
       Obb<Real>{{most, most, -most}, straight, unit}));
 }
-// [sizes]
 
-// [unit]
 TEMPLATE_TEST_CASE("every normal is a unit vector, every depth zero or more", "[O9]", float, double)
 {
   using Real = TestType;
@@ -245,9 +240,7 @@ TEMPLATE_TEST_CASE("every normal is a unit vector, every depth zero or more", "[
     }
   }
 }
-// [unit]
 
-// [no_corner]
 TEMPLATE_TEST_CASE(
     "where two faces have no corner in common, the deepest corner is the contact", "[O14]", float,
     double)
@@ -266,4 +259,3 @@ TEMPLATE_TEST_CASE(
   CHECK(point.depth == Real(0.125));
   CHECK(point.feature == 64);
 }
-// [no_corner]

@@ -179,7 +179,6 @@ TEST_CASE(
 }
 // [O10]
 
-// [faces_and_edges]
 TEST_CASE("a face's axes are right-handed, and its sides are the edges that they are said to be")
 {
   for (int face = 0; face < 6; ++face)
@@ -222,7 +221,6 @@ TEST_CASE("edges have the numbers that edge clipping gives them: A's from 0, B's
   CHECK(edge_along<double>({box, 0}, 1, {-1, 0, 1}).number == 5);
   CHECK(edge_along<double>({box, 0}, 2, {-1, 1, 0}).number == 10);
 }
-// [faces_and_edges]
 
 // [O12]
 TEST_CASE("each point has its own depth: a cube that leans by 2/100 is 0.05 and 0.01 deep", "[O12]")

@@ -79,7 +79,6 @@ Polytope<double> tetrahedron()
 
 } // namespace
 
-// [support]
 TEST_CASE(
     "the farthest point of a difference is A's farthest corner less B's the other way", "[gjk]")
 {
@@ -97,9 +96,7 @@ TEST_CASE(
   CHECK_FALSE(separates<double>({1, 2, 3}, {0, 0, 0}));
   CHECK_FALSE(separates<double>({0, 2, 3}, {-1, 0, 0}));
 }
-// [support]
 
-// [nearest]
 TEST_CASE("the part of a simplex closest to the origin: point, segment, triangle, inside", "[gjk]")
 {
   const NearestPart<double> middle = nearest_part(simplex_of({{-1, 2, 0}, {3, 2, 0}}));
@@ -173,7 +170,6 @@ TEST_CASE("of 20,000 random simplices no point is closer than the one that is fo
   }
   CHECK(sizes == std::set<int>{0, 1, 2, 3});
 }
-// [nearest]
 
 // [decision]
 TEST_CASE("GJK says apart only along a direction that separates", "[gjk]")
@@ -217,7 +213,6 @@ TEST_CASE("EPA alone, from any one point, comes to the same decision", "[epa]")
 }
 // [decision]
 
-// [polytope]
 TEST_CASE("a corner takes the place of the faces that see it, and the solid stays closed", "[epa]")
 {
   Polytope<double> polytope = tetrahedron();
@@ -283,9 +278,7 @@ TEST_CASE("a face whose farthest corner is there already is done, and another on
   CHECK(expansion.closed);
   CHECK(expansion.depth == 0);
 }
-// [polytope]
 
-// [rebuild]
 TEST_CASE("heights over a point, a line and a plane, and the ways out of them", "[epa]")
 {
   const Simplex<double> point = simplex_of({{1, 1, 1}});
@@ -358,7 +351,6 @@ TEST_CASE(
   CHECK(rods->normal.x() == 0);
   CHECK_FALSE(gjk_epa(upright({0, 0, 0}, {1, 1e-20, 1}), upright({2.5, 0, 0}, {1, 1e-20, 1})));
 }
-// [rebuild]
 
 // [bounds]
 TEST_CASE(
@@ -396,7 +388,6 @@ TEST_CASE(
 }
 // [bounds]
 
-// [cases]
 TEST_CASE("at every case of the chapter depth and decision are right", "[gjk][epa]")
 {
   for (const BoxCase& pair : box_cases())
@@ -426,7 +417,6 @@ TEST_CASE("at every case of the chapter depth and decision are right", "[gjk][ep
     }
   }
 }
-// [cases]
 
 // [point]
 TEST_CASE(

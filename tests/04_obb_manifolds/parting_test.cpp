@@ -30,7 +30,6 @@ using namespace cookbook;
 namespace
 {
 
-// [parting]
 /// Draws shapes that like to be degenerate: half of all numbers are multiples of a quarter, so that
 /// centres meet, surfaces touch and lengths are zero; sizes go from a millimetre to a kilometre.
 class ShapeDraw
@@ -192,7 +191,6 @@ struct Partings
     CHECK(deepest <= roundings);
   }
 };
-// [parting]
 
 constexpr int pairs = inputs(20'000, 300);
 
@@ -210,7 +208,6 @@ Capsule<Real> in(const Capsule<double>& c)
 
 } // namespace
 
-// [parting_spheres]
 TEMPLATE_TEST_CASE(
     "20,000 balls and capsules, centres on each other's among them, part by their depth",
     "[S5][case:C3]", float, double)
@@ -257,7 +254,6 @@ TEMPLATE_TEST_CASE(
   planes.check(8);
   boxes.check(16);
 }
-// [parting_spheres]
 
 // [parting_boxes]
 TEMPLATE_TEST_CASE(
@@ -342,7 +338,6 @@ const Vector3<double> half_extents[] = {{1, 1, 1}, {0.5, 1, 2}, {1, 0, 0.5}, {0,
 
 } // namespace
 
-// [parting_places]
 TEMPLATE_TEST_CASE(
     "balls in each other's centre, on surfaces, ends, faces, edges and corners part, from 1e-30 to "
     "1e30 m",
@@ -448,7 +443,6 @@ TEMPLATE_TEST_CASE(
     gjk.check(64);
   }
 }
-// [parting_places]
 
 namespace
 {
@@ -507,7 +501,6 @@ std::optional<Obb<Rational>> parted(const Obb<Rational>& a, Obb<Rational> b)
 
 } // namespace
 
-// [parting_exact]
 TEST_CASE("in fractions balls touch, to the last digit, once they have parted", "[S1][S5][P1][P2]")
 {
   for (const Direction<Rational>& along : whole_directions())
@@ -580,4 +573,3 @@ TEST_CASE(
   CHECK(touching > pairs / 40);
   CHECK(contained > 0);
 }
-// [parting_exact]

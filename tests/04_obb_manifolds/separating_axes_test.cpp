@@ -332,7 +332,6 @@ TEST_CASE("two overlaps are told apart beyond both their roundings: 24 + 24 ε",
 // [O8]
 
 // [O9]
-// [thin]
 TEMPLATE_TEST_CASE(
     "on the rim of a plate 2 km across, 1 mm up is less than 5 mm aside, in float too", "[O8][O9]",
     float, double)
@@ -368,7 +367,6 @@ TEMPLATE_TEST_CASE(
     CHECK(separating_axes(b, a)->axis == 2);
   }
 }
-// [thin]
 
 TEST_CASE("equal cubes, one turned with the other: a face of A decides, not an edge", "[O9]")
 {

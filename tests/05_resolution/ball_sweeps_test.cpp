@@ -239,7 +239,6 @@ TEST_CASE("nor 10,000 balls in flight a wall that comes towards them at 1 to 100
 }
 // [walls]
 
-// [two_balls]
 TEST_CASE("24,000 pairs of balls that fly at each other do not pass each other", "[case:J1]")
 {
   BoxDraw draw(3);
@@ -276,7 +275,6 @@ TEST_CASE("24,000 pairs of balls that fly at each other do not pass each other",
     REQUIRE(way.dot(parting) >= -1e-9 * way.norm() * parting.norm());
   }
 }
-// [two_balls]
 
 TEST_CASE("two balls that do not bounce go on together, and stop together at a wall in that step")
 {
@@ -430,7 +428,6 @@ TEST_CASE("50 balls without friction hop over a floor for 10 s and keep their sp
 }
 // [friction_of_bounces]
 
-// [misses]
 TEST_CASE("60,000 balls that pass an edge by up to a radius keep their velocity to the last bit")
 {
   BoxDraw draw(8);
@@ -448,7 +445,6 @@ TEST_CASE("60,000 balls that pass an edge by up to a radius keep their velocity 
     REQUIRE(end.motion.velocity == scene.bodies[1].velocity);
   }
 }
-// [misses]
 
 TEST_CASE("two balls that fall bounce at 0.5 m/s: gravity does not press them on each other")
 {

@@ -171,7 +171,6 @@ TEST_CASE("divided by n, a ball's speed is scaled by (1 - (1+e)/n) n times a pas
 }
 // [X18]
 
-// [verdicts]
 TEST_CASE("who holds and who fails at bounces of several points", "[case:S14][case:X18]")
 {
   check_verdicts(
@@ -198,7 +197,6 @@ TEST_CASE("who holds and who fails at pushes", "[case:X19][case:X20][case:X26]")
        {"cube of 1 kg, side 2 m, turned [rad/s]", {"as published", "impulse.hpp"}},
        {"X26", {"impulse.hpp"}}});
 }
-// [verdicts]
 
 // [X19]
 TEST_CASE("an upright rod turns about its length by 150 rad/s per N m s, not 2.97", "[case:X19]")

@@ -202,7 +202,6 @@ void check_in_corner(const Scene& scene, const std::string& solver, int number)
 
 } // namespace
 
-// [boxes_at_walls]
 TEST_CASE(
     "720 boxes of 2 to 20 cm at 1 to 1,000 m/s, spinning or sliding, pass no wall of 1 to 5 cm",
     "[case:J1]")
@@ -214,9 +213,7 @@ TEST_CASE("nor do 36,000", "[long]")
 {
   nothing_passes(36'000);
 }
-// [boxes_at_walls]
 
-// [meeting_boxes]
 namespace
 {
 
@@ -311,9 +308,7 @@ TEST_CASE("500 pairs of boxes that meet face to face do not swap sides")
     }
   }
 }
-// [meeting_boxes]
 
-// [box_misses]
 TEST_CASE("40,000 boxes, spinning or not, pass an edge by 1 µm to 1 cm as if nothing were there")
 {
   BoxDraw draw(5);
@@ -347,9 +342,7 @@ TEST_CASE("40,000 boxes, spinning or not, pass an edge by 1 µm to 1 cm as if no
     REQUIRE(box.orientation.coeffs() == other.orientation.coeffs());
   }
 }
-// [box_misses]
 
-// [flat_landing]
 // Four points that push on one another are right to 1e-3 after the 200 rounds of a bounce.
 TEST_CASE(
     "1,000 boxes thrown flat on a floor bounce as friction's closed form says, unturned",
@@ -385,9 +378,7 @@ TEST_CASE(
     CHECK(motion.angular_velocity.norm() * half.norm() <= 1e-3 * down);
   }
 }
-// [flat_landing]
 
-// [pulled_flight]
 TEST_CASE("a box and a ball that a force pulls meet a wall as fast as they are there")
 {
   const double speed = 60, pull = 600, gap = 0.5, step = 1.0 / 60;
@@ -417,7 +408,6 @@ TEST_CASE("a box and a ball that a force pulls meet a wall as fast as they are t
     }
   }
 }
-// [pulled_flight]
 
 TEST_CASE("a box at rest before a thin wall does not pass it when it is struck, and only then fast")
 {
@@ -440,7 +430,6 @@ TEST_CASE("a box at rest before a thin wall does not pass it when it is struck, 
   }
 }
 
-// [struck_beam]
 TEST_CASE(
     "a beam at rest that a ball at 40 m/s strikes near its end moves and spins as J and r say")
 {
@@ -472,9 +461,7 @@ TEST_CASE(
         world.bodies()[struck_by].motion.velocity.z() == Catch::Approx(40 - impulse).epsilon(1e-3));
   }
 }
-// [struck_beam]
 
-// [unwritten_cases]
 TEST_CASE("300 boxes of 1 mm to 20 cm thrown into a corner of three planes stay in front of each")
 {
   BoxDraw draw(7);
@@ -635,4 +622,3 @@ TEST_CASE("200 balls and boxes that plates of 1 to 10 mm strike at 1 to 100 rad/
     }
   }
 }
-// [unwritten_cases]

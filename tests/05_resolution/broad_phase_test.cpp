@@ -124,7 +124,6 @@ constexpr int scenes_asked = inputs(100'000, 2'000);
 
 } // namespace
 
-// [L5]
 TEST_CASE(
     "by a tree, no pair is missed and none comes twice; sorted and swept neither", "[case:L5]")
 {
@@ -371,7 +370,6 @@ TEST_CASE("pairs are put in order where they are, and others are merged in")
     CHECK(pairs == wanted);
   }
 }
-// [L5]
 
 TEST_CASE("of bodies that move, all that may have met are found, where one goes astray or all do")
 {

@@ -572,7 +572,6 @@ TEST_CASE("a block that slides feels at once what pushes it down: μ (m g + 100 
 }
 // [R28]
 
-// [R29]
 TEST_CASE(
     "in the world a block at 5 m/s, μ = 0.4, goes 3.186 m straight ahead, less half a step, any "
     "heading",
@@ -606,9 +605,7 @@ TEST_CASE(
     }
   }
 }
-// [R29]
 
-// [standings]
 TEST_CASE("who has fallen after 8 s, and who has sunk as his springs say", "[case:S2][long]")
 {
   using Names = std::set<std::string>;
@@ -651,7 +648,6 @@ TEST_CASE("who has fallen after 8 s, and who has sunk as his springs say", "[cas
     }
   }
 }
-// [standings]
 
 // [answers]
 TEST_CASE("a pyramid of 55 at rest is solved exactly in every frame and sinks by less than 0.1 µm")
@@ -741,7 +737,6 @@ TEST_CASE(
 }
 // [answers]
 
-// [give]
 TEST_CASE("after a failure contacts are stiff again when 0.95ⁿ is below 10⁻⁷: in 315 frames")
 {
   std::map<DirectAnswer, int> heard;
@@ -782,7 +777,6 @@ TEST_CASE("a soft contact gives way to what it carried at 1 cm/s, and is never s
   point.strained = true;
   CHECK(held_friction(contact, point, 8, 1).norm() == 0);
 }
-// [give]
 
 TEST_CASE("a strain is more than four times what all bodies bring, in a push or in friction")
 {
@@ -1003,7 +997,6 @@ TEST_CASE("islands that have joined another one are no longer remembered")
   CHECK(solver.remembered() == 1);
 }
 
-// [direct_or_soft]
 TEST_CASE("where there is no answer, the direct solver pauses for 1, 2, 4, 8 and 16 frames")
 {
   // Failures come in frames 1, 3, 6, 11, 20 and 37.
@@ -1015,7 +1008,6 @@ TEST_CASE("where there is no answer, the direct solver pauses for 1, 2, 4, 8 and
   CHECK(frames_passed_after(20) == 16);
   CHECK(frames_passed_after(37) == 16);
 }
-// [direct_or_soft]
 
 TEST_CASE("a bound that a point has not had before is set, and again if it was set too early")
 {

@@ -548,7 +548,6 @@ TEST_CASE("as published, a cube creeps down 10° by most of a metre in 10 s", "[
 }
 // [friction_pitfalls]
 
-// [verdicts]
 TEST_CASE(
     "who holds and who fails at friction",
     "[case:S9][case:S10][case:S11][case:S12][case:S13][case:S28][long]")
@@ -569,4 +568,3 @@ TEST_CASE(
        {"S28", {"box: constant bound", "pyramid: two axes", "cone"}},
        {"the same, spin left out", {}}});
 }
-// [verdicts]

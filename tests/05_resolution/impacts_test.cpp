@@ -882,7 +882,6 @@ TEST_CASE("what damping stops short of a wall, within a step or over many, does 
   }
 }
 
-// [groove]
 TEST_CASE("a ball that falls into a groove between two blocks presses on both and sleeps")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
@@ -941,4 +940,3 @@ TEST_CASE("a smooth ball that rolls over a gap between tiles gains no energy")
     }
   }
 }
-// [groove]

@@ -273,7 +273,6 @@ TEST_CASE("RK4 with 1,000 steps a second finds R31's period too, to 1e-8", "[R31
 }
 // [R31]
 
-// [I1]
 TEST_CASE("10 s of oscillator at 60 Hz: energy × 695, .0014, .997, 1, 1, 1", "[case:I1]")
 {
   const std::vector<double> shares{695.006, 0.00144, 0.9970, 0.999998, 0.999989, 1};
@@ -297,7 +296,6 @@ TEST_CASE("10 s of oscillator: symplectic Euler's end in closed form", "[case:I1
       std::abs(end.velocity / (2 * std::numbers::pi) - (x(600) - x(599)) / z) <=
       3000 * rounding / z);
 }
-// [I1]
 
 // [I2]
 TEST_CASE("what stays bounded at ω·step 1.99, 2.01, 2.82 and 2.83", "[case:I2]")
@@ -326,7 +324,6 @@ TEST_CASE("2,000 steps at z = 2.83: RK4 gains as R22 says, to a millionth", "[ca
 }
 // [I2]
 
-// [I3]
 TEST_CASE("10 s of fall at 60 Hz: the Eulers are off by 0.8175 m, the others by 1e-10", "[case:I3]")
 {
   const std::vector<double> errors{0.8175, -0.8175, -0.8175, 0, 0, 0};
@@ -336,9 +333,7 @@ TEST_CASE("10 s of fall at 60 Hz: the Eulers are off by 0.8175 m, the others by 
     CHECK(std::abs(fall_error(methods[i], 60) - errors[i]) <= 1e-10);
   }
 }
-// [I3]
 
-// [I10]
 TEST_CASE("a pendulum from 90° at 60 Hz: four integrators keep time to 0.1 %", "[case:I10]")
 {
   for (std::size_t i = 0; i < methods.size(); ++i)
@@ -350,7 +345,6 @@ TEST_CASE("a pendulum from 90° at 60 Hz: four integrators keep time to 0.1 %", 
   }
   CHECK(2.00607 / 2.36784 < 0.85); // the period of small swings will not do
 }
-// [I10]
 
 // [I7]
 TEST_CASE("masses of 1, 2 and 100 kg fall alike, but not as published", "[case:I7][case:X42]")
@@ -411,7 +405,6 @@ TEST_CASE(
 }
 // [I11]
 
-// [integrator_verdicts]
 TEST_CASE(
     "who holds and who fails at swinging and falling",
     "[case:I1][case:I2][case:I3][case:I10][case:I11]")
@@ -444,7 +437,6 @@ TEST_CASE("who holds and who fails: particle and spring", "[case:I7][case:X43]")
        {"damper, its end comes back at 1 m/s", {"here"}},
        {"spring of length zero", {"here"}}});
 }
-// [integrator_verdicts]
 
 // [needs]
 TEST_CASE("smooth forces: Verlet needs the least for 10 %, RK4 for 1 % and better", "[cost]")

@@ -93,7 +93,6 @@ constexpr int all_around[] = {0, 17, 45, 90, 133, 180, 251, 330};
 
 } // namespace
 
-// [add_friction]
 TEST_CASE(
     "add_friction: 2/7 of a ball's 5 N s hold it, half of 2 N s rub straight back, turned anyhow",
     "[R6][R7]")
@@ -146,9 +145,7 @@ TEST_CASE("add_friction takes back what a smaller push does not allow any more",
   ball.contact.points[0].carried = 1;
   CHECK((ball.rubbed(1) - V(-0.3, 0, -0.4)).norm() <= 1e-14);
 }
-// [add_friction]
 
-// [open_gap]
 TEST_CASE("soft steps: a gap of 2 cm may close within a small step of 10 ms, at 2 m/s", "[R16]")
 {
   OnGround ball(ball_body("ball", 0.5, {0, 0.52, 0}), {0, 0, 0}, 0);
@@ -165,7 +162,6 @@ TEST_CASE("soft steps: a gap of 2 cm may close within a small step of 10 ms, at 
   correct<double>(ball.floor, ball.body, point, softness(12.5, 5.0, 0.01), 0.01, 1);
   CHECK(ball.body.motion.velocity.y() == -1.9);
 }
-// [open_gap]
 
 TEST_CASE("balls that come closer by no more than rounding of their speeds do not push each other")
 {
@@ -184,7 +180,6 @@ TEST_CASE("balls that come closer by no more than rounding of their speeds do no
   }
 }
 
-// [beside_a_bounce]
 TEST_CASE("a ball that bounces on a cube that rests leaves the cube on its ground", "[R19]")
 {
   const double speed = GENERATE(3.0, 0.5);
@@ -209,4 +204,3 @@ TEST_CASE("a ball that bounces on a cube that rests leaves the cube on its groun
       view, {movable, both}, 1.0 / 60)); // they will touch, but not in this step
   CHECK(bodies[2].motion.velocity == V(0, -speed, 0));
 }
-// [beside_a_bounce]

@@ -27,7 +27,6 @@ namespace
 using V = Vector3<double>;
 using Shape = decltype(SceneBody::shape);
 
-// [surface_distance]
 /// How far [m] a point is from the surface of a shape, in the body's own frame.
 struct FromSurface
 {
@@ -45,7 +44,6 @@ struct FromSurface
     return std::abs(plane.normal.dot(place) - plane.offset);
   }
 };
-// [surface_distance]
 
 /// A shape at random, of a size [m]: 0 ball, 1 box, 2 plane.
 SceneBody drawn(BoxDraw& draw, int kind, double size)

@@ -29,7 +29,6 @@ std::string complaint(const std::string& name, const std::string& text, Real lea
 
 } // namespace
 
-// [number_option]
 TEST_CASE("a number within its range is taken, ends included, in any usual form")
 {
   for (const char* text : {"0", "1", "0.5", "5e-1", ".5", "-0"})
@@ -62,4 +61,3 @@ TEST_CASE("where a whole number is asked for, a fraction is none")
         "--steps must be a whole number from 1 to 100, got '" + text + "'");
   }
 }
-// [number_option]

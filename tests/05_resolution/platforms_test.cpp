@@ -129,7 +129,6 @@ TEST_CASE("a crate that a platform of 5 t presses against a wall is not shot out
   }
 }
 
-// [given]
 TEST_CASE("on a lift that speeds up and slows down a crate gains what its contacts say they gave")
 {
   for (const std::string& solver : recommended)
@@ -172,4 +171,3 @@ TEST_CASE("a cube that is hit by another at 3 m/s, and gives nothing back, got h
     CHECK(given == Catch::Approx(10 * world.body(1).motion.velocity.x()).epsilon(1e-5));
   }
 }
-// [given]

@@ -218,7 +218,6 @@ TEST_CASE(
 }
 // [ways_out]
 
-// [verdicts]
 TEST_CASE("who holds and who fails at a cube inside the floor", "[case:S18]")
 {
   check_verdicts(
@@ -234,4 +233,3 @@ TEST_CASE("who holds and who fails at a cube inside the floor", "[case:S18]")
         {"projection", "Baumgarte", "Baumgarte, ≤ 3 m/s", "non-linear Gauss–Seidel, 4 passes",
          "split impulse, ≤ 3 m/s", "soft, 30 Hz, ≤ 3 m/s"}}});
 }
-// [verdicts]

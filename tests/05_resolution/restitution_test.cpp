@@ -245,7 +245,6 @@ TEST_CASE("stopped at the floor in time, 10 m/s comes back as 10, unless forgott
 }
 // [J8]
 
-// [verdicts]
 TEST_CASE("who holds and who fails at drops", "[case:S15][case:S16][case:S17][case:J8]")
 {
   check_verdicts(
@@ -259,4 +258,3 @@ TEST_CASE("who holds and who fails at drops", "[case:S15][case:S16][case:S17][ca
        {"J8", {}},
        {"the same, and the speed remembered", {"at the touch", "at the touch, threshold"}}});
 }
-// [verdicts]

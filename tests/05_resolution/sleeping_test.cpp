@@ -266,7 +266,6 @@ TEST_CASE("a ball with e = 0.39 or 0.8 sleeps within 6 s, if bounces of 2 g dt e
 }
 // [L4]
 
-// [verdicts]
 TEST_CASE("which rule puts whom to sleep", "[case:L1][case:L4]")
 {
   check_verdicts(
@@ -295,4 +294,3 @@ TEST_CASE("what wakes a tower", "[case:L2]")
     CHECK(row.verdicts[2].holds);  // the island wakes
   }
 }
-// [verdicts]

@@ -108,7 +108,6 @@ TEST_CASE("what would give a needle energy that turns is forgotten; what would t
 }
 // [cold_starts]
 
-// [thin_plate]
 TEST_CASE(
     "in small steps a plate of 1 kg sinks by its load over its springs, and 100 kg go through it",
     "[R1][R14]")
@@ -137,7 +136,6 @@ TEST_CASE(
   }
   CHECK(sunk("direct", 100)[1] < 1e-6);
 }
-// [thin_plate]
 
 // [R16]
 TEST_CASE("twice the substeps let a tower of five sink a quarter as far", "[R16][long]")

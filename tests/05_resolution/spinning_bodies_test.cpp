@@ -482,7 +482,6 @@ TEST_CASE(
 }
 // [cost]
 
-// [spin_axes]
 TEST_CASE("the spin's first axis is that whose inverse moment is farthest from the middle one's")
 {
   // In units of the largest, one over the moments: 4, 2, 1 and 5, 4, 1.
@@ -506,7 +505,6 @@ TEST_CASE("the spin's first axis is that whose inverse moment is farthest from t
     } while (std::next_permutation(moments.begin(), moments.end()));
   }
 }
-// [spin_axes]
 
 // [any_spin]
 TEMPLATE_TEST_CASE(

@@ -104,7 +104,6 @@ TEST_CASE(
 }
 // [P20]
 
-// [swept_box_degenerate]
 TEST_CASE("two boxes 6.7 m apart or more are separate, whatever the size of the angle", "[case:J5]")
 {
   const BoxSweep sweep = box_sweeps()[0];
@@ -172,4 +171,3 @@ TEST_CASE("the gap of two edges that cross 1 m apart is 1 m, though their cross 
   CHECK((gap.unit - y).norm() <= rounding);
   CHECK((box_gap(b, a).unit + y).norm() <= rounding);
 }
-// [swept_box_degenerate]

@@ -173,7 +173,6 @@ TEST_CASE("after 64 looks an advance stops short of the wall, never behind it", 
 }
 // [few_advances]
 
-// [sweep_degenerate]
 TEST_CASE("a ball that arrives with the end of its way touches, one 1 nm short does not")
 {
   const auto hit = swept_sphere_box<double>(ball_at(-3, 0, 0), {1.5, 0, 0}, cube);
@@ -237,4 +236,3 @@ TEST_CASE("numbers that are none touch nothing, and the answer is the same in fl
   CHECK(hit->time == 0.25f);
   CHECK(hit->normal == Vector3<float>(1, 0, 0));
 }
-// [sweep_degenerate]

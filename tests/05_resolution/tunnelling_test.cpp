@@ -310,7 +310,6 @@ TEST_CASE("speculative leaves a ball of 10 m/s and e = 1 the gap over the step",
 }
 // [lost_bounce]
 
-// [verdicts]
 TEST_CASE(
     "which balls who stops, lets by and lets bounce", "[case:J1][case:J2][case:J4][case:J8][long]")
 {
@@ -340,4 +339,3 @@ TEST_CASE("who finds when two boxes touch", "[case:J5][case:J6]")
        {"rod turns by 3 rad about its middle, peg 1 m off",
         {"halving, unchecked", "swept_boxes"}}});
 }
-// [verdicts]

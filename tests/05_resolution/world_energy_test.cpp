@@ -23,7 +23,6 @@ namespace
 
 constexpr int scenes_of_a_kind = inputs(50, 1);
 
-// [passive_scenes]
 /// What is in a scene.
 enum class Kind
 {
@@ -134,7 +133,6 @@ Scene passive_scene(Kind kind, int seed)
   }
   return scene;
 }
-// [passive_scenes]
 
 /// In how many scenes of a kind a solver's energy is once above that of the start.
 int gaining(const std::string& solver, Kind kind)
@@ -188,7 +186,6 @@ TEST_CASE(
 }
 // [passive]
 
-// [fast_spin]
 TEST_CASE(
     "a free box that turns by 60 to 1,000 rad a step keeps its energy; by 10,000 it gains none")
 {
@@ -220,7 +217,6 @@ TEST_CASE("a turn of 1.9 rad is taken in four pieces, none of more than half a r
   }
   CHECK((at_once.axes - piece_by_piece.axes).norm() <= 1e-14);
 }
-// [fast_spin]
 
 // [rocking]
 TEST_CASE("a plank that rocks on a drum swings on as it did; in small steps it swings up", "[R4]")
@@ -301,7 +297,6 @@ std::pair<double, double> most_energy(World& world, double time, std::size_t bod
 
 } // namespace
 
-// [leaning]
 TEST_CASE("what leans on a smooth wall and bounces with e = 1 comes up to where it came from")
 {
   for (const char* const solver : {"direct", "soft_steps", "wide_steps"})
@@ -337,9 +332,7 @@ TEST_CASE("what leans on a smooth wall and bounces with e = 1 comes up to where 
     }
   }
 }
-// [leaning]
 
-// [tumbling]
 TEST_CASE("an uneven box that tumbles and bounces for ten seconds gains no more than 2 %")
 {
   for (const char* const solver : {"direct", "soft_steps", "wide_steps"})
@@ -367,4 +360,3 @@ TEST_CASE("an uneven box that tumbles and bounces for ten seconds gains no more 
     CHECK(worst_rough <= 1e-6);
   }
 }
-// [tumbling]

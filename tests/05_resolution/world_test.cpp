@@ -458,7 +458,6 @@ TEST_CASE("impulses are those of a frame, whatever the substeps of a solver", "[
   }
 }
 
-// [remove]
 TEST_CASE("a body that is removed lets fall what stood on it, asleep or not", "[case:L2]")
 {
   for (const bool may_sleep : {false, true})
@@ -491,7 +490,6 @@ TEST_CASE("when the ground is removed, what slept on it wakes and falls", "[case
   world.step();
   CHECK(world.bodies()[1].motion.velocity.y() == Catch::Approx(-9.81 / 60).margin(1e-6));
 }
-// [remove]
 
 // [cases]
 TEST_CASE(
@@ -526,7 +524,6 @@ TEST_CASE(
 }
 // [cases]
 
-// [watched_rim]
 TEST_CASE("a cube falls asleep while its corners turn at 3 mm/s, not at 5")
 {
   // Of 2 mm in half a second: 4 mm/s. A corner of the cube is √3/2 m from its centre.
@@ -546,4 +543,3 @@ TEST_CASE("a cube falls asleep while its corners turn at 3 mm/s, not at 5")
   CHECK(sleeps(0.003));
   CHECK_FALSE(sleeps(0.005));
 }
-// [watched_rim]

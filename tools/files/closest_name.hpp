@@ -11,7 +11,6 @@
 namespace cookbook
 {
 
-// [closest_name]
 /// How many letters must be put in, taken out or replaced to make one word of the other.
 inline std::size_t letters_apart(const std::string& a, const std::string& b)
 {
@@ -45,6 +44,5 @@ inline std::string meant(const std::string& word, const std::vector<std::string>
   const bool close = 3 * letters_apart(word, best) <= word.size() + 2;
   return close ? std::string("; did you mean ").append(best).append("?") : "";
 }
-// [closest_name]
 
 } // namespace cookbook

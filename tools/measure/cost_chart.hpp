@@ -21,7 +21,6 @@ struct ChartedMethod
   ErrorStatistics errors; ///< on the same workload; both alike where there is only one number
 };
 
-// [add_methods]
 /// Times all methods in one run, and draws each at its cost: a mark at its largest error, with a
 /// whisker to what 99 of a hundred do not exceed, and the Pareto front of all.
 ///
@@ -30,6 +29,5 @@ struct ChartedMethod
 void add_methods(
     plot::Chart& chart, const std::vector<ChartedMethod>& methods, const Effort& effort,
     double most = std::numeric_limits<double>::max(), std::size_t first_look = 0);
-// [add_methods]
 
 } // namespace cookbook::measure

@@ -18,15 +18,12 @@ struct CostAndError
   double error; ///< for example [ulp]; infinite where the method fails
 };
 
-// [pareto_front]
 /// The places in `methods` of those on the Pareto front, from the cheapest to the most accurate.
 ///
 /// A method is on it if no other is at least as good in both and better in one. Methods with an
 /// infinite or unknown error are never on it; of equal methods, the first is.
 std::vector<std::size_t> pareto_front(const std::vector<CostAndError>& methods);
-// [pareto_front]
 
-// [knee]
 /// The place in `front` where paying more stops to pay: the point farthest below the line from
 /// the front's first to its last point, both axes logarithmic.
 ///
@@ -36,7 +33,6 @@ std::vector<std::size_t> pareto_front(const std::vector<CostAndError>& methods);
 std::size_t knee(
     const std::vector<CostAndError>& methods, const std::vector<std::size_t>& front,
     double least_error);
-// [knee]
 
 /// The least time that any peer takes on a workload [ns]; infinite without peers.
 template <class Measured>

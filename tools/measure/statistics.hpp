@@ -10,13 +10,11 @@
 namespace cookbook::measure
 {
 
-// [percentile]
 /// The smallest of `values` that at least `percent` of a hundred of them do not exceed.
 ///
 /// Percent lies in (0, 100]; there must be at least one value, and none may be NaN: otherwise
 /// std::invalid_argument.
 double percentile(std::vector<double> values, double percent);
-// [percentile]
 
 /// The middle value, or the mean of the two middle ones; std::invalid_argument without values.
 double median(std::vector<double> values);

@@ -35,11 +35,9 @@ struct Timing
   double ns; ///< [ns] a call, the median of all repetitions
 };
 
-// [time_interleaved]
 /// Times all methods in one run, their repetitions in random turns: whatever else the machine does
 /// meanwhile slows all of them alike, so that their ratios hold.
 std::vector<Timing> time_interleaved(const std::vector<Timed>& methods, const Effort& effort = {});
-// [time_interleaved]
 
 /// Makes the compiler believe that a value is read, so that it must be computed.
 template <class Value>
@@ -48,7 +46,6 @@ void keep(const Value& value)
   asm volatile("" : : "m"(value) : "memory");
 }
 
-// [timed_over]
 /// A call for each of some inputs, of which it keeps a copy.
 template <class Input, class Call>
 Timed timed_over(const std::string& name, const std::vector<Input>& inputs, Call call)
@@ -62,7 +59,6 @@ Timed timed_over(const std::string& name, const std::vector<Input>& inputs, Call
   };
   return {name, run, static_cast<double>(inputs.size())};
 }
-// [timed_over]
 
 /// Machine, compiler and flags in one line, for the caption of a chart.
 std::string machine_line();

@@ -17,7 +17,6 @@
 namespace cookbook
 {
 
-// [question]
 /// What a reader may ask of each row of a file: `--ask NAME --pairs FILE`.
 template <class Real>
 struct Question
@@ -27,7 +26,6 @@ struct Question
   std::string answers;                                      ///< of what is printed, after `pair`
   std::function<std::vector<Real>(const PairsRow&)> answer; ///< a number each; those left out are empty
 };
-// [question]
 
 /// The answers to all rows as CSV: `pair,…`, pairs from zero; cells without an answer are empty.
 ///

@@ -15,7 +15,6 @@ namespace
 
 using namespace cookbook;
 
-// [print_angles]
 void print_angles()
 {
   std::vector<std::string> header{"angle"};
@@ -42,7 +41,6 @@ void print_angles()
   add("any, of 0", {0, 0, 0});
   std::cout << table.text();
 }
-// [print_angles]
 
 std::string verdicts()
 {

@@ -10,7 +10,6 @@ namespace
 
 using namespace cookbook;
 
-// [timed]
 template <int Size>
 plot::Chart chart(const std::string& title, double stretch, const measure::Effort& effort)
 {
@@ -39,7 +38,6 @@ plot::Chart chart(const std::string& title, double stretch, const measure::Effor
   chart.size(400, 290).rail("says: singular");
   return chart;
 }
-// [timed]
 
 } // namespace
 

@@ -14,7 +14,6 @@ namespace
 
 using namespace cookbook;
 
-// [print_inverses]
 void print_inverses()
 {
   Table table({"matrix", "determinant", "condition", "inverse, first row"});
@@ -29,7 +28,6 @@ void print_inverses()
   }
   std::cout << table.text();
 }
-// [print_inverses]
 
 std::string verdicts()
 {
@@ -42,7 +40,6 @@ std::string verdicts()
       names_of(inverse_methods<float>()), all);
 }
 
-// [questions]
 /// Nine numbers of a row, from left to right and from top to bottom.
 template <class Real>
 Matrix3<Real> matrix_of(const PairsRow& row)
@@ -76,7 +73,6 @@ std::vector<Question<Real>> questions(Real)
        { return std::vector<Real>{determinant<Real, 3>(matrix_of<Real>(row)) + Real(0)}; }},
       {"inverse", columns, "i00,i01,i02,i10,i11,i12,i20,i21,i22", inverted}};
 }
-// [questions]
 
 } // namespace
 

@@ -105,7 +105,6 @@ std::optional<SquareMatrix<Real, Size>> inverse(const SquareMatrix<Real, Size>& 
 }
 // [inverse]
 
-// [determinant]
 /// The determinant; infinite where it is too large for `Real`.
 ///
 /// About three quarters of its digits are right, unless the products cancel to less than 2^-98 of
@@ -122,6 +121,5 @@ Real determinant(const SquareMatrix<Real, Size>& m)
   const SquareMatrix<WideDouble, Size> c = cofactors<WideDouble>(wide);
   return static_cast<Real>(static_cast<double>(WideDouble(wide.col(0).dot(c.col(0)))));
 }
-// [determinant]
 
 } // namespace cookbook

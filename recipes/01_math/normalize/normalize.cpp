@@ -16,7 +16,6 @@ namespace
 
 using namespace cookbook;
 
-// [print_lengths]
 template <class Real>
 void add_lengths(Table& table)
 {
@@ -38,7 +37,6 @@ void print_lengths()
   add_lengths<double>(table);
   std::cout << table.text();
 }
-// [print_lengths]
 
 std::string verdicts()
 {

@@ -53,7 +53,6 @@ Direction<Real> normalize_wide(const Vector3<Real>& v)
 }
 // [normalize_wide]
 
-// [normalize_hypot]
 /// Divides by the library's `hypot`: its length is right, but tiny vectors divide by one that has
 /// no digits left. Not a number for the zero vector.
 template <class Real>
@@ -62,6 +61,5 @@ Direction<Real> normalize_hypot(const Vector3<Real>& v)
   const Real length = std::hypot(v.x(), v.y(), v.z());
   return {v / length, length};
 }
-// [normalize_hypot]
 
 } // namespace cookbook

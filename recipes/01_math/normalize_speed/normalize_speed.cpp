@@ -73,7 +73,6 @@ std::vector<measure::ChartedMethod> contenders(const Vectors& vectors)
 #endif
   return all;
 }
-// [timed]
 
 plot::Chart chart(
     const std::string& name, const std::string& title, const Vectors& vectors,

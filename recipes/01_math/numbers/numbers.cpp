@@ -26,7 +26,6 @@ std::string fraction(float x)
          std::to_string(-exponent);
 }
 
-// [print_far]
 /// Two spheres of radius 1 overlap by 0.01; both centres are rounded to float, far from the origin.
 void print_far()
 {
@@ -44,9 +43,7 @@ void print_far()
   }
   std::cout << table.text();
 }
-// [print_far]
 
-// [print_products]
 void print_products()
 {
   Table table({"ad − bc", "naive", "wider", "fused", "difference_of_products"});
@@ -67,9 +64,7 @@ void print_products()
   add(0.0);
   std::cout << table.text();
 }
-// [print_products]
 
-// [print_radians]
 /// How far the remainder by the float next to 2π and `wrap_radians` are from the same in double.
 void print_radians()
 {
@@ -89,7 +84,6 @@ void print_radians()
   }
   std::cout << table.text();
 }
-// [print_radians]
 
 } // namespace
 

@@ -16,7 +16,6 @@ namespace
 
 using namespace cookbook;
 
-// [print_rotations]
 void print_rotations()
 {
   const double degree = std::numbers::pi / 180;
@@ -46,7 +45,6 @@ void print_rotations()
       quaternion_of(from_euler_angles<double>({30 * degree, 90 * degree, 10 * degree})));
   std::cout << table.text();
 }
-// [print_rotations]
 
 /// The quaternion in four columns from `first` on.
 template <class Real>
@@ -69,7 +67,6 @@ std::vector<Real> matrix_answer(const PairsRow& row)
   return {r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1), r(2, 2)};
 }
 
-// [quaternion_answer]
 /// A matrix whose products of columns are off by more than 1/1000, or that mirrors, is no rotation.
 template <class Real>
 std::vector<Real> quaternion_answer(const PairsRow& row)
@@ -84,7 +81,6 @@ std::vector<Real> quaternion_answer(const PairsRow& row)
   const Quaternion<Real> q = quaternion_of(r);
   return {q.w(), q.x(), q.y(), q.z()};
 }
-// [quaternion_answer]
 
 template <class Real>
 std::vector<Real> slerp_answer(const PairsRow& row)

@@ -11,7 +11,6 @@
 namespace cookbook
 {
 
-// [ends]
 /// Two orientations as quaternions of length one, the second with the sign that is nearer.
 template <class Real>
 struct TurnEnds
@@ -27,7 +26,6 @@ TurnEnds<Real> turn_ends(const Quaternion<Real>& a, const Quaternion<Real>& b)
   const Quaternion<Real> from = unit_quaternion(a), to = unit_quaternion(b);
   return {from, times<Real>(dot(from, to) < Real(0) ? Real(-1) : Real(1), to)};
 }
-// [ends]
 
 // [slerp]
 /// The orientation at the share t of the shorter way from a to b, which is turned at a constant

@@ -24,7 +24,6 @@ Quaternion<Real> product(const Quaternion<Real>& a, const Quaternion<Real>& b)
 }
 // [product]
 
-// [parts]
 /// sa + tb, part by part.
 template <class Real>
 Quaternion<Real>
@@ -47,7 +46,6 @@ Real dot(const Quaternion<Real>& a, const Quaternion<Real>& b)
 {
   return (a.w() * b.w() + a.x() * b.x()) + (a.y() * b.y() + a.z() * b.z());
 }
-// [parts]
 
 /// A quaternion whose squared length neither underflows nor overflows, and that squared length.
 template <class Real>

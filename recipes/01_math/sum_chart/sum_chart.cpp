@@ -24,7 +24,6 @@ plot::Chart new_chart(const std::string& name, const std::string& title, const s
   return chart;
 }
 
-// [time_sums]
 /// All ways to add, on the first of three lists; the error is that of all three.
 plot::Chart
 sums(const std::string& name, const std::string& title, Signs signs, const measure::Effort& effort)
@@ -42,7 +41,6 @@ sums(const std::string& name, const std::string& title, Signs signs, const measu
   measure::add_methods(chart, ways, effort);
   return chart;
 }
-// [time_sums]
 
 using Difference = double (*)(double, double, double, double);
 

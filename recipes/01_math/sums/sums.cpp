@@ -13,7 +13,6 @@ namespace
 
 using namespace cookbook;
 
-// [print_ones]
 /// A hundred million ones, one after the other.
 void print_ones()
 {
@@ -27,9 +26,7 @@ void print_ones()
   std::cout << "100000000 ones: naive " << static_cast<long>(naive) << ", RunningSum "
             << static_cast<long>(running.sum) << "\n\n";
 }
-// [print_ones]
 
-// [print_digits]
 template <class Real>
 void add_digits(Table& table)
 {
@@ -59,7 +56,6 @@ void print_digits()
   add_digits<double>(table);
   std::cout << table.text();
 }
-// [print_digits]
 
 /// An addition: a dot, and lines to what is added; the way of the first number is orange.
 void draw_sum(

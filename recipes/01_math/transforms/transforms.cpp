@@ -19,7 +19,6 @@ std::string triple(const Vector3<double>& v)
   return '(' + number(v.x()) + ", " + number(v.y()) + ", " + number(v.z()) + ")";
 }
 
-// [print_transforms]
 void print_transforms()
 {
   Affine3<double> t = Affine3<double>::Identity();
@@ -38,7 +37,6 @@ void print_transforms()
   table.row({"point, and back", triple(v), triple(*to_local<double>(t, t * v))});
   std::cout << table.text();
 }
-// [print_transforms]
 
 } // namespace
 

@@ -29,7 +29,6 @@ template <class Real>
 using Hyperplane3 = Eigen::Hyperplane<Real, 3>;
 // [aliases]
 
-// [pose]
 /// The pose that first turns by `rotation` and then moves by `move`.
 template <class Real>
 Isometry3<Real> pose(const Matrix3<Real>& rotation, const Vector3<Real>& move)
@@ -39,7 +38,6 @@ Isometry3<Real> pose(const Matrix3<Real>& rotation, const Vector3<Real>& move)
   t.translation() = move;
   return t;
 }
-// [pose]
 
 // [rigid_inverse]
 /// The way back from a pose: the transpose, and the move turned back; M15.

@@ -14,7 +14,6 @@ namespace
 
 using namespace cookbook;
 
-// [print_spins]
 /// One second at 60 Hz, faster and faster: how far each way is off, and how long its quaternion is.
 void print_spins()
 {
@@ -33,7 +32,6 @@ void print_spins()
   }
   std::cout << table.text();
 }
-// [print_spins]
 
 } // namespace
 

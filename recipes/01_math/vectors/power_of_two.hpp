@@ -12,7 +12,6 @@
 namespace cookbook
 {
 
-// [scaled]
 /// A vector `v` times 2^`exponent`.
 template <class Real>
 struct Scaled
@@ -58,9 +57,7 @@ bool is_ordinary(const Real& x)
   }
   return x != Real(0);
 }
-// [scaled]
 
-// [length]
 /// The length of a vector of any size; infinite only where it is too large for the number type.
 template <class Real>
 Real length(const Vector3<Real>& v)
@@ -73,6 +70,5 @@ Real length(const Vector3<Real>& v)
   const Scaled<Real> ordinary = scaled<Real>(v);
   return std::ldexp(ordinary.v.norm(), ordinary.exponent);
 }
-// [length]
 
 } // namespace cookbook

@@ -16,7 +16,6 @@ namespace
 
 using namespace cookbook;
 
-// [print_vectors]
 void print_vectors()
 {
   const Vector3<double> a(1, 2, 3), b(2, 1, 2);
@@ -35,7 +34,6 @@ void print_vectors()
   add("a quarter of the way from a to b", lerp(a, b, 0.25));
   std::cout << table.text();
 }
-// [print_vectors]
 
 const std::string one_vector = "ax,ay,az";
 const std::string two_vectors = "ax,ay,az,bx,by,bz";
@@ -55,7 +53,6 @@ Question<Real> of_two(const std::string& name, const Formula& formula)
           }};
 }
 
-// [questions]
 /// What may be asked of each row.
 template <class Real>
 std::vector<Question<Real>> questions()
@@ -73,7 +70,6 @@ std::vector<Question<Real>> questions()
       of_two<Real>("project", [](const Three& a, const Three& b) { return project(a, b); }),
       of_two<Real>("reflect", [](const Three& a, const Three& b) { return reflect(a, b); })};
 }
-// [questions]
 
 } // namespace
 

@@ -24,7 +24,6 @@ std::string pair_text(const Vector<double, 2>& v)
   return '(' + number(v.x()) + ", " + number(v.y()) + ")";
 }
 
-// [print_bounds]
 void print_bounds()
 {
   const Circle<double> least = minimal_circle<double>(points);
@@ -36,7 +35,6 @@ void print_bounds()
   table.row({"rectangle", pair_text(rectangle.center), pair_text(rectangle.half_extents)});
   std::cout << table.text();
 }
-// [print_bounds]
 
 std::string figure()
 {

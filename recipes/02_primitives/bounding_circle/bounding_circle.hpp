@@ -23,7 +23,6 @@ PlaneView<Real> view_of(std::span<const Vector<Real, 2>> points)
   return {points[0], size};
 }
 
-// [circle_around]
 /// The circle about a centre, as it is seen, that reaches to the farthest of the points.
 ///
 /// Its centre is rounded first, then the radius, upwards, so that it holds them all, to the bit.
@@ -48,7 +47,6 @@ Circle<Real> circle_around(
   }
   return circle;
 }
-// [circle_around]
 
 // [centroid_circle]
 /// The circle about the mean of points, of which there is at least one; P22.

@@ -29,7 +29,6 @@ std::string tuple(const Vector<double, Size>& v)
   return text + ")";
 }
 
-// [print_camera]
 void print_pixels()
 {
   const Camera<double> camera = scene_camera();
@@ -51,7 +50,6 @@ void print_pixels()
   }
   std::cout << table.text() << '\n';
 }
-// [print_camera]
 
 void print_boxes()
 {

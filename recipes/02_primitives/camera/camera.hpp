@@ -29,14 +29,12 @@ struct Camera
 };
 // [camera]
 
-// [clip_from_world]
 /// The matrix from the world to clip space.
 template <class Real>
 Matrix4<Real> clip_from_world(const Camera<Real>& camera)
 {
   return camera.projection * rigid_inverse(camera.pose).matrix();
 }
-// [clip_from_world]
 
 // [to_pixel]
 /// A place in the picture.

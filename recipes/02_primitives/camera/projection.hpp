@@ -13,16 +13,13 @@
 namespace cookbook
 {
 
-// [depth_range]
 /// Which depths clip space keeps, after the division by w.
 enum class DepthRange
 {
   minus_one_to_one, ///< as OpenGL does unless told otherwise
   zero_to_one       ///< as Vulkan, Direct3D and Metal do
 };
-// [depth_range]
 
-// [kept_projection]
 /// A matrix of double as one of `Real`; nothing if a number of it does not fit, or its scale
 /// vanished.
 template <class Real>
@@ -32,7 +29,6 @@ std::optional<Matrix4<Real>> kept_projection(const Matrix4<double>& m)
   const bool fits = kept.allFinite() && kept(0, 0) > Real(0) && kept(1, 1) > Real(0);
   return fits ? std::optional<Matrix4<Real>>(kept) : std::nullopt;
 }
-// [kept_projection]
 
 // [lens]
 /// A lens: what is seen at distance 1 reaches as far up as tan(angle / 2); w is the distance.
@@ -78,7 +74,6 @@ std::optional<Matrix4<Real>> perspective(Real angle, Real aspect, Real near, Rea
 }
 // [perspective]
 
-// [perspective_reversed]
 /// The perspective that is best in floats: depth is near / distance, from 1 at `near` [m] to 0 at
 /// infinity; depths 0…1.
 ///
@@ -94,7 +89,6 @@ std::optional<Matrix4<Real>> perspective_reversed(Real angle, Real aspect, Real 
   m(2, 3) = static_cast<double>(near);
   return kept_projection<Real>(m);
 }
-// [perspective_reversed]
 
 // [orthographic]
 /// A projection without perspective: a block `width` by `height` [m], from `near` to `far` [m]

@@ -20,7 +20,6 @@ std::string triple(const Vector3<double>& v)
   return '(' + number(v.x()) + ", " + number(v.y()) + ", " + number(v.z()) + ")";
 }
 
-// [print_casts]
 template <class Shape>
 void add_row(Table& table, const std::string& name, const Shape& shape)
 {
@@ -47,7 +46,6 @@ void print_casts()
   add_row(table, "ball behind", Sphere<double>{{-9, 1, 0}, 1});
   std::cout << table.text();
 }
-// [print_casts]
 
 } // namespace
 

@@ -35,7 +35,6 @@ std::string vector_text(const Vector3<double>& v)
   return number(v.x()) + ", " + number(v.y()) + ", " + number(v.z());
 }
 
-// [print_points]
 void print_points()
 {
   Table table({"point", "at", "closest", "distance", "direction"});
@@ -50,7 +49,6 @@ void print_points()
   }
   std::cout << table.text();
 }
-// [print_points]
 
 Vector2d flat(const Vector3<double>& v)
 {

@@ -15,7 +15,6 @@
 namespace cookbook
 {
 
-// [closest_on_cores]
 /// A point of each of two cores, the way from B's to A's, and what they are apart at least.
 template <class Real>
 struct CoresApart
@@ -73,7 +72,6 @@ cores_apart(const std::array<Vector3<Real>, 2>& a, const std::array<Vector3<Real
   const Vector3<Real> on_a = a[0] + at.on_a * (a[1] - a[0]);
   return {on_a, on_a - at.way, at.way, at.way.norm()};
 }
-// [closest_on_cores]
 
 // [closest_on_hulls]
 /// The largest of a hull's numbers [m], without sign.

@@ -30,7 +30,6 @@ std::string point_text(const Vector3d& v)
   return number(v.x()) + ", " + number(v.y()) + ", " + number(v.z());
 }
 
-// [print_pairs]
 template <class First, class Second>
 void add_pair(Table& table, const std::string& names, const First& a, const Second& b)
 {
@@ -50,7 +49,6 @@ void print_pairs()
   add_pair(table, "capsule, itself", capsule, capsule);
   std::cout << table.text();
 }
-// [print_pairs]
 
 std::string pair_figure()
 {

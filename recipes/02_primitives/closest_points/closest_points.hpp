@@ -47,7 +47,6 @@ ClosestPoints<NumberOf<A>, 3> closest_points(const A& a, const B& b)
 }
 // [closest_points]
 
-// [lowest]
 /// The point of a hull that reaches farthest below a plane, and its height [m] above it; P1.
 template <class Real>
 struct LowestPoint
@@ -68,7 +67,6 @@ lowest_point(const RoundedHull<Real, Size>& hull, const Vector3<Real>& normal, R
   }
   return {*lowest - hull.radius * normal, lowest->dot(normal) - distance - hull.radius};
 }
-// [lowest]
 
 // [closest_to_plane]
 /// A point of the half-space and a point of a shape, none closer.
@@ -100,7 +98,6 @@ ClosestPoints<Real, 3> closest_points(const Shape& shape, const Plane<Real>& pla
 }
 // [closest_to_plane]
 
-// [closest_planes]
 /// A point of each of two half-spaces, none closer. Only opposite ones can be apart.
 ///
 /// Where they overlap: the foot of one of them below the origin, or the point of both planes that
@@ -134,6 +131,5 @@ ClosestPoints<Real, 3> closest_points(const Plane<Real>& a, const Plane<Real>& b
   }
   return in_world<Real>({both, both, W(0)}, frame);
 }
-// [closest_planes]
 
 } // namespace cookbook

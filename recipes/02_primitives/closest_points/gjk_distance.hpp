@@ -16,7 +16,6 @@
 namespace cookbook
 {
 
-// [corner_pairs]
 /// The corners of a convex shape.
 template <class Real>
 using Corners = std::span<const Vector3<Real>>;
@@ -90,7 +89,6 @@ std::size_t farthest_along(Corners<Real> corners, const Vector3<Real>& direction
   }
   return farthest;
 }
-// [corner_pairs]
 
 // [gjk_distance]
 /// What GJK came to.

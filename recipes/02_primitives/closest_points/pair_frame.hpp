@@ -13,7 +13,6 @@
 namespace cookbook
 {
 
-// [numbers_of]
 /// What a shape is made of: first a point of it, then its other points and lengths.
 template <class Real>
 std::array<Vector3<Real>, 1> numbers_of(const Vector3<Real>& point)
@@ -69,9 +68,7 @@ std::array<Vector3<Real>, 4> numbers_of(const Tetrahedron<Real>& solid)
 {
   return {solid.a, solid.b, solid.c, solid.d};
 }
-// [numbers_of]
 
-// [pair_frame]
 /// Near a point of the pair and, where squares of squares would leave the range of the number
 /// type, enlarged or made smaller by a power of two, which changes no digit.
 template <class Real>
@@ -118,6 +115,5 @@ PairFrame<Wide<Real>> pair_frame(const First& a, const Second& b)
   const W scale = ordinary_scale<W>(W(size));
   return {widen(numbers_of(a)[0]) * scale, scale};
 }
-// [pair_frame]
 
 } // namespace cookbook

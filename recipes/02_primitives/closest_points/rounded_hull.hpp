@@ -11,7 +11,6 @@
 namespace cookbook
 {
 
-// [rounded_hull]
 /// All points within `radius` of the convex hull of the corners.
 template <class Real, int Size>
 struct RoundedHull
@@ -19,9 +18,7 @@ struct RoundedHull
   std::array<Vector3<Real>, std::size_t(Size)> corners; ///< [m]
   Real radius = Real(0);                                ///< [m], zero or more
 };
-// [rounded_hull]
 
-// [hulls]
 /// A point is its one corner.
 template <class Real>
 RoundedHull<Wide<Real>, 1> rounded_hull(const Vector3<Real>& p, const PairFrame<Wide<Real>>& frame)
@@ -101,6 +98,5 @@ RoundedHull<Wide<Real>, 8> rounded_hull(const Obb<Real>& box, const PairFrame<Wi
   }
   return hull;
 }
-// [hulls]
 
 } // namespace cookbook

@@ -19,7 +19,6 @@ std::string pair_text(const Vector<double, 2>& v)
   return '(' + number(v.x()) + ", " + number(v.y()) + ")";
 }
 
-// [print_closest]
 template <class Shape>
 void add_pair(Table& table, const std::string& name, const Shape& shape)
 {
@@ -41,9 +40,7 @@ void print_closest()
   add_pair(table, "larger circle", Circle<double>{scene.circle.center, 2.5});
   std::cout << table.text() << '\n';
 }
-// [print_closest]
 
-// [print_hits]
 template <class Path, class Shape>
 void add_hit(Table& table, const std::string& what, const Path& path, const Shape& shape)
 {
@@ -66,7 +63,6 @@ void print_hits()
   add_hit(table, "from inside", Ray2<double>{{1.5, -1.5}, {3, 4}}, scene.rectangle);
   std::cout << table.text();
 }
-// [print_hits]
 
 } // namespace
 

@@ -10,7 +10,6 @@
 namespace cookbook
 {
 
-// [seen_together]
 /// What `ask(form of a, form of b)` answers, in the view from a.
 template <class Real, class First, class Second, class Ask>
 auto seen_together(const First& a, const Second& b, const Ask& ask)
@@ -41,7 +40,6 @@ ClosestPoints<Real, 2> closest_in_plane(const First& a, const Second& b)
             view.point(found.a), view.point(found.b), view.length(found.distance)};
       });
 }
-// [seen_together]
 
 // [overlaps_in_plane]
 /// Whether two points are the same.
@@ -76,7 +74,6 @@ bool overlaps(const First<Real>& a, const Second<Real>& b)
 }
 // [overlaps_in_plane]
 
-// [closest_points_in_plane]
 /// Two points are their own closest points.
 template <class Real>
 ClosestPoints<Real, 2> closest_points(const Vector<Real, 2>& a, const Vector<Real, 2>& b)
@@ -108,9 +105,7 @@ closest_points(const First<Real>& a, const Second<Real>& b)
 {
   return closest_in_plane<Real>(a, b);
 }
-// [closest_points_in_plane]
 
-// [contains_in_plane]
 /// Whether a shape in the plane holds a point; its edge belongs to it; P21.
 template <class Real, template <class> class Shape>
 requires ShapeInPlane<Shape<Real>, Real>
@@ -118,7 +113,6 @@ bool contains(const Shape<Real>& shape, const Vector<Real, 2>& point)
 {
   return overlap_in_plane<Real>(point, shape);
 }
-// [contains_in_plane]
 
 // [way_apart]
 /// Which way circle b leaves circle a the soonest, and how far.

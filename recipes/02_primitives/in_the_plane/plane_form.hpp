@@ -17,7 +17,6 @@
 namespace cookbook
 {
 
-// [turns]
 /// A vector turned by a quarter, counter-clockwise.
 template <class Real>
 Vector<Real, 2> quarter_turn(const Vector<Real, 2>& v)
@@ -38,7 +37,6 @@ Vector<Real, 2> unit_in_plane(const Vector<Real, 2>& v)
 {
   return normalize<Real>(Vector3<Real>(v.x(), v.y(), Real(0))).unit.template head<2>();
 }
-// [turns]
 
 // [plane_form]
 /// A point, a segment or a rectangle, and all that is within `radius` of it.

@@ -42,7 +42,6 @@ inline constexpr int volume_slices = 16;
 /// Below this depth triangles are parted into halves, so that no tree is deeper than 80.
 inline constexpr int deepest_by_area = 48;
 
-// [half_area]
 /// Half the surface of a box [m²]; 0 for an empty one.
 template <class Real>
 Wide<Real> half_area(const Eigen::AlignedBox<Real, 3>& box)
@@ -54,9 +53,7 @@ Wide<Real> half_area(const Eigen::AlignedBox<Real, 3>& box)
   const Vector3<Wide<Real>> size = widen(box.max()) - widen(box.min());
   return size.x() * size.y() + size.y() * size.z() + size.z() * size.x();
 }
-// [half_area]
 
-// [slice_of]
 /// The slice, from 0 to 15, in which the centre of a box lies along an axis of `around`.
 template <class Real>
 int slice_of(
@@ -68,7 +65,6 @@ int slice_of(
   const W share = high > low ? (center - low) / (high - low) : W(0);
   return std::min(static_cast<int>(share * volume_slices), volume_slices - 1);
 }
-// [slice_of]
 
 // [cheapest_cut]
 /// Where to part triangles: those in slices below `slice` along `axis` from the others.

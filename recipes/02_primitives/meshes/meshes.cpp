@@ -16,7 +16,6 @@ namespace
 
 using namespace cookbook;
 
-// [print_asked]
 void print_asked()
 {
   const int rays = 10'000;
@@ -32,7 +31,6 @@ void print_asked()
   }
   std::cout << table.text();
 }
-// [print_asked]
 
 void print_mesh(const std::string& file)
 {

@@ -36,7 +36,6 @@ ray_triangle_watertight(const ShearedView<Wide<Real>>& view, const Triangle<Real
 }
 // [ray_triangle_watertight]
 
-// [normal_towards]
 /// The unit normal of a triangle on the side that a direction comes from; of a flat one, against
 /// the direction.
 template <class Real>
@@ -50,6 +49,5 @@ Vector3<Real> normal_towards(const Triangle<Real>& triangle, const Vector3<Real>
   const V towards = normal.dot(along) > 0 ? V(-normal) : normal;
   return towards.template cast<Real>();
 }
-// [normal_towards]
 
 } // namespace cookbook

@@ -38,7 +38,6 @@ Triangle<Real> triangle_of(const TriangleMesh<Real>& mesh, int triangle)
 }
 // [triangle_mesh]
 
-// [box_of_triangle]
 /// The smallest box along the axes that holds a triangle of a mesh.
 template <class Real>
 Eigen::AlignedBox<Real, 3> box_of_triangle(const TriangleMesh<Real>& mesh, int triangle)
@@ -46,6 +45,5 @@ Eigen::AlignedBox<Real, 3> box_of_triangle(const TriangleMesh<Real>& mesh, int t
   const Triangle<Real> t = triangle_of(mesh, triangle);
   return {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};
 }
-// [box_of_triangle]
 
 } // namespace cookbook

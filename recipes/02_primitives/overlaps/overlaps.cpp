@@ -18,7 +18,6 @@ using namespace cookbook;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// [print_overlaps]
 template <class First, class Second>
 void add_pair(Table& table, const std::string& names, const First& a, const Second& b)
 {
@@ -43,7 +42,6 @@ void print_overlaps()
   add_pair(table, "corner on a triangle", floor, solid);
   std::cout << table.text();
 }
-// [print_overlaps]
 
 /// The two triangles of F1 in their plane, and their shadows along an edge's direction across.
 std::string shadows_figure()

@@ -10,7 +10,6 @@
 namespace cookbook
 {
 
-// [farthest_point]
 /// The point of a shape farthest along a direction of any length; of the zero vector, any point.
 template <BoundedShape Shape>
 Vector3<NumberOf<Shape>>
@@ -68,9 +67,7 @@ Sphere<NumberOf<Shape>> bounding_sphere(const Shape& shape)
       frame.out(center).template cast<Real>(),
       static_cast<Real>((farthest + hull.radius) / frame.scale)};
 }
-// [farthest_point]
 
-// [contains_shape]
 /// Whether a sphere holds a point; its surface belongs to it.
 template <class Real>
 bool contains(const Sphere<Real>& sphere, const Vector3<Real>& point)
@@ -105,6 +102,5 @@ bool contains(const Tetrahedron<Real>& solid, const Vector3<Real>& point)
 {
   return overlaps(solid, point);
 }
-// [contains_shape]
 
 } // namespace cookbook

@@ -12,7 +12,6 @@
 namespace cookbook
 {
 
-// [exact_sum]
 /// A sum of up to 96 numbers without an error: parts of growing size that do not overlap.
 class ExactSum
 {
@@ -61,7 +60,6 @@ private:
   std::array<double, 96> parts_;
   std::size_t size_ = 0;
 };
-// [exact_sum]
 
 // [orient3d]
 /// 1 where d lies below the plane of a, b and c, which are seen counterclockwise from above; −1
@@ -101,7 +99,6 @@ inline int orient3d(
 }
 // [orient3d]
 
-// [orient2d]
 /// 1 where a, b and c turn counterclockwise, −1 where they turn clockwise, 0 where they do not;
 /// seen along the axis k, of which the coordinate is left out.
 inline int
@@ -119,6 +116,5 @@ orient2d(const Vector3<double>& a, const Vector3<double>& b, const Vector3<doubl
   add_area(c, a);
   return sum.sign();
 }
-// [orient2d]
 
 } // namespace cookbook

@@ -12,7 +12,6 @@
 namespace cookbook
 {
 
-// [separates_triangles]
 /// The corners of a triangle.
 template <class Real>
 std::array<Vector3<Real>, 3> corners_of(const Triangle<Real>& triangle)
@@ -37,9 +36,7 @@ bool separates_triangles(
   using std::min, std::max;
   return max(max(a0, a1), a2) < min(min(b0, b1), b2) || max(max(b0, b1), b2) < min(min(a0, a1), a2);
 }
-// [separates_triangles]
 
-// [eleven_axes]
 /// Two normals, and each edge of one across each edge of the other: not enough for triangles in
 /// one plane, where all of these are the normal, or zero.
 template <class Real>
@@ -57,7 +54,6 @@ bool triangles_meet_by_11_axes(const Triangle<Real>& a, const Triangle<Real>& b)
   }
   return !apart;
 }
-// [eleven_axes]
 
 // [seventeen_axes]
 /// And each edge across its own triangle's normal: the axes of the plane; P17.

@@ -8,7 +8,6 @@
 namespace cookbook
 {
 
-// [segments_meet]
 /// Signs without an error, for what follows to ask; a trial asks rounded ones.
 struct ExactSigns
 {
@@ -55,7 +54,6 @@ bool segments_meet(
          segments_meet_seen_along(signs, p, q, r, s, 1) &&
          segments_meet_seen_along(signs, p, q, r, s, 2);
 }
-// [segments_meet]
 
 // [edge_meets]
 /// Whether three signs are all 0 or more, or all 0 or less.
@@ -98,7 +96,6 @@ bool edge_meets(
 }
 // [edge_meets]
 
-// [triangles_meet]
 /// Whether two triangles have a point in common: an edge of one goes through the other.
 ///
 /// Without an error, for numbers from 1e-90 to 1e100; triangles may be flat, or points.
@@ -115,6 +112,5 @@ bool triangles_meet(const Triangle<Real>& one, const Triangle<Real>& other, cons
          edge_meets(signs, a.c, a.a, b) || edge_meets(signs, b.a, b.b, a) ||
          edge_meets(signs, b.b, b.c, a) || edge_meets(signs, b.c, b.a, a);
 }
-// [triangles_meet]
 
 } // namespace cookbook

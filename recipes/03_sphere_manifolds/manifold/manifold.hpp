@@ -123,7 +123,6 @@ struct Build
   operator std::invoke_result_t<Function>() const { return function(); } ///< calls it
 };
 
-// [swapped]
 /// The manifold of the same shapes named the other way round: B and A.
 template <class Real, std::size_t Capacity>
 std::optional<Manifold<Real, Capacity>> swapped(std::optional<Manifold<Real, Capacity>> manifold)
@@ -134,6 +133,5 @@ std::optional<Manifold<Real, Capacity>> swapped(std::optional<Manifold<Real, Cap
   }
   return manifold;
 }
-// [swapped]
 
 } // namespace cookbook

@@ -21,7 +21,6 @@ const Sphere<double> way[] = {{{-2.3, 1.2, 0}, 0.5},   {{-1.2, 1.25, 0}, 0.5},
                               {{-0.5, 0.75, 0}, 0.5},  {{0.4, 0.25, 0}, 0.5},
                               {{1.25, 0.125, 0}, 0.5}, {{2.25, 0, 0}, 0.5}};
 
-// [print_way]
 void print_way()
 {
   Table table({"ball x", "ball y", "depth", "normal x", "normal y", "contact x", "contact y"});
@@ -36,7 +35,6 @@ void print_way()
   }
   std::cout << table.text();
 }
-// [print_way]
 
 /// Draws a ball, and where and by which move it leaves the box.
 void draw_ball(plot::Figure2d& figure, const Sphere<double>& ball, const std::string& move)

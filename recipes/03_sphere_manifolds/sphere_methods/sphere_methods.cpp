@@ -41,7 +41,6 @@ std::string cell(const std::vector<SphereError>& errors, double SphereError::*wh
   return std::isinf(most) ? "NaN" : most < 1e-3 ? "0" : two_digits(most);
 }
 
-// [print_errors]
 void print_errors()
 {
   const std::vector<SphereMethod> methods = sphere_methods();
@@ -79,7 +78,6 @@ void print_errors()
   std::cout << "Largest error of the depth, in ulps of the larger radius\n" << depths.text();
   std::cout << "\nLargest error of the normal, in ulps of 1\n" << normals.text();
 }
-// [print_errors]
 
 /// The depth that a method finds for B at x, a little beside A; nothing where they are apart.
 std::vector<Eigen::Vector2d> depth_on_sweep(const SphereMethod& method)

@@ -45,7 +45,6 @@ std::vector<std::optional<Manifold<float>>> manifolds_of(const std::vector<Pair>
   return manifolds;
 }
 
-// [print_scene]
 void print_scene()
 {
   const std::vector<Pair> pairs = scene();
@@ -64,7 +63,6 @@ void print_scene()
   }
   std::cout << table.text();
 }
-// [print_scene]
 
 void draw(const Arguments& arguments)
 {

@@ -63,7 +63,6 @@ void sphere_pairs(
     InstructionSet set = widest_instruction_set());
 // [sphere_pairs]
 
-// [lists]
 /// Lists of one length that own their memory, for pairs and overlaps.
 ///
 /// Each begins a few cache lines later within its page than the one before: lists that begin alike
@@ -85,7 +84,6 @@ private:
   std::size_t stride_;
   std::vector<float> numbers_;
 };
-// [lists]
 
 /// Eight lists that hold these pairs, each a sphere A and a sphere B.
 Lists lists_of_pairs(const std::vector<std::pair<Sphere<float>, Sphere<float>>>& pairs);

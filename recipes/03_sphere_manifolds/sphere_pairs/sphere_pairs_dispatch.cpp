@@ -96,7 +96,6 @@ void answer_block(
 }
 // [answer_each]
 
-// [stream]
 /// Answers a block beside the lists, and streams the answers there.
 void answer_streamed(
     SpherePairsKernel* kernel, const PairsBegin& pairs, const OverlapsBegin& overlaps,
@@ -114,7 +113,6 @@ void answer_streamed(
     stream(answers[k].data(), overlaps.list[k], count * sizeof(float));
   }
 }
-// [stream]
 
 void check_lengths(const SpherePairs& p, const SphereOverlaps& o)
 {

@@ -21,7 +21,6 @@ Sphere<double> sphere_b_at(double distance)
   return {{distance, 0, 0}, 1};
 }
 
-// [print_approach]
 void print_approach()
 {
   Table table({"distance", "depth", "each moves", "normal x", "contact x"});
@@ -39,7 +38,6 @@ void print_approach()
   }
   std::cout << table.text();
 }
-// [print_approach]
 
 void draw(const Arguments& arguments)
 {

@@ -50,7 +50,6 @@ std::vector<std::pair<std::string, double>> shares(const FaultCounts& counts)
       {"point lost", percent(counts.lost, counts.asked)}};
 }
 
-// [print]
 void print(const std::vector<Counted>& all)
 {
   const FaultCounts& first = all.front().counts;
@@ -68,7 +67,6 @@ void print(const std::vector<Counted>& all)
   }
   std::cout << table.text();
 }
-// [print]
 
 void draw(const Arguments& arguments, const std::vector<Counted>& all)
 {

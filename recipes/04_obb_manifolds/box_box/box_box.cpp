@@ -30,7 +30,6 @@ std::string cell(double x)
   return number(std::round(x * 1e6) * 1e-6);
 }
 
-// [print_manifolds]
 void print_manifolds()
 {
   Table table({"boxes", "built on", "depth", "normal x", "y", "z", "points"});
@@ -56,7 +55,6 @@ void print_manifolds()
   }
   std::cout << table.text() << "\n" << points.text();
 }
-// [print_manifolds]
 
 void run(const Arguments& given)
 {

@@ -121,7 +121,6 @@ std::optional<Manifold<Real>> box_box(const Obb<Real>& a, const Obb<Real>& b)
 }
 // [box_box]
 
-// [box_axis]
 /// The axis, 0 … 14, on which box_box() builds its manifold, and the overlap [m] along it; nothing
 /// where the boxes are apart.
 template <class Row, class Real>
@@ -146,7 +145,6 @@ box_axis_in(const Obb<Real>& a, const Obb<Real>& b)
   return edge.found() ? std::pair(6 + edge.index, Real(std::sqrt(edge.squared_depth)))
                       : std::pair(face.index, face.depth);
 }
-// [box_axis]
 
 } // namespace COOKBOOK_INSTRUCTION_SET
 } // namespace cookbook

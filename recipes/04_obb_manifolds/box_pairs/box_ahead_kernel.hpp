@@ -15,7 +15,6 @@ namespace cookbook
 inline namespace COOKBOOK_INSTRUCTION_SET
 {
 
-// [ahead]
 /// A block that will be read, if it is const, or written; it is asked for a few lines at a time.
 template <class Block>
 class Ahead
@@ -69,7 +68,6 @@ struct Next
     edges.ask();
   }
 };
-// [ahead]
 
 } // namespace COOKBOOK_INSTRUCTION_SET
 } // namespace cookbook

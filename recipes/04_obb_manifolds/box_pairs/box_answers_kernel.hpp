@@ -15,7 +15,6 @@ namespace cookbook
 inline namespace COOKBOOK_INSTRUCTION_SET
 {
 
-// [answer_edges]
 /// Writes the manifolds of pairs that all meet with edges.
 inline void answer_edges(
     const Obb<Lanes>& a, const BoxesInRows<Three>& boxes, const LeastEdge<Lanes>& edge,
@@ -32,9 +31,7 @@ inline void answer_edges(
   store(pair, out.pair + at);
   store(converted<Words>(((edge.index + Lanes(6.0f)) * Lanes(64.0f)).lanes), out.feature + at);
 }
-// [answer_edges]
 
-// [answer_faces]
 /// Writes the manifolds of pairs that all meet with faces, and says which have no point.
 ///
 /// `box` has the face, along its axis k; the other's axes and centre are as it sees them.
@@ -71,7 +68,6 @@ Lanes::Mask answer_faces(
   store(converted<Words>(feature.lanes), out.feature + at);
   return {kept == Words{}};
 }
-// [answer_faces]
 
 } // namespace COOKBOOK_INSTRUCTION_SET
 } // namespace cookbook

@@ -70,7 +70,6 @@ inline Obb<Lanes> select(const Lanes::Mask& mask, const Obb<Lanes>& yes, const O
   return box;
 }
 
-// [face_of]
 /// Whose face a manifold is built on, and which of its axes that is.
 struct FaceOf
 {
@@ -83,7 +82,6 @@ struct FaceOf
   {
   }
 };
-// [face_of]
 
 } // namespace COOKBOOK_INSTRUCTION_SET
 } // namespace cookbook

@@ -39,7 +39,6 @@ std::string cell(float x)
   return number(std::round(double(x) * 1e4) * 1e-4);
 }
 
-// [print_scene]
 void print_scene(const std::vector<Lane>& lanes)
 {
   const auto at_once = box_pairs_in_order(pairs_of(lanes));
@@ -62,7 +61,6 @@ void print_scene(const std::vector<Lane>& lanes)
   }
   std::cout << table.text();
 }
-// [print_scene]
 
 /// The boxes of a lane, with normal and contact points.
 plot::Figure3d

@@ -42,7 +42,6 @@ BoxTouchKernel* touch_kernel(InstructionSet)
 }
 #endif
 
-// [make_room]
 /// Room for the manifolds of so many blocks, whether all are on faces or all on edges.
 void make_room(BoxManifolds& manifolds, std::size_t blocks)
 {
@@ -53,7 +52,6 @@ void make_room(BoxManifolds& manifolds, std::size_t blocks)
     manifolds = {std::move(faces), std::move(edges), 0, 0, blocks};
   }
 }
-// [make_room]
 
 /// Writes what all kinds of manifolds have, at place i.
 template <class Block>
@@ -98,7 +96,6 @@ void set_edge(
   }
 }
 
-// [answer_rest]
 /// Adds by `box_box` what the kernel has left out: pairs of sizes whose squares do not fit.
 void add_left_out(
     std::span<const SixteenBoxes> a, std::span<const SixteenBoxes> b, BoxManifolds& manifolds)
@@ -138,7 +135,6 @@ void mend_pointless(
     }
   }
 }
-// [answer_rest]
 
 /// Answers the pairs of a block one by one, only with a yes or no.
 void touch_each(const SixteenBoxes& a, const SixteenBoxes& b, std::uint32_t& touching)

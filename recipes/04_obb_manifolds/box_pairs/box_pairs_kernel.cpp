@@ -64,7 +64,6 @@ Choice choice_of(const BoxesInRows<Three>& boxes, const Tolerances<Lanes>& toler
 }
 // [choice_of]
 
-// [written]
 /// Counts manifolds that were written; where they begin a block, the next one will be asked for.
 template <class Block>
 void written(Block* blocks, std::size_t& count, std::size_t more, Ahead<Block>& next)
@@ -75,9 +74,7 @@ void written(Block* blocks, std::size_t& count, std::size_t more, Ahead<Block>& 
   }
   count += more;
 }
-// [written]
 
-// [answer_waiting]
 /// Answers a register of waiting faces, `count` of which are meant.
 [[gnu::flatten, gnu::noinline]] void answer_waiting_faces(
     const Waiting& waiting, std::size_t from, std::size_t count, BoxPairsRoom& room, Next& next)
@@ -128,7 +125,6 @@ void answer_waiting(
     answer(waiting, 0, waiting.count, room, next);
   }
 }
-// [answer_waiting]
 
 // [answer_or_wait]
 /// Answers a register of pairs if all of them go the same way; otherwise each waits for its like.

@@ -76,7 +76,6 @@ inline Obb<Lanes> turned(const Obb<Lanes>& box, const Which<Lanes>& k)
   return result;
 }
 
-// [wait]
 /// Adds the lanes whose bits are set, each row of them by one instruction.
 inline void wait_at_once(
     Waiting& waiting, std::uint32_t bits, const Obb<Lanes>& box, const Obb<Lanes>& other,
@@ -172,7 +171,6 @@ wait(Waiting& waiting, std::uint32_t bits, const PairsInBlocks& pairs, const Lea
         pairs.at + i, face.depth[i], face.index[i], pairs.first + i);
   }
 }
-// [wait]
 
 } // namespace COOKBOOK_INSTRUCTION_SET
 } // namespace cookbook

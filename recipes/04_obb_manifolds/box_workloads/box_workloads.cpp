@@ -19,7 +19,6 @@ using namespace cookbook;
 
 constexpr std::size_t pairs_each = 2000;
 
-// [print_contents]
 void print_contents()
 {
   Table definitions({"workload", "two boxes"});
@@ -38,7 +37,6 @@ void print_contents()
   }
   std::cout << definitions.text() << "\n" << table.text();
 }
-// [print_contents]
 
 /// The shortest turn that brings a unit vector upwards.
 Matrix3<double> turned_up(const Vector3<double>& way)

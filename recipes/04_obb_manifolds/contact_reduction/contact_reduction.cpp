@@ -18,7 +18,6 @@ using namespace cookbook;
 
 const Vector3<double> middle(0, 1, 0);
 
-// [print_octagon]
 void print_octagon()
 {
   const Manifold<double> octagon = turned_squares(45 * degree, 1e-3);
@@ -38,9 +37,7 @@ void print_octagon()
   }
   std::cout << table.text();
 }
-// [print_octagon]
 
-// [print_resting]
 void print_resting()
 {
   const BoxWorkload workload = box_workload("resting", 2000);
@@ -63,7 +60,6 @@ void print_resting()
   }
   std::cout << "\n" << table.text();
 }
-// [print_resting]
 
 void draw_octagons(const Arguments& arguments)
 {

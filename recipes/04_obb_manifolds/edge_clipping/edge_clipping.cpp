@@ -39,7 +39,6 @@ std::string cell(double x)
   return number(std::round(x * 1e6) * 1e-6);
 }
 
-// [print_points]
 void print_points()
 {
   Table table({"edge and face", "x", "y", "z"});
@@ -52,7 +51,6 @@ void print_points()
   }
   std::cout << table.text();
 }
-// [print_points]
 
 void print_counts()
 {

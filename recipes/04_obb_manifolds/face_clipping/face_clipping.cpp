@@ -35,7 +35,6 @@ std::string cell(double x)
   return number(std::round(x * 1e6) * 1e-6);
 }
 
-// [print_points]
 void print_points()
 {
   Table table({"boxes", "edges", "x", "y", "z", "depth"});
@@ -52,7 +51,6 @@ void print_points()
   }
   std::cout << table.text();
 }
-// [print_points]
 
 /// What the least overlap belongs to.
 std::string kind_name(const Obb<double>& a, const Obb<double>& b)
@@ -80,7 +78,6 @@ void print_cases()
   std::cout << "\n" << table.text();
 }
 
-// [print_tilts]
 /// A cube on a cube, 0.001 deep, tilted by less and less about a line that is parallel to no edge.
 void print_tilts()
 {
@@ -97,7 +94,6 @@ void print_tilts()
   }
   std::cout << "\n" << table.text();
 }
-// [print_tilts]
 
 } // namespace
 

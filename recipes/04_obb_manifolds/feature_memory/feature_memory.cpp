@@ -18,7 +18,6 @@ namespace
 
 using namespace cookbook;
 
-// [print_flips]
 void print_flips()
 {
   Table table({"tilt of the stack", "least axis", "box_box", "next_frame"});
@@ -32,9 +31,7 @@ void print_flips()
   }
   std::cout << "How often the axis changes in 1,000 frames\n" << table.text();
 }
-// [print_flips]
 
-// [print_persistence]
 void print_persistence(const std::string& title, const Frames& frames)
 {
   using Place = std::optional<Vector3<double>>;
@@ -53,7 +50,6 @@ void print_persistence(const std::string& title, const Frames& frames)
   }
   std::cout << '\n' << title << '\n' << table.text();
 }
-// [print_persistence]
 
 /// The axis in each of the first frames, as a line of steps.
 plot::Chart chart_of(const std::string& title, const std::vector<int>& axes)

@@ -125,7 +125,6 @@ rebuilt(Expansion<Real>& expansion, const Support& support, const Simplex<Real>&
 }
 // [rebuild]
 
-// [start]
 /// An expansion that starts from what GJK left; without a face where the solid is flat.
 template <class Real, class Support>
 Expansion<Real> start_expansion(const Support& support, const Simplex<Real>& simplex, Real slack)
@@ -152,6 +151,5 @@ Expansion<Real> start_expansion(const Support& support, const Simplex<Real>& sim
   }
   return expansion;
 }
-// [start]
 
 } // namespace cookbook

@@ -26,7 +26,6 @@ std::string cell(double x)
   return number(std::round(x * 1e6) * 1e-6);
 }
 
-// [print_steps]
 /// One line for each direction that EPA tries: below and above the depth.
 void print_steps()
 {
@@ -47,9 +46,7 @@ void print_steps()
   }
   std::cout << "GJK asked for " << decision.steps << " farthest points.\n\n" << table.text();
 }
-// [print_steps]
 
-// [print_cases]
 void print_cases()
 {
   Table table({"boxes", "depth", "asked", "normal x", "y", "z", "point x", "y", "z"});
@@ -71,7 +68,6 @@ void print_cases()
   }
   std::cout << "\n" << table.text();
 }
-// [print_cases]
 
 } // namespace
 

@@ -10,7 +10,6 @@
 namespace cookbook
 {
 
-// [simplex]
 /// Up to four points of a solid: a point, a segment, a triangle or a tetrahedron.
 template <class Real>
 struct Simplex
@@ -40,7 +39,6 @@ NearestPart<Real> closer(const NearestPart<Real>& one, const NearestPart<Real>& 
 {
   return other.point.squaredNorm() < one.point.squaredNorm() ? other : one;
 }
-// [simplex]
 
 // [nearest_part]
 /// The part of the segment from point i to point j that is closest to the origin.

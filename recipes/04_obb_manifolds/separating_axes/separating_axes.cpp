@@ -18,7 +18,6 @@ namespace
 
 using namespace cookbook;
 
-// [print_cases]
 void print_cases()
 {
   Table table({"boxes", "depth", "axis", "normal x", "y", "z"});
@@ -42,7 +41,6 @@ void print_cases()
   }
   std::cout << table.text();
 }
-// [print_cases]
 
 /// The least overlap as a manifold without points.
 template <class Real>

@@ -6,13 +6,11 @@
 namespace cookbook
 {
 
-// [side_of_face]
 /// Which side of a face a point is on: 1 outside, 0 on it as far as rounding can tell, −1 inside.
 template <class Real>
 int side_of_face(Real distance, Real slack)
 {
   return distance > slack ? 1 : distance < -slack ? -1 : 0;
 }
-// [side_of_face]
 
 } // namespace cookbook

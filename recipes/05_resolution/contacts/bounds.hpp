@@ -22,7 +22,6 @@ struct Bounds
 };
 // [bounds]
 
-// [reach]
 /// How far [m] a body reaches from its centre along the axes of the world; `axes()` are its own.
 template <class Axes>
 struct Reach
@@ -61,6 +60,5 @@ bounds_of(const RigidBody& body, const decltype(SceneBody::shape)& shape, double
   const auto axes = [&]() -> const Matrix3<double>& { return body.axes; };
   return bounds_at(body.motion.center, axes, shape, margin);
 }
-// [reach]
 
 } // namespace cookbook

@@ -15,7 +15,6 @@
 namespace cookbook
 {
 
-// [placed]
 /// A box where its body is.
 inline Obb<double> placed(const RigidBody& body, const BoxShape& box)
 {
@@ -47,9 +46,7 @@ inline Plane<double> grown(const Plane<double>& plane, double margin)
 {
   return {plane.normal, plane.distance + margin};
 }
-// [placed]
 
-// [manifold_of]
 /// The manifold of two balls.
 inline std::optional<Manifold<double>> manifold_of(const Sphere<double>& a, const Sphere<double>& b)
 {
@@ -88,7 +85,6 @@ inline std::optional<Manifold<double>> manifold_of(const Plane<double>& a, const
   }
   return manifold.points.empty() ? std::nullopt : std::optional(manifold);
 }
-// [manifold_of]
 
 // [within_margin]
 /// The manifold of two shapes that touch, or will within a margin [m]: a depth below zero is a gap.

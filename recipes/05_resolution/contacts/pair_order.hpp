@@ -16,7 +16,6 @@
 namespace cookbook
 {
 
-// [pair_order]
 /// The two bodies of a pair.
 inline std::pair<int, int> pair_of(const std::pair<int, int>& pair)
 {
@@ -71,6 +70,5 @@ public:
 private:
   std::vector<std::uint32_t> ends_, next_; // of those that begin with a body
 };
-// [pair_order]
 
 } // namespace cookbook

@@ -10,7 +10,6 @@
 namespace cookbook
 {
 
-// [too_many_contacts]
 /// What a scene with too many overlaps is answered with.
 class TooManyContacts : public std::runtime_error
 {
@@ -24,6 +23,5 @@ public:
   {
   }
 };
-// [too_many_contacts]
 
 } // namespace cookbook

@@ -15,7 +15,6 @@ namespace
 
 using namespace cookbook;
 
-// [print_fall]
 void print_fall(const DampedMotion& motion)
 {
   Table table({"speed after 20 s [m/s]", "at 30 Hz", "at 60 Hz", "at 240 Hz"});
@@ -27,7 +26,6 @@ void print_fall(const DampedMotion& motion)
   }
   std::cout << table.text();
 }
-// [print_fall]
 
 void run(const Arguments& given)
 {

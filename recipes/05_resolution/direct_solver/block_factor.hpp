@@ -16,7 +16,6 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 /// What one body's six feel of another's.
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-// [invert_factor]
 /// The inverse of the lower triangular factor of a block; false if it has none.
 inline bool invert_factor(const Matrix6& block, Matrix6& inverse)
 {
@@ -56,6 +55,5 @@ inline bool invert_factor(const Matrix6& block, Matrix6& inverse)
   }
   return true;
 }
-// [invert_factor]
 
 } // namespace cookbook

@@ -21,7 +21,6 @@ std::string nanometres(double length)
   return number(std::round(length * 1e10) / 10);
 }
 
-// [print_standing]
 void run(const Arguments& given)
 {
   Table table({"after 3 s", "sinks by [nm]", "drifts by [nm]", "deepest overlap [nm]"});
@@ -33,7 +32,6 @@ void run(const Arguments& given)
   std::cout << table.text();
   save_figure(given, "direct_solver.svg", top_chart().svg());
 }
-// [print_standing]
 
 } // namespace
 

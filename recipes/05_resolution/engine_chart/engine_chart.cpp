@@ -17,7 +17,6 @@ namespace
 
 using namespace cookbook;
 
-// [scenes_beside]
 /// Every engine's cost of a scene, a row each. A scene of few bodies is repeated more often: its
 /// steps are so short that whatever else the machine does would be the dearest of them.
 void add_rows(Cells& table, const std::string& name, double duration, bool quick)
@@ -52,9 +51,7 @@ Cells scenes_beside(bool quick)
   }
   return table;
 }
-// [scenes_beside]
 
-// [widths]
 /// What wide steps cost in scenes, by the instruction set.
 Cells widths(bool quick)
 {
@@ -76,9 +73,7 @@ Cells widths(bool quick)
   }
   return table;
 }
-// [widths]
 
-// [growth]
 /// What a body costs [µs] over how many there are, by engine.
 using Growth = std::map<std::string, std::vector<Eigen::Vector2d>>;
 
@@ -113,9 +108,7 @@ std::string chart_of(const std::string& file, const std::string& what, const Gro
   }
   return chart.svg();
 }
-// [growth]
 
-// [run]
 void run(const Arguments& given)
 {
   const bool quick = given.value("effort") == "quick";
@@ -132,7 +125,6 @@ void run(const Arguments& given)
   save_figure(given, "engine_chart.html", html_table(beside));
   save_figure(given, "engine_chart_widths.html", html_table(by_width));
 }
-// [run]
 
 } // namespace
 

@@ -15,7 +15,6 @@ namespace
 
 using namespace cookbook;
 
-// [print_ways]
 void print_ways(double speed, double friction)
 {
   Table table({"a block stops after [m]", "at 0°", "at 15°", "at 30°", "at 45°"});
@@ -33,9 +32,7 @@ void print_ways(double speed, double friction)
   }
   std::cout << table.text() << "\n";
 }
-// [print_ways]
 
-// [print_slopes]
 void print_slopes(double friction)
 {
   Table table({"a cube slides in 1 s [m]", "at 10°", "at 20°", "at 30°", "at 40°"});
@@ -59,7 +56,6 @@ void print_slopes(double friction)
   }
   std::cout << table.text();
 }
-// [print_slopes]
 
 void run(const Arguments& given)
 {

@@ -12,7 +12,6 @@
 namespace cookbook
 {
 
-// [bounce_in_turn]
 /// Two bodies after one bounce at each contact point in turn, as if the others were not there.
 ///
 /// Right for one point. With several, each bounce sets the others moving: see the page.
@@ -26,7 +25,6 @@ bounce_in_turn(BodyPair<Real> bodies, const Manifold<Real, Capacity>& manifold, 
   }
   return bodies;
 }
-// [bounce_in_turn]
 
 // [bounce]
 /// What a contact point of a bounce has got so far, and what it is to get.

@@ -9,7 +9,6 @@
 namespace cookbook
 {
 
-// [line_allocator]
 /// An allocator for lists of numbers that are read as packs.
 template <class Number>
 struct LineAllocator
@@ -35,6 +34,5 @@ struct LineAllocator
 
   friend bool operator==(const LineAllocator&, const LineAllocator&) { return true; }
 };
-// [line_allocator]
 
 } // namespace cookbook

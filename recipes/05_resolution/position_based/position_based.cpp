@@ -24,7 +24,6 @@ std::string millimetres(double length)
   return number(std::round(1e7 * length) / 1e4);
 }
 
-// [print_budgets]
 void print_budgets(int boxes)
 {
   const auto column = position_column(std::vector<double>(std::size_t(boxes), 1.0), 0.0);
@@ -37,9 +36,7 @@ void print_budgets(int boxes)
   }
   std::cout << boxes << " rigid boxes: how much too low the top one rests\n" << table.text();
 }
-// [print_budgets]
 
-// [print_compliance]
 void print_compliance(double compliance)
 {
   const std::vector<double> masses{1, 1};
@@ -55,7 +52,6 @@ void print_compliance(double compliance)
             << millimetres(3 * 9.81 * compliance) << " mm lower\n"
             << table.text();
 }
-// [print_compliance]
 
 void run(const Arguments& given)
 {

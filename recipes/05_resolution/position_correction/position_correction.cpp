@@ -15,7 +15,6 @@ namespace
 
 using namespace cookbook;
 
-// [print_recoveries]
 void print_recoveries(double depth)
 {
   Table table(
@@ -33,9 +32,7 @@ void print_recoveries(double depth)
   }
   std::cout << table.text() << "\n";
 }
-// [print_recoveries]
 
-// [print_softness]
 void print_softness(double frequency)
 {
   Table table(
@@ -50,7 +47,6 @@ void print_softness(double frequency)
   }
   std::cout << table.text();
 }
-// [print_softness]
 
 void run(const Arguments& given)
 {

@@ -16,7 +16,6 @@ namespace
 
 using namespace cookbook;
 
-// [print_drop]
 void print_drop(const Drop& drop)
 {
   const double share = drop.restitution * drop.restitution;
@@ -39,7 +38,6 @@ void print_drop(const Drop& drop)
   }
   std::cout << table.text();
 }
-// [print_drop]
 
 void run(const Arguments& given)
 {

@@ -84,7 +84,6 @@ BodyPair<Real> pushed_to(
 }
 // [pushed_to]
 
-// [settling_time]
 /// How long [s] a ball bounces that is dropped from a height [m]: infinitely often, but not for
 /// ever; R19. The restitution [1] is below one.
 template <class Real>
@@ -93,6 +92,5 @@ Real settling_time(Real height, Real gravity, Real restitution)
   using std::sqrt;
   return sqrt(Real(2) * height / gravity) * (Real(1) + restitution) / (Real(1) - restitution);
 }
-// [settling_time]
 
 } // namespace cookbook

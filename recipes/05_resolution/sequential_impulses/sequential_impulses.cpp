@@ -22,7 +22,6 @@ std::string tidied(double value)
   return number(std::round(value * 1e4) / 1e4);
 }
 
-// [print_ratios]
 void print_ratios(double chosen)
 {
   Table table({"heavy on light", "error a pass", "passes to 0.1 %"});
@@ -34,9 +33,7 @@ void print_ratios(double chosen)
   }
   std::cout << table.text();
 }
-// [print_ratios]
 
-// [print_towers]
 void print_towers()
 {
   Table table({"equal boxes", "error a pass", "passes to 1 %"});
@@ -50,9 +47,7 @@ void print_towers()
   }
   std::cout << table.text();
 }
-// [print_towers]
 
-// [print_frames]
 void print_frames(int boxes, int passes)
 {
   const auto count = static_cast<std::size_t>(boxes);
@@ -65,7 +60,6 @@ void print_frames(int boxes, int passes)
   }
   std::cout << boxes << " boxes, " << passes << " passes a frame: the top box\n" << table.text();
 }
-// [print_frames]
 
 void run(const Arguments& given)
 {

@@ -14,7 +14,6 @@ namespace
 
 using namespace cookbook;
 
-// [print_slopes]
 void print_slopes(double speed)
 {
   Table table({"ball rolls up", "turns after", "slow", "slow for 0.5 s", "slow, still, steady"});
@@ -31,7 +30,6 @@ void print_slopes(double speed)
   }
   std::cout << table.text();
 }
-// [print_slopes]
 
 void print_bounces()
 {

@@ -42,7 +42,6 @@ void print_sinks(const Arguments& given)
 }
 // [print_sinks]
 
-// [print_towers]
 void print_towers(const Arguments& given)
 {
   const std::vector<int> all_substeps{2, 4, 8};
@@ -60,7 +59,6 @@ void print_towers(const Arguments& given)
   save_figure(given, "tall_towers_joint.svg", joint_figure().svg());
   save_figure(given, "tall_towers.svg", lean_chart(all_substeps, all).svg());
 }
-// [print_towers]
 
 // [print_kept]
 void print_kept(const Arguments& given)

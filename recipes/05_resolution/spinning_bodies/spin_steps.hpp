@@ -8,7 +8,6 @@
 namespace cookbook
 {
 
-// [runge_kutta_spin]
 /// How orientation and spin of a body change.
 template <class Real>
 struct SpinRate
@@ -46,9 +45,7 @@ Spinning<Real> runge_kutta_spin(const Spinning<Real>& body, const Vector3<Real>&
       q + sixth * (a.orientation + 2 * b.orientation + 2 * c.orientation + d.orientation)));
   return {orientation.normalized(), orientation.normalized() * spin};
 }
-// [runge_kutta_spin]
 
-// [axes_in_turn]
 /// The body's axes one after the other, x, y, z, y, x: keeps the angular momentum, and the energy
 /// of some bodies only.
 template <class Real>
@@ -63,6 +60,5 @@ Spinning<Real> axes_in_turn(const Spinning<Real>& body, const Vector3<Real>& mom
   const Quaternion<Real> orientation = now.orientation.normalized();
   return {orientation, orientation * now.momentum.cwiseQuotient(moments)};
 }
-// [axes_in_turn]
 
 } // namespace cookbook

@@ -12,7 +12,6 @@
 namespace cookbook
 {
 
-// [swept_hit]
 /// The first touch of a moving sphere.
 template <class Real>
 struct SweptHit
@@ -20,7 +19,6 @@ struct SweptHit
   Real time;            ///< [1], the share of the displacement that is free, 0 to 1
   Vector3<Real> normal; ///< [1], unit, world, from the sphere to what it touches
 };
-// [swept_hit]
 
 // [first_touch]
 /// What a moving sphere sees of a convex shape, at one time; rates are those of the whole time.

@@ -23,7 +23,6 @@ void print_speeds(double thickness, double radius, double step)
             << number(no_tunnel_speed(thickness, radius, step)) << " m/s\n";
 }
 
-// [print_shares]
 void print_shares(double thickness, double radius, double step)
 {
   std::vector<std::string> header{"balls behind the wall"};
@@ -44,7 +43,6 @@ void print_shares(double thickness, double radius, double step)
   }
   std::cout << table.text();
 }
-// [print_shares]
 
 void print_boxes()
 {

@@ -9,7 +9,6 @@
 namespace cookbook
 {
 
-// [no_tunnel_speed]
 /// The speed [m/s] from which a ball that is looked at once a step may jump a wall unseen; R18.
 template <class Real>
 Real no_tunnel_speed(const Real& thickness, const Real& radius, const Real& step)
@@ -23,7 +22,6 @@ Real no_push_through_speed(const Real& thickness, const Real& radius, const Real
 {
   return no_tunnel_speed(thickness, radius, step) / Real(2);
 }
-// [no_tunnel_speed]
 
 // [discrete_step]
 /// Moves the ball, and looks afterwards: an overlap is pushed out, the velocity bounces.

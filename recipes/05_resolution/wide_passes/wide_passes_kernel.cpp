@@ -8,11 +8,9 @@
 namespace cookbook
 {
 
-// [wide_passes_kernel]
 WidePasses COOKBOOK_NAMED(wide_passes_, COOKBOOK_INSTRUCTION_SET)()
 {
   return passes_in_lanes<Lanes>();
 }
-// [wide_passes_kernel]
 
 } // namespace cookbook

@@ -13,7 +13,6 @@
 namespace cookbook
 {
 
-// [islands_together]
 /// Islands, and their contacts one after the other.
 class IslandsTogether
 {
@@ -58,6 +57,5 @@ private:
   std::vector<int> contacts_;
   std::vector<double> speeds_;
 };
-// [islands_together]
 
 } // namespace cookbook

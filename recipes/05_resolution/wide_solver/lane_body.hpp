@@ -8,7 +8,6 @@
 namespace cookbook
 {
 
-// [lane_body]
 /// What a solver needs of a body, in float: one line of a cache, so that those of several are
 /// gathered by whole rows. The last number of how it moves is not used.
 struct alignas(64) LaneBody
@@ -61,6 +60,5 @@ inline void take_motion(const LaneBody& from, RigidBody& to)
   take_changed(from.velocity, to.motion.velocity);
   take_changed(from.angular_velocity, to.motion.angular_velocity);
 }
-// [lane_body]
 
 } // namespace cookbook

@@ -30,7 +30,6 @@ inline WidePasses widest_passes()
 #endif
 // [widest_passes]
 
-// [wide_contacts]
 /// The contacts of islands, and their bodies, as lanes.
 class WideContacts
 {
@@ -173,6 +172,5 @@ private:
   LaneNumbers numbers_;
   std::vector<LaneBody> bodies_; // by their places in the world
 };
-// [wide_contacts]
 
 } // namespace cookbook

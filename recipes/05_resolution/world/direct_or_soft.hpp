@@ -18,7 +18,6 @@
 namespace cookbook
 {
 
-// [forget_strain]
 /// Forgets what the points of an island were given in the frame before if any is strained: what
 /// held it in balance may be gone. Stiff contacts do without it, small steps would begin with it.
 inline void forget_strain(IslandView world, const Island& island)
@@ -42,7 +41,6 @@ inline void forget_strain(IslandView world, const Island& island)
     }
   }
 }
-// [forget_strain]
 
 // [direct_or_soft]
 /// How a frame of an island was solved.

@@ -41,7 +41,6 @@ void save_frames(const Arguments& given, const Scene& scene, const std::vector<F
   }
 }
 
-// [run_scene]
 void run_scene(const Arguments& given)
 {
   const Scene scene = scene_of(given);
@@ -62,7 +61,6 @@ void run_scene(const Arguments& given)
       given, "world_run.svg",
       scene_animation("world_run", scene.name, scene, run.frames, view).svg());
 }
-// [run_scene]
 
 void run(const Arguments& given)
 {

@@ -16,7 +16,6 @@
 namespace cookbook
 {
 
-// [checked_scene]
 /// What a scene with impossible numbers is answered with; it names the body, the member, what that
 /// must be, and what it is.
 class InvalidScene : public std::invalid_argument
@@ -177,6 +176,5 @@ inline Scene checked(Scene scene)
   std::sort(scene.ignored.begin(), scene.ignored.end());
   return scene;
 }
-// [checked_scene]
 
 } // namespace cookbook

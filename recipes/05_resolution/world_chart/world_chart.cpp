@@ -128,7 +128,6 @@ Cells crossover(const measure::Effort& effort)
 }
 // [crossover]
 
-// [run]
 void run(const Arguments& given)
 {
   const bool quick = given.value("effort") == "quick";
@@ -156,7 +155,6 @@ void run(const Arguments& given)
   show(crossover(quick ? measure::Effort{3, 0.001} : measure::Effort{11, 0.005}));
   save_figure(given, "world_chart.html", html);
 }
-// [run]
 
 } // namespace
 

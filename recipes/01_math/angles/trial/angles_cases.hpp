@@ -46,7 +46,6 @@ Vector3<Real> turned_by_half_tangent(double t)
       static_cast<Real>((1 - square) / (1 + square)), static_cast<Real>(2 * t / (1 + square)), 0};
 }
 
-// [angles_cases]
 /// Two vectors and the angle between them.
 template <class Real>
 struct AngleCase
@@ -86,7 +85,6 @@ inline std::vector<AngleCase<double>> angles_cases(double)
        0.5e-16},
       {"", "(1, 0, 0) and (1, 1e-300, 0), double", {1, 0, 0}, {1, 1e-300, 0}, 1e-300}};
 }
-// [angles_cases]
 
 /// An angle is right within this many roundings of itself.
 inline constexpr double allowed_roundings = 12;
@@ -139,7 +137,6 @@ struct EqualCase
   bool equal;       ///< whether they differ by roundings only
 };
 
-// [equal_cases]
 /// Pairs of vectors that differ by a rounding, or by more.
 inline std::vector<EqualCase> equal_cases()
 {
@@ -150,7 +147,6 @@ inline std::vector<EqualCase> equal_cases()
       {"(1e6, 0, 0) and the next float", {1e6f, 0, 0}, {next, 0, 0}, 1e6f, true},
       {"(0.1 + 0.6 − 0.7, 0, 0) and 0", {0.1f + 0.6f - 0.7f, 0, 0}, {0, 0, 0}, 0.7f, true}};
 }
-// [equal_cases]
 
 /// The names of the ways to compare.
 inline const std::vector<std::string> equal_methods{"as published", "isApprox", "within roundings"};

@@ -42,7 +42,6 @@ struct InverseMethod
   std::optional<Matrix3<Real>> (*invert)(const Matrix3<Real>& m); ///< the way
 };
 
-// [inverse_methods]
 /// The ways that compete, the recommended one last.
 template <class Real>
 std::array<InverseMethod<Real>, 6> inverse_methods()
@@ -64,7 +63,6 @@ std::array<InverseMethod<Real>, 6> inverse_methods()
        {"FullPivLU", full_lu_inverse<Real, 3>},
        {"recommended", inverse<Real, 3>}}};
 }
-// [inverse_methods]
 
 /// The exact values of a matrix's entries.
 template <class Real, int Size>
@@ -73,7 +71,6 @@ SquareMatrix<Rational, Size> exact_matrix(const SquareMatrix<Real, Size>& m)
   return m.unaryExpr([](const Real& x) { return Rational(x); });
 }
 
-// [inverse_error]
 /// How far an inverse is off, in roundings: one is what the exact inverse changes, entry by entry,
 /// where each entry of the matrix changes by half an ulp. Infinite where an entry is not finite.
 template <class Real, int Size>
@@ -99,9 +96,7 @@ double inverse_error(const SquareMatrix<Real, Size>& answer, const SquareMatrix<
   }
   return static_cast<double>(worst);
 }
-// [inverse_error]
 
-// [matrix_cases]
 /// A matrix that some way to invert may not survive.
 template <class Real>
 struct MatrixCase
@@ -148,12 +143,10 @@ std::vector<MatrixCase<Real>> matrix_cases()
       {"", "the same / 10" + name, rows<Real>({0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9}), true},
       {"", "the same with 9.01" + name, rows<Real>({1, 2, 3, 4, 5, 6, 7, 8, 9.01}), false}};
 }
-// [matrix_cases]
 
 /// An inverse is right if it is off by no more roundings of the matrix than this.
 inline constexpr double allowed_inverse_roundings = 16;
 
-// [inverse_verdict]
 /// Whether an answer is right, and what to say of it.
 template <class Real>
 Verdict inverse_verdict(const std::optional<Matrix3<Real>>& answer, const MatrixCase<Real>& one)
@@ -174,7 +167,6 @@ Verdict inverse_verdict(const std::optional<Matrix3<Real>>& answer, const Matrix
   const bool right = error <= allowed_inverse_roundings;
   return {right, right ? "right" : rounded(error) + " roundings off"};
 }
-// [inverse_verdict]
 
 /// The verdicts on all ways, case by case.
 template <class Real>

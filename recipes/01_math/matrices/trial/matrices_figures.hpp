@@ -52,7 +52,6 @@ inline plot::Figure2d square_under(
   return figure;
 }
 
-// [columns_figure]
 /// The unit square, a matrix's picture of it, and that of the matrix with its columns swapped.
 inline plot::Grid columns_figure()
 {
@@ -71,7 +70,6 @@ inline plot::Grid columns_figure()
           "det = −2.5"));
   return grid;
 }
-// [columns_figure]
 
 /// Two columns whose tips are known only to a small box each: they may be parallel.
 inline plot::Figure2d near_figure()

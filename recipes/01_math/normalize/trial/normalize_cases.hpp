@@ -39,7 +39,6 @@ std::array<NormalizeMethod<Real>, 4> normalize_methods()
        {"scaled", [](const Vector3<Real>& v) { return normalize<Real>(v); }}}};
 }
 
-// [normalize_cases]
 /// A vector that some way to normalise may not survive.
 template <class Real>
 struct NormalizeCase
@@ -75,7 +74,6 @@ inline std::vector<NormalizeCase<double>> normalize_cases(double)
       {"", "(1, 1, 1) · 1e200, double", {1e200, 1e200, 1e200}},
       {"", "(3, 4, 0) · 1e-200, double", {3e-200, 4e-200, 0}}};
 }
-// [normalize_cases]
 
 // [direction_error]
 /// Distance of an answer from the truth: of its length in ulps of the length, of its worst
@@ -135,7 +133,6 @@ std::vector<VerdictRow> normalize_verdicts(const std::vector<NormalizeCase<Real>
   return rows;
 }
 
-// [directions]
 /// `count` vectors whose largest component is about `size`, the same ones every time.
 template <class Real>
 std::vector<Vector3<Real>> vectors_of_size(Real size, int count)
@@ -152,6 +149,5 @@ std::vector<Vector3<Real>> vectors_of_size(Real size, int count)
   }
   return vectors;
 }
-// [directions]
 
 } // namespace cookbook

@@ -11,7 +11,6 @@
 namespace cookbook
 {
 
-// [normalize_libraries]
 /// Eigen's two functions, and a division by the standard library's length.
 template <class Real>
 std::array<NormalizeMethod<Real>, 3> normalize_libraries()
@@ -28,7 +27,6 @@ std::array<NormalizeMethod<Real>, 3> normalize_libraries()
         }},
        {"hypot", normalize_hypot<Real>}}};
 }
-// [normalize_libraries]
 
 /// The verdicts on these ways, case by case.
 template <class Real>

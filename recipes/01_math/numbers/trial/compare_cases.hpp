@@ -16,7 +16,6 @@
 namespace cookbook
 {
 
-// [compare_methods]
 /// Whether two numbers are the same, with the size of what they were computed from.
 using Compare = bool (*)(float a, float b, float size);
 
@@ -40,7 +39,6 @@ inline std::vector<std::pair<std::string, Compare>> compare_methods()
       {"equal_to_rounding",
        [](float a, float b, float size) { return equal_to_rounding(a, b, size, 10); }}};
 }
-// [compare_methods]
 
 /// The names of the ways to compare.
 inline std::vector<std::string> compare_names()
@@ -63,7 +61,6 @@ struct CompareCase
   bool same;        ///< what is right
 };
 
-// [compare_cases]
 /// The numbers to compare, in metres.
 inline std::vector<CompareCase> compare_cases()
 {
@@ -83,7 +80,6 @@ inline std::vector<CompareCase> compare_cases()
       {"1e-25 and 2e-25", 1e-25f, 2e-25f, 2e-25f, false},
       {"infinite and 1", infinite, 1, 1, false}};
 }
-// [compare_cases]
 
 /// The verdicts on all ways to compare, pair by pair.
 inline std::vector<VerdictRow> compare_verdicts()

@@ -11,7 +11,6 @@
 namespace cookbook
 {
 
-// [small_floats]
 /// The numbers from 0 to `most` of a float with three binary digits whose smallest power is 1/8.
 inline std::vector<double> small_floats(double most)
 {
@@ -30,7 +29,6 @@ inline std::vector<double> small_floats(double most)
   std::erase_if(all, [most](double x) { return x > most; });
   return all;
 }
-// [small_floats]
 
 /// Draws the small float's numbers from 0 to `most` on a line that ends at 1.
 inline void draw_small_floats(plot::Figure2d& figure, double most)

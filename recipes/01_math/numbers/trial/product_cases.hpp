@@ -24,14 +24,12 @@ struct ProductMethod
   Real (*difference)(Real, Real, Real, Real); ///< the way: a, d, b, c
 };
 
-// [difference_wide]
 /// ad − bc in the wider type: exact for floats but for the last rounding, no help for doubles.
 template <class Real>
 Real difference_wide(Real a, Real d, Real b, Real c)
 {
   return static_cast<Real>(Wide<Real>(a) * Wide<Real>(d) - Wide<Real>(b) * Wide<Real>(c));
 }
-// [difference_wide]
 
 /// The ways that compete, the recommended one last.
 template <class Real>
@@ -53,7 +51,6 @@ struct ProductCase
   Real right;       ///< the true answer
 };
 
-// [product_cases]
 /// Products of floats. Of three Fibonacci numbers in a row, the square of the middle one is 1 more
 /// or less than the product of the others, as Cassini found.
 inline std::vector<ProductCase<float>> product_cases(float)
@@ -73,7 +70,6 @@ inline std::vector<ProductCase<double>> product_cases(double)
       {"products of 2^1030, 2^978 apart, double", 0x1p530, 0x1p500, 0x1p530, 0x1p500 - 0x1p448,
        0x1p978}};
 }
-// [product_cases]
 
 /// The verdicts on all ways; right means within an ulp and a half.
 template <class Real>

@@ -33,13 +33,11 @@ inline float wrap_loop(float degrees)
 }
 // [wrap_loop]
 
-// [wrap_floor]
 /// Takes all turns off at once, rounded twice.
 inline float wrap_floor(float degrees)
 {
   return degrees - 360 * std::floor(degrees / 360 + 0.5f);
 }
-// [wrap_floor]
 
 /// A way to wrap an angle in degrees, by name.
 struct WrapMethod
@@ -67,7 +65,6 @@ struct WrapCase
   float right;      ///< the same direction
 };
 
-// [wrap_cases]
 /// The angles to try.
 inline std::vector<WrapCase> wrap_cases()
 {
@@ -81,7 +78,6 @@ inline std::vector<WrapCase> wrap_cases()
       {"", "1e38°", 1e38f, 128},
       {"", "infinite", infinite, none}};
 }
-// [wrap_cases]
 
 /// Whether two angles within a turn are one direction: equal, or a whole turn apart, exactly.
 inline bool same_direction(float a, float b)

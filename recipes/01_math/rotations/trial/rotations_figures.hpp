@@ -26,7 +26,6 @@ turned_points(const Vector3<double>& axis, const Vector3<double>& v, double from
   return points;
 }
 
-// [axis_figure]
 /// A vector that turns about an axis: its tip goes round a circle.
 inline plot::Figure3d axis_figure()
 {
@@ -51,9 +50,7 @@ inline plot::Figure3d axis_figure()
           plot::Ink::overlap);
   return figure;
 }
-// [axis_figure]
 
-// [lock_figure]
 /// The three axes of Euler's angles at a pitch, each with the ring in which it turns.
 inline plot::Figure3d axes_at_pitch(const std::string& name, const std::string& title, double pitch)
 {
@@ -81,9 +78,7 @@ inline plot::Grid lock_grid()
       .add(axes_at_pitch("up", "Nose up: two axes on one line", std::numbers::pi / 2));
   return grid;
 }
-// [lock_figure]
 
-// [slerp_figure]
 /// Five shares of the way between two quaternions, along the circle and along its chord.
 inline plot::Figure2d slerp_figure()
 {
@@ -112,6 +107,5 @@ inline plot::Figure2d slerp_figure()
       .label({0, 0}, "nlerp: equal steps of the chord", plot::Side::below, plot::Ink::b);
   return figure;
 }
-// [slerp_figure]
 
 } // namespace cookbook

@@ -54,7 +54,6 @@ Quaternion<Real> slerp_by_cosine(const Quaternion<Real>& a, const Quaternion<Rea
 }
 // [slerp_by_cosine]
 
-// [between_by_half]
 /// The rotation between two vectors by 1 + cos and the cross product, which opposite ones lack.
 template <class Real>
 Quaternion<Real> between_by_half(const Vector3<Real>& from, const Vector3<Real>& to)
@@ -63,7 +62,6 @@ Quaternion<Real> between_by_half(const Vector3<Real>& from, const Vector3<Real>&
   const Vector3<Real> v = a.cross(b);
   return quaternion_over_root(Quaternion<Real>(1 + a.dot(b), v.x(), v.y(), v.z()));
 }
-// [between_by_half]
 
 // [angles_by_sine]
 /// Three angles, each by itself: near the lock two of them are made of rounding.

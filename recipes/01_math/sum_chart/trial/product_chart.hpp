@@ -21,7 +21,6 @@ struct Products
   double a, d, b, c; ///< the numbers
 };
 
-// [unit_products]
 /// Whole numbers with ad − bc = 1: the identity, sheared back and forth.
 inline std::vector<Products> unit_products(int count)
 {
@@ -46,7 +45,6 @@ inline std::vector<Products> unit_products(int count)
   }
   return all;
 }
-// [unit_products]
 
 // [difference_split]
 /// A number cut into two of at most 26 digits each (Veltkamp).

@@ -60,7 +60,6 @@ inline SumList sum_list(Signs signs, unsigned seed)
 }
 // [sum_list]
 
-// [sum_list_error]
 /// How far a way to add is off [ulp of the exact sum]: the median and the largest of some lists.
 inline measure::ErrorStatistics
 sum_errors(const SumMethod<float>& method, const std::vector<SumList>& lists)
@@ -75,6 +74,5 @@ sum_errors(const SumMethod<float>& method, const std::vector<SumList>& lists)
   }
   return {measure::median(errors), *std::max_element(errors.begin(), errors.end())};
 }
-// [sum_list_error]
 
 } // namespace cookbook

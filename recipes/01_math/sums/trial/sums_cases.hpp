@@ -27,7 +27,6 @@ struct SumMethod
   Real (*sum)(std::span<const Real>); ///< the way
 };
 
-// [sum_eigen]
 /// The sum as Eigen adds: in several columns, four or two numbers wide.
 template <class Real>
 Real sum_eigen(std::span<const Real> numbers)
@@ -35,7 +34,6 @@ Real sum_eigen(std::span<const Real> numbers)
   using Numbers = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
   return Eigen::Map<const Numbers>(numbers.data(), static_cast<Eigen::Index>(numbers.size())).sum();
 }
-// [sum_eigen]
 
 /// The ways that compete, the recommended one last.
 template <class Real>

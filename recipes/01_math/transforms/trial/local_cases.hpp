@@ -12,7 +12,6 @@
 namespace cookbook
 {
 
-// [local_methods]
 /// A way to see a point of the world in a body's frame, by name.
 struct LocalMethod
 {
@@ -40,9 +39,7 @@ inline std::array<LocalMethod, 4> local_methods()
        {"M⁻¹(p − t)",
         [](const T& t, const V& p) -> V { return to_local<float>(t, p).value_or(V::Zero()); }}}};
 }
-// [local_methods]
 
-// [local_cases]
 /// A body's transform; the point is the one nearest to (1, 2, 3) of the body.
 struct LocalCase
 {
@@ -65,7 +62,6 @@ inline std::vector<LocalCase> local_cases()
       {"a turn and Scale(1e-15)", affine(tiny, Vector3<float>(0, 0, 0))},
       {"grown by 1 %, 4,000 km away", affine(drifted, far)}};
 }
-// [local_cases]
 
 /// Local points are of the size 1: right within a tenth of a millimetre of a metre.
 inline constexpr double allowed_local = 1e-4;

@@ -28,7 +28,6 @@ inline Matrix3<float> turned_345()
   return rows<float>({0.8, -0.6, 0, 0.6, 0.8, 0, 0, 0, 1});
 }
 
-// [plane_methods]
 /// A way to carry a plane along, by name.
 struct PlaneMethod
 {
@@ -68,9 +67,7 @@ inline std::array<PlaneMethod, 4> plane_methods()
        {"Eigen's transform", plane_by_eigen},
        {"recommended", transformed_plane<float>}}};
 }
-// [plane_methods]
 
-// [plane_cases]
 /// A transform that some way does not survive; the plane is always 2x + y + 2z = 6.
 struct PlaneCase
 {
@@ -99,7 +96,6 @@ inline std::vector<PlaneCase> plane_cases()
       {"", "Scale(1e-20)", affine(scale(1e-20f, 1e-20f, 1e-20f), none)},
       {"", "flattened to z = 0", affine(scale(1, 1, 0), none)}};
 }
-// [plane_cases]
 
 /// What is right within this many roundings is right.
 inline constexpr double allowed_in_transforms = 16;

@@ -13,7 +13,6 @@
 namespace cookbook
 {
 
-// [whole_range]
 /// Draws finite numbers of every size that `Real` has, the same ones every time.
 ///
 /// Every eighth number is zero, the smallest, the largest or a power of two; all others have random
@@ -71,6 +70,5 @@ private:
 
   std::mt19937_64 random_{1};
 };
-// [whole_range]
 
 } // namespace cookbook

@@ -84,7 +84,6 @@ auto by_quaternions(Step one)
   };
 }
 
-// [spin_ways]
 /// The ways that compete, the recommended one last.
 template <class Real>
 std::vector<SpinWay<Real>> spin_ways()
@@ -116,7 +115,6 @@ std::vector<SpinWay<Real>> spin_ways()
       {"divided by |ω|", by_quaternions<Real>(turned_by_division<Real>)},
       {"turned_by", by_quaternions<Real>(turned_by<Real>)}};
 }
-// [spin_ways]
 
 /// The angle [rad] from where a spin ends in truth, by its closed form in long double; 0 where the
 /// case allows any orientation.

@@ -25,7 +25,6 @@ inline std::vector<Eigen::Vector2d> arc_points(double from, double to)
   return points;
 }
 
-// [tangent_figure]
 /// A step of half an angle of one radian: along the circle, and along the tangent and back.
 inline plot::Figure2d tangent_figure()
 {
@@ -50,9 +49,7 @@ inline plot::Figure2d tangent_figure()
       .label(0.5 * (right + back) * 1.02, "lost", plot::Side::right, plot::Ink::overlap);
   return figure;
 }
-// [tangent_figure]
 
-// [spiral_figure]
 /// Nine steps of half an angle of 0.4 radians, added: the quaternion runs away from the circle.
 inline plot::Figure2d spiral_figure()
 {
@@ -77,6 +74,5 @@ inline plot::Figure2d spiral_figure()
       .point(end, plot::Ink::a, "turned", plot::Side::right);
   return figure;
 }
-// [spiral_figure]
 
 } // namespace cookbook

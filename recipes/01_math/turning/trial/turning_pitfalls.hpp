@@ -85,7 +85,6 @@ matrix_added(const Matrix3<Real>& axes, const Vector3<Real>& angular_velocity, R
 }
 // [matrix_added]
 
-// [divided]
 /// The exponential as it is written, divided by |ω|: not a number where there is no spin.
 template <class Real>
 Quaternion<Real> turned_by_division(
@@ -95,6 +94,5 @@ Quaternion<Real> turned_by_division(
   const Vector3<Real> v = angular_velocity / speed * std::sin(speed * step / 2);
   return Quaternion<Real>(std::cos(speed * step / 2), v.x(), v.y(), v.z()) * orientation;
 }
-// [divided]
 
 } // namespace cookbook

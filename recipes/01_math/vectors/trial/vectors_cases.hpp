@@ -14,7 +14,6 @@
 namespace cookbook
 {
 
-// [textbook]
 /// The part of `a` along `n`, as its formula is written: 0 / 0 where the square of `n` is lost.
 template <class Real>
 Vector3<Real> project_textbook(const Vector3<Real>& a, const Vector3<Real>& n)
@@ -42,7 +41,6 @@ Vector3<Real> minus_as_published(const Vector3<Real>& a, const Vector3<Real>& b)
 {
   return {a.x() - b.y(), a.y() - b.y(), a.z()};
 }
-// [textbook]
 
 /// A formula on two vectors with what it should answer.
 struct VectorsCase
@@ -54,7 +52,6 @@ struct VectorsCase
   Vector3<double> truth;       ///< by hand
 };
 
-// [vectors_cases]
 /// Inputs that break a formula as it is usually written.
 inline std::vector<VectorsCase> vectors_cases()
 {
@@ -89,7 +86,6 @@ inline std::vector<VectorsCase> vectors_cases()
       {"", "(3, 5, 0) − (1, 2, 0), as published", minus_as_published<double>({3, 5, 0}, {1, 2, 0}),
        D(3, 5, 0) - D(1, 2, 0), D(2, 3, 0)}};
 }
-// [vectors_cases]
 
 /// Right is within 18 roundings of float of the longest of truth; exactly where the truth is exact.
 inline Verdict vectors_verdict(const Vector3<double>& answer, const Vector3<double>& truth)

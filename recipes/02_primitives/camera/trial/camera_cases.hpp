@@ -15,7 +15,6 @@
 namespace cookbook
 {
 
-// [depth_cases]
 /// Two points ahead that a depth buffer has to tell apart.
 struct DepthCase
 {
@@ -35,7 +34,6 @@ inline std::vector<DepthCase> depth_cases()
       {"the same, near plane at 10 m", 50'000, 50'100, 10},
       {"1 m apart at 1 km, near plane at 0", 1000, 1001, 0}};
 }
-// [depth_cases]
 
 /// A way to make depths, by name.
 struct DepthMethod
@@ -101,7 +99,6 @@ inline Camera<double> square_camera()
   return {Isometry3<double>::Identity(), lens, {100, 100}};
 }
 
-// [view_cases]
 /// A box before the camera that sees 1 to 10 m ahead, as far to each side as ahead.
 struct ViewCase
 {
@@ -122,7 +119,6 @@ inline std::vector<ViewCase> view_cases()
       {"a wall just beyond a far corner", {10.5, -1, -40}, {11, 1, 0}, false},
       {"across a slanted edge", {7, -30, -9}, {30, -8, -6}, true}};
 }
-// [view_cases]
 
 /// The verdicts on both ways to leave out boxes: right if seen boxes stay and others go.
 inline std::vector<VerdictRow> view_verdicts()

@@ -61,7 +61,6 @@ inline std::array<LookMethod, 3> look_methods()
         }}}};
 }
 
-// [look_cases]
 /// Where a camera stands and looks, and what is truly to its right; zero: any direction will do.
 struct LookCase
 {
@@ -98,7 +97,6 @@ inline std::vector<LookCase> look_cases()
        {-root, 0, -root}},
       {"1e25 m from the target", {1e25f, 0, 1e25f}, zero, y, {root, 0, -root}, {-root, 0, -root}}};
 }
-// [look_cases]
 
 /// How far the axes are from a rotation that looks ahead with that on its right.
 inline double look_error(const Matrix3<float>& axes, const LookCase& one)

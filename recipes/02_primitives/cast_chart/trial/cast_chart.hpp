@@ -19,7 +19,6 @@
 namespace cookbook
 {
 
-// [cast_workload]
 /// A ray, a shape that it meets, and where.
 template <class Shape>
 struct KnownCast
@@ -38,7 +37,6 @@ public:
   Vector3<float> unit() { return (in_cube(1) + Vector3<float>(2, 0, 0)).normalized(); }
   float distance() { return std::pow(10.0f, between(0.5f, 4)); } ///< from 3 m to 10 km
 };
-// [cast_workload]
 
 /// The exact t at which a ray meets a sphere, with 100 digits.
 inline double exact_t(const Ray<float>& ray, const Sphere<float>& ball)

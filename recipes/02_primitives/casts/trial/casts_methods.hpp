@@ -18,7 +18,6 @@
 namespace cookbook
 {
 
-// [cast_methods]
 /// A way to cast at each shape, by name: t, or nothing.
 struct CastMethod
 {
@@ -48,9 +47,7 @@ inline std::array<CastMethod, 3> cast_methods()
         true},
        {"recommended", cast_t<Sphere<float>>, cast_t<Aabb<float>>, cast_t<Triangle<float>>, true}}};
 }
-// [cast_methods]
 
-// [cast_answers]
 /// A ray seen from a turned box.
 inline Ray<float> seen_from_box(const Ray<float>& ray, const Obb<float>& box)
 {
@@ -85,7 +82,6 @@ inline Verdict cast_verdict(const std::optional<float>& t, const std::optional<d
   const bool right = std::abs(*t - *expected) <= 1e-5 * *expected * (*expected > 1000 ? 0.01 : 1);
   return {right, right ? "right" : "t = " + number(*t)};
 }
-// [cast_answers]
 
 // [quad_diagonal]
 /// Rays from above at the diagonal that two triangles share: right if none gets through.

@@ -31,7 +31,6 @@ inline std::optional<float> sphere_as_published(const Ray<float>& ray, const Sph
 }
 // [sphere_as_published]
 
-// [sphere_quadratic]
 /// The quadratic equation as it is taught, in float: the smaller root that is not negative.
 inline std::optional<float> sphere_quadratic(const Ray<float>& ray, const Sphere<float>& ball)
 {
@@ -45,7 +44,6 @@ inline std::optional<float> sphere_quadratic(const Ray<float>& ray, const Sphere
   const float first = (-b - std::sqrt(d)) / a, last = (-b + std::sqrt(d)) / a;
   return last < 0 ? std::nullopt : std::optional(first < 0 ? last : first);
 }
-// [sphere_quadratic]
 
 // [box_as_published]
 /// Our model of published code, X31: a component that is zero is taken for 1e-5.
@@ -67,7 +65,6 @@ inline std::optional<float> box_as_published(const Ray<float>& ray, const Aabb<f
 }
 // [box_as_published]
 
-// [box_by_inverse]
 /// Slabs by the inverse of the direction: 1/0 is infinite, which is right, but 0 times that is not.
 inline std::optional<float> box_by_inverse(const Ray<float>& ray, const Aabb<float>& box)
 {
@@ -82,9 +79,7 @@ inline std::optional<float> box_by_inverse(const Ray<float>& ray, const Aabb<flo
   }
   return leave < std::max(enter, 0.0f) ? std::nullopt : std::optional(enter < 0 ? leave : enter);
 }
-// [box_by_inverse]
 
-// [triangle_as_published]
 /// Our model of published code: the plane, if it faces the ray, and then barycentric coordinates of
 /// the point that was found.
 inline std::optional<float>
@@ -104,7 +99,6 @@ triangle_as_published(const Ray<float>& ray, const Triangle<float>& triangle)
   const float v = (cc * pb - bc * pc) / all, w = (bb * pc - bc * pb) / all;
   return v >= 0 && w >= 0 && v + w <= 1 ? std::optional(t) : std::nullopt;
 }
-// [triangle_as_published]
 
 // [moller_trumbore]
 /// Möller and Trumbore's way with the threshold of the paper: three unknowns t, u, w by Cramer's

@@ -63,7 +63,6 @@ inline std::array<PointTriangleMethod, 3> point_triangle_methods()
         { return closest_points(p, t).b; }}}};
 }
 
-// [point_triangle_cases]
 /// A triangle, a point and the closest point of the triangle, by hand.
 struct PointTriangleCase
 {
@@ -87,7 +86,6 @@ inline std::vector<PointTriangleCase> point_triangle_cases()
        {3, 2, 0},
        {3, 0, 0}}};
 }
-// [point_triangle_cases]
 
 /// The verdicts on all ways, case by case.
 inline std::vector<VerdictRow> point_triangle_verdicts()

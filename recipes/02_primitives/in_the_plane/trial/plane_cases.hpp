@@ -14,7 +14,6 @@
 namespace cookbook
 {
 
-// [plane_cases]
 /// A question, its answer, and what three ways say: as published, with a small number, ours.
 struct CaseInPlane
 {
@@ -111,7 +110,6 @@ inline std::vector<CaseInPlane> cases_in_plane()
           "", "circles of 0.2 µm, half overlapped", "+x, depth 1e-07", {{0, 0}, 1e-7},
           {{1e-7, 0}, 1e-7})};
 }
-// [plane_cases]
 
 /// The verdicts on all ways.
 inline std::vector<VerdictRow> verdicts_in_plane()

@@ -14,7 +14,6 @@
 namespace cookbook
 {
 
-// [plane_scene]
 /// Shapes around a turned rectangle.
 struct PlaneScene
 {
@@ -24,7 +23,6 @@ struct PlaneScene
   Circle<double> circle{{3, 1}, 0.75};                                   ///< on the right
   Rectangle<double> rectangle{{2, -1.5}, {1, 0.5}};                      ///< down on the right
 };
-// [plane_scene]
 
 /// The scene, and the way from the turned rectangle to each of the others.
 inline plot::Figure2d closest_figure()

@@ -46,7 +46,6 @@ struct GridShape
   std::int64_t radius = 0;        ///< in units of the grid
 };
 
-// [square_of_distance]
 /// A squared distance: a fraction of whole numbers.
 struct GridSquare
 {
@@ -84,7 +83,6 @@ inline GridSquare between_edges(const GridShape& a, const GridShape& b)
   }
   return least;
 }
-// [square_of_distance]
 
 /// Whether a corner of one shape is within the other.
 inline bool corner_within(const GridShape& a, const GridShape& b)

@@ -12,7 +12,6 @@
 namespace cookbook
 {
 
-// [mesh_file]
 /// What a wrong mesh file is answered with: `path:line: sentence`; of a binary file `path:
 /// sentence`.
 class MeshFileError : public std::runtime_error
@@ -37,6 +36,5 @@ TriangleMesh<double> mesh_from_stl(const std::string& bytes, const std::string& 
 ///
 /// MeshFileError for another name, or a file that cannot be read.
 TriangleMesh<double> read_mesh(const std::filesystem::path& path);
-// [mesh_file]
 
 } // namespace cookbook

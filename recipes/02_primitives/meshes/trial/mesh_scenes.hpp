@@ -37,7 +37,6 @@ struct MeshDraw
   int below(std::size_t count) { return static_cast<int>(random() % count); }
 };
 
-// [ball_mesh]
 /// A closed ball of radius 1: an octahedron whose triangles are parted into four, `times` times.
 inline TriangleMesh<double> ball_mesh(int times)
 {
@@ -69,7 +68,6 @@ inline TriangleMesh<double> ball_mesh(int times)
   }
   return ball;
 }
-// [ball_mesh]
 
 /// A mesh in another number type.
 template <class Real>
@@ -106,7 +104,6 @@ inline TriangleMesh<double> thrown_triangles(int count)
   return mesh;
 }
 
-// [brute_force]
 /// The nearest hit of a ray by asking all triangles: its t and its triangle.
 template <class Real>
 std::optional<std::pair<Wide<Real>, int>>
@@ -138,7 +135,6 @@ closest_without_tree(const TriangleMesh<Real>& mesh, const Vector3<Real>& point)
   }
   return closest;
 }
-// [brute_force]
 
 // [pitfalls_of_rays]
 /// A ray against a triangle as it is mostly written, in float: inside of the two edges and the

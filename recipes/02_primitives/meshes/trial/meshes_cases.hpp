@@ -17,7 +17,6 @@
 namespace cookbook
 {
 
-// [mesh_methods]
 /// A way to the t of a ray's hit, by name.
 struct MeshMethod
 {
@@ -41,7 +40,6 @@ inline std::array<MeshMethod, 3> mesh_methods()
        {"nearest, with bounds", nearest_by_bounds},
        {"recommended", nearest_watertight}}};
 }
-// [mesh_methods]
 
 /// Rays that all have the same answer, at a mesh.
 struct MeshCase
@@ -69,7 +67,6 @@ inline Ray<float> ray_at_diagonal(MeshDraw& draw, float size)
   return {from, at - from};
 }
 
-// [mesh_cases]
 /// The cases, `rays` of them at the seams.
 inline std::vector<MeshCase> mesh_cases(int rays)
 {
@@ -100,7 +97,6 @@ inline std::vector<MeshCase> mesh_cases(int rays)
        },
        is(1)}};
 }
-// [mesh_cases]
 
 /// The verdicts on all ways to cast.
 inline std::vector<VerdictRow> mesh_verdicts(int rays)

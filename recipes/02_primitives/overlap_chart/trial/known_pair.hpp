@@ -8,7 +8,6 @@
 namespace cookbook
 {
 
-// [known_pair]
 /// Two shapes, and whether they overlap.
 template <class Shape>
 struct KnownPair
@@ -28,6 +27,5 @@ double wrong_share(const Way& way, const std::vector<KnownPair<Shape>>& pairs)
   }
   return 100.0 * wrong / static_cast<double>(pairs.size());
 }
-// [known_pair]
 
 } // namespace cookbook

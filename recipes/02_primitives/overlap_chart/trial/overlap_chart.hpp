@@ -48,7 +48,6 @@ inline std::vector<KnownBoxes> known_boxes_in_pairs(int count, float most)
 }
 // [box_pairs]
 
-// [overlap_ways]
 /// Spheres first, which is soon done for boxes that are far apart.
 inline bool overlap_spheres_first(const Obb<float>& a, const Obb<float>& b)
 {
@@ -69,6 +68,5 @@ inline bool fcl_overlap(const Obb<float>& a, const Obb<float>& b)
   return one.overlap(fcl::OBB<float>(b.axes, b.center, b.half_extents));
 }
 #endif
-// [overlap_ways]
 
 } // namespace cookbook

@@ -9,7 +9,6 @@
 namespace cookbook
 {
 
-// [in_fractions]
 /// The exact triangle.
 template <class Real>
 Triangle<Rational> in_fractions(const Triangle<Real>& t)
@@ -30,6 +29,5 @@ Obb<Rational> in_fractions(const Obb<Real>& box)
   }
   return exactly;
 }
-// [in_fractions]
 
 } // namespace cookbook

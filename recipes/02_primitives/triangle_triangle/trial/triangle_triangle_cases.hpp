@@ -64,7 +64,6 @@ inline std::array<TrianglesMethod, 6> triangle_triangle_methods()
         { return triangles_meet(a, b); }}}};
 }
 
-// [triangle_triangle_cases]
 /// Two triangles and whether they meet.
 struct TrianglesCase
 {
@@ -117,9 +116,7 @@ inline std::vector<TrianglesCase> triangle_triangle_cases()
        {{2, 2, 0}, {2, 2, 0}, {2, 2, 0}},
        true}};
 }
-// [triangle_triangle_cases]
 
-// [triangle_triangle_verdict]
 /// In how many of the 72 orders of the corners and the triangles a way is right.
 inline Verdict triangles_verdict(const TrianglesMethod& method, const TrianglesCase& one)
 {
@@ -154,6 +151,5 @@ inline std::vector<VerdictRow> triangle_triangle_verdicts()
   }
   return rows;
 }
-// [triangle_triangle_verdict]
 
 } // namespace cookbook

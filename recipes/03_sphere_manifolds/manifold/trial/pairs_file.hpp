@@ -134,7 +134,6 @@ bool is_finite(const Manifold<Real, Capacity>& manifold)
              { return point.position.allFinite() && std::isfinite(point.depth); });
 }
 
-// [print_pairs]
 /// Prints the manifold that `find(row, Real())` gives of every row of --pairs, in the number type
 /// that --scalar names; the whole file is read first. CsvError at a row whose manifold does not fit
 /// that type.
@@ -170,6 +169,5 @@ int run_pairs_program(
       argc, argv, std::move(arguments),
       [&](const Arguments& given) { given.pairs.empty() ? own(given) : print_pairs(given, find); });
 }
-// [print_pairs]
 
 } // namespace cookbook

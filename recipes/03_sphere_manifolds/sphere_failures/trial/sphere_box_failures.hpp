@@ -13,7 +13,6 @@
 namespace cookbook
 {
 
-// [box_cases]
 /// A sphere and a box, and what is right of them.
 struct SphereBoxCase
 {
@@ -67,7 +66,6 @@ inline std::vector<SphereBoxCase> box_cases()
        {10, 1, 1},
        {-3.5, down, 1e-6}}};
 }
-// [box_cases]
 
 /// The names of the ways that compete.
 inline std::vector<std::string> box_method_names()

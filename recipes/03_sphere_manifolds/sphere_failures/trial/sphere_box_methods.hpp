@@ -14,7 +14,6 @@
 namespace cookbook
 {
 
-// [sphere_box_as_published]
 /// What the code published beside the seed book computes, in our own words; X05, X06, X07.
 ///
 /// A squared distance below float's epsilon is taken for a centre inside the box, a third of a
@@ -45,9 +44,7 @@ sphere_box_as_published(const Sphere<float>& sphere, const Obb<float>& box)
   return one_point_manifold<float>(
       normal, depth, sphere.center + normal * (sphere.radius - depth / 2));
 }
-// [sphere_box_as_published]
 
-// [sphere_box_outside_only]
 /// The formula for the outside, given the way to the closest point: where that has no length, zero
 /// is divided by zero.
 inline std::optional<Manifold<float>>
@@ -70,9 +67,7 @@ sphere_box_outside_only(const Sphere<float>& sphere, const Obb<float>& box)
 {
   return outside_manifold(sphere, closest_point(box, sphere.center) - sphere.center);
 }
-// [sphere_box_outside_only]
 
-// [sphere_box_mixed_bounds]
 /// The formula for the outside with the closest point as published for upright boxes, in our own
 /// words: y and z are compared with the bounds of x; X28. The box's axes are not looked at.
 inline std::optional<Manifold<float>>
@@ -81,6 +76,5 @@ sphere_box_mixed_bounds(const Sphere<float>& sphere, const Obb<float>& box)
   const Vector3<float> local = sphere.center - box.center;
   return outside_manifold(sphere, clamp_mixed_bounds<float>(local, box.half_extents) - local);
 }
-// [sphere_box_mixed_bounds]
 
 } // namespace cookbook

@@ -47,7 +47,6 @@ inline std::vector<Recipe> sphere_workload_recipes()
   };
 }
 
-// [workload]
 /// Draws pairs in float arithmetic, then moves them by the offset; the same on every machine.
 inline Workload sphere_workload(const Recipe& recipe, std::size_t count)
 {
@@ -69,7 +68,6 @@ inline Workload sphere_workload(const Recipe& recipe, std::size_t count)
   }
   return workload;
 }
-// [workload]
 
 /// A method by name, as a world in double calls it.
 struct SphereMethod
@@ -132,7 +130,6 @@ struct SphereError
   double normal = 0;    ///< [ulp of 1, as float], of its worst component; infinite for NaN
 };
 
-// [sphere_error]
 /// The error of an answer against the truth, which is computed with a hundred digits.
 inline SphereError sphere_error(
     const std::optional<Manifold<double>>& answer, const std::optional<Manifold<Reference>>& truth,
@@ -159,7 +156,6 @@ inline SphereError sphere_error(
   }
   return error;
 }
-// [sphere_error]
 
 /// The exact manifold of a pair.
 inline std::optional<Manifold<Reference>> exact_sphere_sphere(const WorldPair& pair)

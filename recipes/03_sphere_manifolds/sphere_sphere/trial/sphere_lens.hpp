@@ -10,7 +10,6 @@
 namespace cookbook
 {
 
-// [lens_disc]
 /// The disc in which the surfaces of two overlapping spheres meet.
 template <class Real>
 struct LensDisc
@@ -34,6 +33,5 @@ std::optional<LensDisc<Real>> lens_disc(Real distance, Real radius_a, Real radiu
       (distance + (radius_a - radius_b) * ((radius_a + radius_b) / distance)) / Real(2);
   return LensDisc<Real>{offset, sqrt(std::max(Real(0), radius_a * radius_a - offset * offset))};
 }
-// [lens_disc]
 
 } // namespace cookbook

@@ -13,7 +13,6 @@
 namespace cookbook
 {
 
-// [judged_pairs]
 /// A pair with its truth.
 struct JudgedPair
 {
@@ -73,6 +72,5 @@ lacks_point(const JudgedPair& pair, const Manifold<double, most_published_points
   };
   return !std::all_of(pair.points.begin(), pair.points.end(), has);
 }
-// [judged_pairs]
 
 } // namespace cookbook

@@ -12,7 +12,6 @@
 namespace cookbook
 {
 
-// [fault_variants]
 /// The published code with some faults in.
 struct FaultVariant
 {
@@ -46,7 +45,6 @@ inline std::vector<FaultVariant> fault_variants()
       {"all", "as published", Faults()},
       {"none", "all mended", no_faults}};
 }
-// [fault_variants]
 
 // [fault_counts]
 /// How often an answer was wrong, and of how many it could have been.

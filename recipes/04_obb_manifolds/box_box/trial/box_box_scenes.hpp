@@ -11,7 +11,6 @@
 namespace cookbook
 {
 
-// [scenes]
 /// Two boxes that meet in seven ways, and two that do not; all but the last are drawn.
 inline std::vector<BoxScene> box_box_scenes()
 {
@@ -53,6 +52,5 @@ inline std::vector<BoxScene> box_box_scenes()
        {1.1, 0.1, -0.5}},
       {"apart", slab, upright({0, 1, 0}, cube), {0, 0, 0}, {0, 1, 0}}};
 }
-// [scenes]
 
 } // namespace cookbook

@@ -54,7 +54,6 @@ inline BoxPairLists repeated_at_random(const BoxPairLists& lists, std::size_t le
 }
 // [own_pairs]
 
-// [compare]
 /// Every method on the reader's pairs.
 inline std::vector<MeasuredBoxMethod>
 compared_methods(const BoxPairLists& given, const measure::Effort& effort)
@@ -107,6 +106,5 @@ inline void compare_box_methods(const Arguments& arguments)
   chart.describe("Time of each method against the 99th percentile of its depth's error.");
   save_figure(arguments, "box_compare.svg", box_chart_svg(chart, methods, depth_error_of));
 }
-// [compare]
 
 } // namespace cookbook

@@ -13,7 +13,6 @@
 namespace cookbook
 {
 
-// [box_case]
 /// The numbers in which a pair is handed to a method.
 enum class BoxNumbers
 {
@@ -42,7 +41,6 @@ inline std::string id_in_tables(const BoxCase& pair)
 {
   return pair.id.back() == 'b' ? "" : pair.id;
 }
-// [box_case]
 
 /// The rotation by an angle [rad] about a line.
 inline Matrix3<double> turned(double angle, const Vector3<double>& about)

@@ -16,7 +16,6 @@
 namespace cookbook
 {
 
-// [batch]
 /// Pairs in blocks, and room for their answers.
 struct BoxBatch
 {
@@ -54,9 +53,7 @@ inline TimedMethod batch_contender(InstructionSet set)
   { return run_batch(std::make_shared<BoxBatch>(lists.in_float), set, false); };
   return box_contender<float>("box_pairs, " + name_of(set), false, method, prepare);
 }
-// [batch]
 
-// [memory]
 /// Every second call is the next frame of the one before.
 template <class Real>
 class EverySecondFrame
@@ -106,6 +103,5 @@ TimedMethod memory_contender(const std::string& name)
   };
   return contender;
 }
-// [memory]
 
 } // namespace cookbook

@@ -12,7 +12,6 @@
 namespace cookbook
 {
 
-// [box_times_html]
 /// Times on several workloads, each beside how many times as fast as the fastest peer that is.
 inline std::string box_times_html(
     const std::string& what, const std::vector<std::string>& workloads,
@@ -34,7 +33,6 @@ inline std::string box_times_html(
   }
   return html_table(cells);
 }
-// [box_times_html]
 
 /// What the methods get wrong.
 inline std::string box_errors_html(const std::vector<MeasuredBoxMethod>& methods)
@@ -52,7 +50,6 @@ inline std::string box_errors_html(const std::vector<MeasuredBoxMethod>& methods
   return html_table(cells);
 }
 
-// [shares_html]
 /// A batch beside what its core can do at most.
 struct MeasuredShare
 {
@@ -76,7 +73,6 @@ inline std::string shares_html(const std::vector<MeasuredShare>& shares)
   }
   return html_table(cells);
 }
-// [shares_html]
 
 // [box_knee_sentence]
 /// The sentence under a chart: where the knee is, what the cheapest method loses, and what less

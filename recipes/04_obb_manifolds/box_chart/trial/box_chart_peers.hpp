@@ -21,7 +21,6 @@
 namespace cookbook
 {
 
-// [box_peer]
 /// Another library as a contender; `Pairs` places its boxes when it is made.
 template <class Pairs>
 TimedMethod box_peer(const std::string& name)
@@ -34,7 +33,6 @@ TimedMethod box_peer(const std::string& name)
   { return [pairs = std::make_shared<Pairs>(lists.in<Real>())] { pairs->run(); }; };
   return box_contender<Real>(name, true, method, prepare);
 }
-// [box_peer]
 
 /// All that are there.
 inline std::vector<TimedMethod> box_peers()

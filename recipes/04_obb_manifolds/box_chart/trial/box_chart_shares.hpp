@@ -15,7 +15,6 @@
 namespace cookbook
 {
 
-// [measured_shares]
 /// What an instruction set's registers hold, in floats.
 inline std::size_t lanes_of(InstructionSet set)
 {
@@ -50,6 +49,5 @@ inline std::vector<MeasuredShare> measured_shares(
   }
   return shares;
 }
-// [measured_shares]
 
 } // namespace cookbook

@@ -14,7 +14,6 @@
 namespace cookbook
 {
 
-// [least_overlap_in_rows]
 /// The axis of two boxes that overlap, as box_box() chooses it, without the contact.
 inline float depth_in_rows(const Obb<float>& a, const Obb<float>& b)
 {
@@ -28,7 +27,6 @@ inline float depth_in_rows(const Obb<float>& a, const Obb<float>& b)
   const LeastEdge<float> edge = least_edge(edges, edge_bar(boxes, face.depth, tolerances_of(a, b)));
   return edge.found() ? std::sqrt(edge.squared_depth) : face.depth;
 }
-// [least_overlap_in_rows]
 
 /// What something costs, and of which earlier row it is the faster form.
 struct SpeedStep

@@ -20,7 +20,6 @@ namespace cookbook
 namespace
 {
 
-// [box_failures_methods]
 /// Ways to find the axis of least overlap.
 std::vector<BoxMethod> axis_methods()
 {
@@ -110,7 +109,6 @@ std::vector<BoxMethod> point_methods(const WholeAnswers& whole)
       whole.recommended,
       whole.batch};
 }
-// [box_failures_methods]
 
 /// A row of the verdicts that `judge` passes on each method.
 template <class Judge>

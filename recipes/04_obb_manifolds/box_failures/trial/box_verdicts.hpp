@@ -20,7 +20,6 @@
 namespace cookbook
 {
 
-// [box_answer]
 /// What a method says of two boxes that overlap, in double.
 struct BoxAnswer
 {
@@ -89,9 +88,7 @@ BoxMethod box_method(const std::string& name, const Call& call)
         return answer;
       }};
 }
-// [box_answer]
 
-// [verdict]
 /// Right if the decision, the depth and, where there is only one, the normal are.
 inline Verdict verdict_on_overlap(const BoxCase& pair, const std::optional<BoxAnswer>& answer)
 {
@@ -145,6 +142,5 @@ inline Verdict verdict_on_points(const BoxCase& pair, const std::optional<BoxAns
   const bool known = !pair.features || features.size() == points.size();
   return {in_place && known, count + (!in_place ? ", misplaced" : known ? "" : ", unknown")};
 }
-// [verdict]
 
 } // namespace cookbook

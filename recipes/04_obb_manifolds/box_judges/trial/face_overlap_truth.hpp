@@ -12,7 +12,6 @@
 namespace cookbook
 {
 
-// [cut]
 /// The part of a convex polygon where side · x_k ≤ limit; O11.
 inline std::vector<Corner> cut(const std::vector<Corner>& polygon, int k, double side, double limit)
 {
@@ -32,9 +31,7 @@ inline std::vector<Corner> cut(const std::vector<Corner>& polygon, int k, double
   }
   return kept;
 }
-// [cut]
 
-// [true_face_overlap]
 /// A face of a box: its middle, and the steps from there to the middles of two of its edges.
 struct Face
 {
@@ -74,6 +71,5 @@ true_face_overlap(const Obb<double>& a, const Obb<double>& b, const Vector3<doub
   }
   return polygon;
 }
-// [true_face_overlap]
 
 } // namespace cookbook

@@ -15,7 +15,6 @@
 namespace cookbook
 {
 
-// [rests]
 /// Whether one box rests on the other: a face of each, parallel to within 1.5e-4 rad, with an area
 /// in common along the least overlap of all faces.
 inline bool rests(const Obb<double>& a, const Obb<double>& b)
@@ -34,7 +33,6 @@ inline bool rests(const Obb<double>& a, const Obb<double>& b)
   return tilt(a) + tilt(b) <= 1.5e-4 &&
          std::abs(area(true_face_overlap(a, b, least->normal))) > 1e-4 * size * size;
 }
-// [rests]
 
 // [manifold_check]
 /// How one answer of a method stands to the truth.
@@ -94,7 +92,6 @@ manifold_check(const BoxPair<Real>& pair, const std::optional<Manifold<Real, Cap
 }
 // [manifold_check]
 
-// [box_accuracy]
 /// How good a method is on some pairs.
 struct BoxAccuracy
 {
@@ -135,6 +132,5 @@ inline BoxAccuracy box_accuracy(const std::vector<ManifoldCheck>& checks)
   }
   return sum;
 }
-// [box_accuracy]
 
 } // namespace cookbook

@@ -28,7 +28,6 @@ Manifold<double, Capacity> in_double(const Manifold<Real, Capacity>& manifold)
   return wide;
 }
 
-// [difference]
 /// The distance [m] of a point from the nearest point of a manifold, or of a line between two.
 ///
 /// Lines are tried only where no point is nearer than `near` [m].
@@ -75,6 +74,5 @@ double difference(
   }
   return std::max((one->normal - other->normal).norm(), farthest / size);
 }
-// [difference]
 
 } // namespace cookbook

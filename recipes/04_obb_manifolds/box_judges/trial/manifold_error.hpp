@@ -17,7 +17,6 @@
 namespace cookbook
 {
 
-// [as_method_sees]
 /// The pair in the number type of a method: the floats themselves, or double with axes as
 /// orthonormal as double can be.
 template <class Real>
@@ -32,7 +31,6 @@ BoxPair<Real> pair_in(const BoxPair<float>& pair)
     return {orthonormal(pair.first), orthonormal(pair.second)};
   }
 }
-// [as_method_sees]
 
 // [manifold_error]
 /// What a manifold gets wrong; lengths in metres.

@@ -17,7 +17,6 @@
 namespace cookbook
 {
 
-// [measured_box_method]
 /// What something costs on several workloads.
 struct MeasuredTimes
 {
@@ -51,7 +50,6 @@ inline std::vector<double> box_times(
   }
   return ns;
 }
-// [measured_box_method]
 
 /// What a chart of methods shows upwards: infinite where a method fails.
 using BoxErrorOf = std::function<double(const MeasuredBoxMethod&)>;

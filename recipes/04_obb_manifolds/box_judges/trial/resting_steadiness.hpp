@@ -14,7 +14,6 @@
 namespace cookbook
 {
 
-// [area_share]
 /// The area that a manifold's points span, as part of what the two faces along its normal have in
 /// common; zero where these have nothing.
 template <std::size_t Capacity>
@@ -24,9 +23,7 @@ area_share(const Obb<double>& a, const Obb<double>& b, const Manifold<double, Ca
   const double faces = std::abs(area(true_face_overlap(a, b, manifold.normal)));
   return faces > 0 ? area(support(manifold)) / faces : 0;
 }
-// [area_share]
 
-// [nudged]
 /// A box moved by a part of `size` [m] in some direction and turned by as many radians.
 ///
 /// Never inlined, for the reason that to_float() gives.
@@ -39,9 +36,7 @@ template <class Real>
   const Matrix3<double> axes = turn * box.axes.template cast<double>();
   return {center.cast<Real>(), axes.template cast<Real>(), box.half_extents};
 }
-// [nudged]
 
-// [centroid]
 /// The mean of a manifold's points [m], world.
 template <std::size_t Capacity>
 Vector3<double> centroid(const Manifold<double, Capacity>& manifold)
@@ -53,9 +48,7 @@ Vector3<double> centroid(const Manifold<double, Capacity>& manifold)
   }
   return sum / static_cast<double>(manifold.points.size());
 }
-// [centroid]
 
-// [steadiness]
 /// How steady a method is on a workload of resting boxes.
 struct RestingSteadiness
 {
@@ -94,6 +87,5 @@ RestingSteadiness resting_steadiness(const BoxWorkload& workload, const Method& 
   steadiness.recounted = static_cast<double>(recounted) / static_cast<double>(areas.size());
   return steadiness;
 }
-// [steadiness]
 
 } // namespace cookbook

@@ -14,7 +14,6 @@
 namespace cookbook
 {
 
-// [box_pair_lists]
 /// The same pairs for methods in float and for methods in double.
 struct BoxPairLists
 {
@@ -47,9 +46,7 @@ inline BoxPairLists box_pair_lists(const std::vector<BoxPair<float>>& pairs)
   }
   return lists;
 }
-// [box_pair_lists]
 
-// [box_contender]
 /// A method in one number type, or another library: how to time it, and how good it is.
 struct TimedMethod
 {
@@ -86,7 +83,6 @@ box_contender(const std::string& name, bool peer, const Method& method, const Pr
   };
   return {name, peer, prepare, checks, steadiness};
 }
-// [box_contender]
 
 /// The names of the functions that for_every_box_method() visits.
 std::vector<std::string> box_manifold_names();

@@ -13,7 +13,6 @@
 namespace cookbook
 {
 
-// [workload_quality]
 /// How good a method is on a workload.
 struct WorkloadQuality
 {
@@ -88,6 +87,5 @@ WorkloadQuality workload_quality(
   }
   return summed_up(errors, tolerance);
 }
-// [workload_quality]
 
 } // namespace cookbook

@@ -13,7 +13,6 @@
 namespace cookbook
 {
 
-// [lanes]
 /// A pair of boxes by name.
 struct Lane
 {
@@ -70,6 +69,5 @@ inline std::vector<Lane> sixteen_lanes()
   }
   return lanes;
 }
-// [lanes]
 
 } // namespace cookbook

@@ -14,7 +14,6 @@
 namespace cookbook
 {
 
-// [true_box]
 /// The number type in which the truth about boxes of `Real` is computed.
 template <class Real>
 using Truer = std::conditional_t<std::is_same_v<Real, float>, double, long double>;
@@ -49,7 +48,6 @@ Real pair_size(const Obb<Real>& a, const Obb<Real>& b)
   using std::max;
   return max(a.half_extents.maxCoeff(), b.half_extents.maxCoeff());
 }
-// [true_box]
 
 // [overlap_along]
 /// How far B must move along a unit vector [m] until no point of it is behind A's front; O6.

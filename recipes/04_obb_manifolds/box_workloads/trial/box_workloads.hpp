@@ -110,7 +110,6 @@ inline BoxWorkload box_workload(const std::string& name, std::size_t count)
   throw std::out_of_range("no workload is called " + name);
 }
 
-// [csv]
 /// The columns of a file of pairs of boxes: centre, quaternion and half extents of each.
 inline const char* const box_pairs_header =
     "ax,ay,az,aqw,aqx,aqy,aqz,ahx,ahy,ahz,bx,by,bz,bqw,bqx,bqy,bqz,bhx,bhy,bhz";
@@ -136,6 +135,5 @@ inline std::string box_pairs_csv(const std::vector<BoxPair<float>>& pairs)
   }
   return text;
 }
-// [csv]
 
 } // namespace cookbook

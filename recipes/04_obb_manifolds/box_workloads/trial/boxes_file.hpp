@@ -22,7 +22,6 @@ enum class BoxLengths
   any           ///< all
 };
 
-// [box_pair_at]
 /// Both boxes of a row under box_pairs_header; CsvError at the first length that is too large.
 template <class Real>
 std::pair<Obb<Real>, Obb<Real>>
@@ -42,7 +41,6 @@ box_pair_at(const PairsRow& row, BoxLengths lengths = BoxLengths::with_squares)
   }
   return boxes;
 }
-// [box_pair_at]
 
 /// The manifold that `method(a, b)` gives of a row, as print_pairs() asks for it.
 template <class Method>

@@ -10,7 +10,6 @@
 namespace cookbook
 {
 
-// [random]
 /// Two boxes of any size within a factor of four, turned anyhow, centres up to `reach` [m] apart
 /// along each axis of the world.
 inline BoxPair<double> random_boxes(BoxDraw& draw, double reach)
@@ -28,7 +27,6 @@ inline BoxPair<double> near_parallel_boxes(BoxDraw& draw)
   pair.second.axes = BoxDraw::tilt(angle, draw.direction()) * pair.first.axes;
   return anywhere(draw, pair);
 }
-// [random]
 
 // [resting]
 /// B's face on A's, turned about the height anyhow, tilted by up to 1e-4 rad, its middle above A's
@@ -82,7 +80,6 @@ inline BoxPair<double> crossed_edges(BoxDraw& draw)
 }
 // [edge_edge]
 
-// [degenerate]
 /// Cubes on a grid of 1/64 m that touch: every number is exact, and the overlap is zero.
 inline BoxPair<double> touching_boxes(BoxDraw& draw)
 {
@@ -135,6 +132,5 @@ inline BoxPair<double> degenerate_boxes(BoxDraw& draw)
   }
   return anywhere(draw, pair);
 }
-// [degenerate]
 
 } // namespace cookbook

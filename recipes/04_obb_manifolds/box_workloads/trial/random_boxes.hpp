@@ -66,7 +66,6 @@ public:
 };
 // [box_draw]
 
-// [relabelled]
 /// The same points under another name: the axes of a box can be labelled in 24 ways.
 ///
 /// The axes stay right-handed: six orders, and the signs of two axes.
@@ -86,7 +85,6 @@ Obb<Real> relabelled(const Obb<Real>& box, int way)
   }
   return other;
 }
-// [relabelled]
 
 /// Both boxes turned about the origin, then moved.
 inline BoxPair<double>

@@ -21,7 +21,6 @@ inline double doubled_area(const Corner& p, const Corner& q, const Corner& r)
   return u.x() * v.y() - u.y() * v.x();
 }
 
-// [support]
 /// Adds a corner to a chain that turns to the left at each of its corners.
 inline void add_to_chain(std::vector<Corner>& chain, std::size_t first, const Corner& corner)
 {
@@ -97,9 +96,7 @@ inline double inside(const std::vector<Corner>& polygon, const Corner& point)
   }
   return least;
 }
-// [support]
 
-// [best_four]
 /// The four points that span the largest area, by trying all choices of four.
 template <std::size_t Capacity>
 Manifold<double, most_kept> best_four(const Manifold<double, Capacity>& manifold)
@@ -124,9 +121,7 @@ Manifold<double, most_kept> best_four(const Manifold<double, Capacity>& manifold
   }
   return best;
 }
-// [best_four]
 
-// [turned_squares]
 /// The contact of a square of half side 1 with another above it that is turned by `yaw` [rad],
 /// between 0 and π/2: eight corners, counter-clockwise as seen from above.
 ///
@@ -148,6 +143,5 @@ inline Manifold<double> turned_squares(double yaw, double leaning)
   }
   return manifold;
 }
-// [turned_squares]
 
 } // namespace cookbook

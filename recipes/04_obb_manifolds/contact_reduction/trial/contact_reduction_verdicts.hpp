@@ -19,7 +19,6 @@
 namespace cookbook
 {
 
-// [reduction_method]
 /// A way to keep four points, by name.
 struct ReductionMethod
 {
@@ -50,9 +49,7 @@ inline std::vector<ReductionMethod> reduction_methods()
       {"steadily_reduced",
        [](const All& all) { return steadily_reduced(all, reduced(octagon_of_cubes(-1e-3))); }}};
 }
-// [reduction_method]
 
-// [reduction_verdict]
 /// Right if a point as deep as the deepest is kept, and the area is no more than a hundredth below
 /// the best of all choices of four.
 inline Verdict verdict_on_reduction(const ReductionMethod& method, const Manifold<double>& all)
@@ -68,7 +65,6 @@ inline Verdict verdict_on_reduction(const ReductionMethod& method, const Manifol
   const bool keeps_deepest = deepest >= all.depth - 1e-9;
   return {keeps_deepest && spanned >= 0.99 * best, what + (keeps_deepest ? "" : ", deepest lost")};
 }
-// [reduction_verdict]
 
 /// What all ways make of all cases.
 inline std::vector<VerdictRow> reduction_verdicts()

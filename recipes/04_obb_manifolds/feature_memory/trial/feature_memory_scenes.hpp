@@ -72,7 +72,6 @@ inline Frames sliding_cube()
 }
 // [scenes]
 
-// [axes_over]
 /// The axis that a way to choose takes in each frame; −1 where it finds the boxes apart.
 template <class Choose>
 std::vector<int> axes_over(const Frames& frames, const Choose& choose)
@@ -127,9 +126,7 @@ inline int flips(const std::vector<int>& axes)
   }
   return count;
 }
-// [axes_over]
 
-// [persistence]
 /// What became of the data of contact points, from each frame to the next.
 struct Persistence
 {
@@ -177,6 +174,5 @@ Persistence persistence(const Frames& frames, bool with_memory, const Match& mat
   }
   return all;
 }
-// [persistence]
 
 } // namespace cookbook

@@ -17,7 +17,6 @@
 namespace cookbook
 {
 
-// [frame_method]
 /// What a method makes of boxes, frame after frame; a part that it does not have is empty.
 struct FrameMethod
 {
@@ -54,7 +53,6 @@ Persistence known_by_feature(const Frames& frames, const Answer& answer)
   }
   return all;
 }
-// [frame_method]
 
 /// The axis of face_clipping().
 inline std::vector<int> certain_axes(const Frames& frames)
@@ -92,7 +90,6 @@ inline std::vector<FrameMethod> frame_methods()
       {"next_frame", remembered_axes, carried(true, by_id)}};
 }
 
-// [frame_verdicts]
 /// Right if the axis changes at most once.
 inline Verdict verdict_on_axes(const FrameMethod& method, const Frames& frames)
 {
@@ -118,7 +115,6 @@ inline Verdict verdict_on_points(const FrameMethod& method, const Frames& frames
       all.wrong == 0 && 100 * all.right >= 95 * all.points,
       lost + ", " + wrong + " of " + std::to_string(all.points)};
 }
-// [frame_verdicts]
 
 /// What all methods make of all cases; a neighbour of G10 has no id of its own.
 inline std::vector<VerdictRow> frame_verdicts()

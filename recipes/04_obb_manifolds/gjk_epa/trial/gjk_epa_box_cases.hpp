@@ -13,7 +13,6 @@
 namespace cookbook
 {
 
-// [general_cases]
 /// Two equal cubes, one above the other, turned together; an id that ends in b is a neighbour.
 inline BoxCase
 level_case(const std::string& id, const std::string& scene, double half_extent, double depth)
@@ -43,7 +42,6 @@ inline std::vector<BoxCase> level_cases()
       level_case("K3", "two cubes in line, 0.1 µm apart", 0.125, -1e-7),
       level_case("K3-b", "two cubes in line, 0.1 µm deep", 0.125, 1e-7)};
 }
-// [general_cases]
 
 /// A case by its id, out of several.
 inline BoxCase case_of(const std::vector<BoxCase>& cases, const std::string& id)

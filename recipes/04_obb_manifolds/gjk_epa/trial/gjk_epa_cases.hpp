@@ -17,7 +17,6 @@
 namespace cookbook
 {
 
-// [convex_pair]
 /// Two shapes as GJK sees them: the solid of their differences, and how large it is.
 template <class Real>
 struct ConvexPair
@@ -70,9 +69,7 @@ ConvexPair<Real> convex_pair(const A& a, const B& b, Real size)
   };
   return {support, Vector3<Real>::UnitX(), size};
 }
-// [convex_pair]
 
-// [cases]
 /// A capsule deep in a box, tens of metres large and turned anyhow, in float.
 ///
 /// It comes out at the box's +y face, which lies `half_extents.y` from the centre.
@@ -142,7 +139,6 @@ private:
 
   std::mt19937 engine_;
 };
-// [cases]
 
 /// The largest gap of the fifteen axes [m]; negative where boxes overlap, and then less the depth.
 inline double largest_gap(const Obb<double>& a, const Obb<double>& b)

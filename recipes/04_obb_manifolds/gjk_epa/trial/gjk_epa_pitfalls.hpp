@@ -10,7 +10,6 @@
 namespace cookbook
 {
 
-// [convex_depth]
 /// The depth of two convex shapes as gjk_epa() finds it; nothing where they are apart.
 ///
 /// `slack` [m] is what rounding may make of lengths as large as the shapes.
@@ -25,7 +24,6 @@ std::optional<Real> convex_depth(const Support& support, const Vector3<Real>& st
   const Real depth = epa(support, decision.simplex, slack).depth;
   return depth < Real(0) ? std::nullopt : std::optional(depth);
 }
-// [convex_depth]
 
 // [absolute_gap]
 /// Stops when the gap is a micrometre, whatever the size of the shapes, and has no answer where it

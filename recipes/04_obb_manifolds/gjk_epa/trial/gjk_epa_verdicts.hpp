@@ -12,7 +12,6 @@
 namespace cookbook
 {
 
-// [convex_method]
 /// A method by name, in both number types: the depth [m], or nothing where the shapes are apart.
 struct ConvexMethod
 {
@@ -39,7 +38,6 @@ inline std::vector<ConvexMethod> convex_methods()
       convex_method("no_rebuild", [](const auto&... given) { return no_rebuild(given...); }),
       convex_method("two_judges", [](const auto&... given) { return two_judges(given...); })};
 }
-// [convex_method]
 
 /// Right if the shapes are found apart, where `depth` [m] is negative, or as deep as that.
 inline Verdict verdict_on_depth(const std::optional<double>& answer, double depth, double tolerance)
@@ -70,7 +68,6 @@ inline Verdict verdict_on_cubes(const ConvexMethod& method, int pairs)
   return {wrong == 0, wrong == 0 ? "none wrong" : std::to_string(wrong) + of};
 }
 
-// [convex_case]
 /// A case: its id, its scene, and the verdict on a method.
 struct ConvexCase
 {
@@ -111,7 +108,6 @@ inline std::vector<ConvexCase> convex_cases()
   cases.push_back({"K4", "random cubes, in float", cubes});
   return cases;
 }
-// [convex_case]
 
 /// What all methods make of all cases.
 inline std::vector<VerdictRow> convex_verdicts()

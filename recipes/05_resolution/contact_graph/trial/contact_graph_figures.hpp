@@ -13,7 +13,6 @@
 namespace cookbook
 {
 
-// [contact_graph_figure]
 /// How a colour is drawn; its number stands beside it, for print.
 inline plot::Ink ink_of(int color)
 {
@@ -64,6 +63,5 @@ inline plot::Grid contact_graph_figure()
   }
   return grid;
 }
-// [contact_graph_figure]
 
 } // namespace cookbook

@@ -17,7 +17,6 @@
 namespace cookbook
 {
 
-// [graph_scenes]
 /// Who touches whom in a scene as it starts.
 struct TouchingBodies
 {
@@ -53,9 +52,7 @@ struct TouchingBodies
     return *std::max_element(counts.begin(), counts.end());
   }
 };
-// [graph_scenes]
 
-// [lanes_used]
 /// Contacts solved side by side, `width` at a time.
 struct SideBySide
 {
@@ -74,6 +71,5 @@ inline SideBySide side_by_side(const ContactGraph& graph, int width)
   const double contacts = static_cast<double>(graph.color_of_each().size());
   return {groups, groups > 0 ? contacts / (groups * width) : 1};
 }
-// [lanes_used]
 
 } // namespace cookbook

@@ -15,7 +15,6 @@
 namespace cookbook
 {
 
-// [damping_methods]
 /// One step of a point that falls with an acceleration [m/s²] and wears off at a rate [1/s].
 using DampedStep =
     std::function<PhasePoint<double>(const PhasePoint<double>&, double, double, double)>;
@@ -66,9 +65,7 @@ inline std::vector<DampingMethod> damping_methods()
       {"damped_fall", [](const PhasePoint<double>& from, double a, double rate, double step)
        { return damped_fall(from, a, rate, step); }}};
 }
-// [damping_methods]
 
-// [damping_cases]
 /// A motion along one axis.
 struct DampedMotion
 {
@@ -123,6 +120,5 @@ inline const DampedMotion thick_air{0, -9.81, published_rate(), 20};
 inline const DampedMotion slide{1, 0, published_rate(), 1};
 inline const DampedMotion hard_brake{1, 0, 150, 1};
 inline const DampedMotion free_fall{0, -9.81, 0, 10};
-// [damping_cases]
 
 } // namespace cookbook

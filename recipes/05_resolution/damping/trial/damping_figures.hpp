@@ -14,7 +14,6 @@
 namespace cookbook
 {
 
-// [fall_figure]
 /// The speed of a fall over 5 s by a way to damp, in so many steps a second.
 inline std::vector<Eigen::Vector2d> speeds_over_time(const DampingMethod& method, double rate)
 {
@@ -51,9 +50,7 @@ inline plot::Chart fall_figure()
   add("the same, 240 Hz", 5, 240, 5);
   return chart;
 }
-// [fall_figure]
 
-// [factor_figure]
 /// What each factor leaves of a velocity in one step.
 inline plot::Chart factor_figure()
 {
@@ -81,9 +78,7 @@ inline plot::Chart factor_figure()
   add("1 − c·step", 2, explicit_damping_factor<double>);
   return chart.reference_y(-1, "beyond this it grows");
 }
-// [factor_figure]
 
-// [error_figure]
 /// The error of the speed after the long fall, over steps a second.
 inline plot::Chart error_figure()
 {
@@ -106,6 +101,5 @@ inline plot::Chart error_figure()
   }
   return chart;
 }
-// [error_figure]
 
 } // namespace cookbook

@@ -31,7 +31,6 @@ Real snapped(const Real& velocity, const Real& threshold)
 }
 // [damped_as_published]
 
-// [explicit_damping_factor]
 /// The share left after one step of explicit Euler: negative from rate·step = 1 on, and growing
 /// from 2 on.
 template <class Real>
@@ -39,6 +38,5 @@ Real explicit_damping_factor(const Real& rate, const Real& step)
 {
   return Real(1) - rate * step;
 }
-// [explicit_damping_factor]
 
 } // namespace cookbook

@@ -14,7 +14,6 @@
 namespace cookbook
 {
 
-// [damping_verdicts]
 /// One case: the verdict on each way.
 template <class Judge>
 VerdictRow damping_row(const std::string& id, const std::string& what, const Judge& judge)
@@ -58,6 +57,5 @@ inline std::vector<VerdictRow> damping_verdicts()
       damping_row("", "brake, c = 150/s at 60 Hz: stops", stops),
       damping_row("I6", "no damping, 10 s at 10,000 Hz: falls 490.5 m to 0.1", falls)};
 }
-// [damping_verdicts]
 
 } // namespace cookbook

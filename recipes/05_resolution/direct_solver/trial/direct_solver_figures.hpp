@@ -15,7 +15,6 @@
 namespace cookbook
 {
 
-// [tops]
 /// How far [m] the last body of a scene is from where it began, every fifth step of 8 s; not less
 /// than a picometre, where a logarithm ends.
 inline std::vector<Eigen::Vector2d>
@@ -32,7 +31,6 @@ top_over_time(const std::string& scene, const std::string& solver)
   }
   return line;
 }
-// [tops]
 
 /// The chart of a tower of ten.
 inline plot::Chart top_chart()

@@ -22,7 +22,6 @@
 namespace cookbook
 {
 
-// [engines]
 /// The solvers that are recommended for some scene; then Bullet, if it is there.
 inline std::vector<ChartedSolver> recommended_engines()
 {
@@ -64,7 +63,6 @@ inline TimedWorld timed(const Scene& scene, const ChartedSolver& engine)
         { world.step(); };
       }};
 }
-// [engines]
 
 // [scene_costs]
 /// What a scene costs in an engine, a body and step.

@@ -18,7 +18,6 @@
 namespace cookbook
 {
 
-// [friction_cases]
 /// A direction of the floor, from x towards z, by an angle in degrees.
 inline Vector3<double> heading(double degrees)
 {
@@ -75,9 +74,7 @@ inline OneContactScene box_under_balls()
   scene.force = 150 * heading(45);
   return scene;
 }
-// [friction_cases]
 
-// [friction_measures]
 /// How far [m] a solid has come along the floor.
 inline double way(const OneContactScene& scene)
 {
@@ -134,6 +131,5 @@ inline std::pair<double, double> accelerations(const FrictionRule& rule)
   };
   return {gained(1), gained(14)};
 }
-// [friction_measures]
 
 } // namespace cookbook

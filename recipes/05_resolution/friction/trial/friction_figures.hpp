@@ -16,7 +16,6 @@
 namespace cookbook
 {
 
-// [paths_figure]
 /// The block's way over the floor, seen from above.
 inline std::vector<Eigen::Vector2d> path(const FrictionRule& rule, double degrees)
 {
@@ -63,9 +62,7 @@ inline plot::Grid paths_figure()
       .add(paths_panel("cone", rules[3]));
   return grid;
 }
-// [paths_figure]
 
-// [cone_figure]
 /// A push along the surface, with the push along the normal that allows it: what is wanted, and
 /// what the cone leaves of it.
 inline plot::Figure2d cone_panel(const std::string& title, double wanted)
@@ -94,9 +91,7 @@ inline plot::Grid cone_figure()
       .add(cone_panel("slides", 1.15));
   return grid;
 }
-// [cone_figure]
 
-// [slopes_figure]
 /// How far a cube slides in 1 s on slopes of 0° to 45° with μ = 0.6 that fall towards a heading.
 inline std::vector<Eigen::Vector2d> slid(const FrictionRule& rule, double towards)
 {
@@ -132,9 +127,7 @@ inline plot::Chart slopes_figure()
       .reference_x(std::atan(0.6) * 180 / std::numbers::pi, "tan θ = μ");
   return chart;
 }
-// [slopes_figure]
 
-// [cuts_figure]
 /// The error of the way of a block at 5 m/s, as a share of the way that these steps ought to give;
 /// the greatest of those along an axis of a polygon and along a corner.
 inline double way_error(const FrictionRule& rule, int axes)
@@ -179,6 +172,5 @@ inline plot::Chart cuts_figure()
       .point("cone", {1, way_error(friction_rules()[3], 3)}, {plot::Ink::a});
   return chart;
 }
-// [cuts_figure]
 
 } // namespace cookbook

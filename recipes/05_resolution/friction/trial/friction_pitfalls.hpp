@@ -23,7 +23,6 @@ Vector2<Real> within_pyramid(const Vector2<Real>& impulse, const Real& most)
 }
 // [within_pyramid]
 
-// [within_polygon]
 /// An impulse [N s] along a surface, shortened to end on a regular polygon of 2 `axes`
 /// sides around the circle of radius `most` [N s]: a scalar product for each axis.
 template <class Real>
@@ -41,7 +40,6 @@ Vector2<Real> within_polygon(const Vector2<Real>& impulse, const Real& most, int
   }
   return farthest <= most ? impulse : Vector2<Real>(impulse * (most / farthest));
 }
-// [within_polygon]
 
 // [answered_as_published]
 /// What the code published with the seed book takes for zero, whatever the unit.

@@ -105,7 +105,6 @@ inline void prepare(OneContactScene& scene, Touch& touch)
 }
 // [visit]
 
-// [advance]
 /// How many touches of the same two solids meet.
 inline int meeting(const OneContactScene& scene, const Touch& touch)
 {
@@ -186,6 +185,5 @@ inline const Motion<double>& mover(const OneContactScene& scene)
 {
   return scene.solids[1].body.motion;
 }
-// [advance]
 
 } // namespace cookbook

@@ -12,7 +12,6 @@
 namespace cookbook
 {
 
-// [friction_verdicts]
 /// A number for a table: rounding errors below a ten-thousandth are none.
 inline std::string friction_number(double value)
 {
@@ -95,7 +94,6 @@ inline Verdict topples(const FrictionRule& rule, double slope, bool should)
   std::string text = slid ? "slides " : fell ? "topples" : "stands";
   return {fell == should && !slid, slid ? text.append(friction_number(way(late))) + " m" : text};
 }
-// [friction_verdicts]
 
 /// All cases, in the order of the table.
 inline std::vector<FrictionCase> friction_cases()

@@ -10,7 +10,6 @@
 namespace cookbook
 {
 
-// [solid]
 /// A box, or a ball whose half extents are zero, as it moves.
 struct Solid
 {
@@ -38,9 +37,7 @@ inline Solid ball_at(const Vector3<double>& center, double mass, double radius)
   const Motion<double> rest{center, zero, zero};
   return {movable<double>(rest, weighed, Matrix3<double>::Identity()), weighed, zero, radius};
 }
-// [solid]
 
-// [touch]
 /// A place where two solids may touch, and what it has given in this step.
 struct Touch
 {
@@ -67,9 +64,7 @@ struct OneContactScene
   double step = 1.0 / 240;                         ///< [s]
   int passes = 20;                                 ///< over all touches, a step
 };
-// [touch]
 
-// [on_floor]
 /// A scene of solids on a floor of a friction: a box touches it with its corners, a ball touches
 /// the first solid, or the floor if it is the first itself.
 inline OneContactScene on_floor(const std::vector<Solid>& solids, double friction)
@@ -105,9 +100,7 @@ inline void locate(const OneContactScene& scene, Touch& touch)
   touch.point = b.body.motion.center + corner - Vector3<double>(0, b.radius, 0);
   touch.gap = touch.point.y() - a.body.motion.center.y() - a.half_extents.y();
 }
-// [on_floor]
 
-// [move]
 /// Adds the step's gravity, and the force on the first solid, to the velocities.
 inline void pull(OneContactScene& scene)
 {
@@ -137,6 +130,5 @@ inline void move(OneContactScene& scene)
         world_inverse_inertia(solid.mass.moments, solid.turned.toRotationMatrix());
   }
 }
-// [move]
 
 } // namespace cookbook

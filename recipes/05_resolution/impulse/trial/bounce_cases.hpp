@@ -16,7 +16,6 @@
 namespace cookbook
 {
 
-// [bounce_cases]
 /// A body A that comes straight down at 1 m/s onto an immovable B; it is to come up at 1 m/s.
 template <class Real>
 struct BounceCase
@@ -79,9 +78,7 @@ std::vector<BounceCase<Real>> bounce_cases()
       ball_on_one_place<Real>("", "ball, two points in one place", 2),
       ball_on_one_place<Real>("", "ball, one point", 1)};
 }
-// [bounce_cases]
 
-// [bounce_methods]
 /// A way to answer a bounce that loses nothing.
 template <class Real>
 struct BounceMethod
@@ -103,7 +100,6 @@ std::vector<BounceMethod<Real>> bounce_methods()
       {"bounce, 1 pass", [](const Case& c) { return bounce(c.bodies, c.manifold, Real(1), 1); }},
       {"bounce, 4 passes", [](const Case& c) { return bounce(c.bodies, c.manifold, Real(1), 4); }}};
 }
-// [bounce_methods]
 
 /// A number for a table: rounding errors below a millionth are none.
 inline std::string tidy(double value)

@@ -15,7 +15,6 @@
 namespace cookbook
 {
 
-// [response_cases]
 /// What a push does to a body: as published, as here, and by hand.
 struct ResponseCase
 {
@@ -75,7 +74,6 @@ inline std::vector<ResponseCase> response_cases()
       turned_solid("", "cube of 1 kg, side 2 m, turned [rad/s]", cube(2), 1.5),
       pushed_ball()};
 }
-// [response_cases]
 
 /// The verdicts on what a push does: right to a millionth.
 inline std::vector<VerdictRow> response_verdicts()

@@ -25,7 +25,6 @@ inline Eigen::Vector2d flat(const Vector3<double>& v)
   return {v.x(), v.y()};
 }
 
-// [balls_figure]
 /// The two balls with an arrow for each velocity, 0.25 m long for each m/s.
 inline plot::Figure2d balls_panel(
     const std::string& name, const std::string& title, const TwoBalls& balls,
@@ -64,9 +63,7 @@ inline plot::Grid balls_figure(const TwoBalls& balls, const BodyPair<double>& af
       .add(after_panel);
   return grid;
 }
-// [balls_figure]
 
-// [corner_figure]
 /// Part of a circle about an axis through a point, in the sense of a right-handed turn.
 inline std::vector<Eigen::Vector3d>
 turn_about(const Vector3<double>& center, const Vector3<double>& axis, double radius, double turn)
@@ -108,9 +105,7 @@ inline plot::Figure3d corner_figure(const Landing& landing, double restitution)
   figure.point(contact);
   return figure;
 }
-// [corner_figure]
 
-// [passes_figure]
 /// How far from 1 m/s the cube comes up, after each number of passes.
 inline plot::Chart passes_figure()
 {
@@ -137,6 +132,5 @@ inline plot::Chart passes_figure()
       .reference_y(0.01, "1 %");
   return chart;
 }
-// [passes_figure]
 
 } // namespace cookbook

@@ -16,7 +16,6 @@
 namespace cookbook
 {
 
-// [two_balls]
 /// Two balls that touch: A comes from the left at 2 m/s, B stands up to the right of it.
 struct TwoBalls
 {
@@ -57,9 +56,7 @@ inline Conserved<double> conserved(const TwoBalls& balls, const BodyPair<double>
              bodies.b.motion, balls.properties_b.mass,
              Matrix3<double>(balls.properties_b.moments.asDiagonal()));
 }
-// [two_balls]
 
-// [landing]
 /// A cube of 1 kg and 1 m, A, that comes down at 1 m/s onto something immovable, B.
 struct Landing
 {
@@ -128,6 +125,5 @@ inline std::vector<Landing> landings()
       on_floor("on an edge, turned by 36.87°", rational_rotation<double>(3, 0, 0, 1)),
       on_floor("on a corner, askew", rational_rotation<double>(3, 1, 0, 1)), on_pebble()};
 }
-// [landing]
 
 } // namespace cookbook

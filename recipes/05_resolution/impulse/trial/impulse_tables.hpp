@@ -22,7 +22,6 @@ inline std::string vector_text(const Vector3<double>& v)
   return text.append(tidy(v.x())).append(", ").append(tidy(v.y())).append(")");
 }
 
-// [balls_table]
 /// The balls and their sums, before and after.
 inline std::string balls_table(const TwoBalls& balls, const BodyPair<double>& after)
 {
@@ -38,9 +37,7 @@ inline std::string balls_table(const TwoBalls& balls, const BodyPair<double>& af
   row("after", after);
   return table.text();
 }
-// [balls_table]
 
-// [landings_table]
 /// What becomes of the cube, landing by landing.
 inline std::string landings_table(double restitution)
 {
@@ -58,9 +55,7 @@ inline std::string landings_table(double restitution)
   }
   return table.text();
 }
-// [landings_table]
 
-// [passes_table]
 /// How fast the cube comes up after each number of passes.
 inline std::string passes_table()
 {
@@ -76,6 +71,5 @@ inline std::string passes_table()
   }
   return table.text();
 }
-// [passes_table]
 
 } // namespace cookbook

@@ -14,7 +14,6 @@
 namespace cookbook
 {
 
-// [cost]
 /// Periods that a swing goes on for; a quarter more, so that it ends where it is fast.
 inline constexpr int whole_periods = 10;
 
@@ -87,9 +86,7 @@ inline double evaluations_needed(const std::vector<measure::CostAndError>& all, 
   }
   return needed <= 2048 ? needed : 0;
 }
-// [cost]
 
-// [front]
 /// A step length of an integrator.
 struct Choice
 {
@@ -128,6 +125,5 @@ inline std::vector<Choice> best_choices(const Swing& swing)
   }
   return best;
 }
-// [front]
 
 } // namespace cookbook

@@ -15,7 +15,6 @@
 namespace cookbook
 {
 
-// [phase_figure]
 /// One period of the oscillator in 24 steps, over a circle that is the truth.
 inline plot::Figure2d phase_panel(const Integrator<double>& method)
 {
@@ -43,9 +42,7 @@ inline plot::Grid phase_figure()
   }
   return grid;
 }
-// [phase_figure]
 
-// [energy_figure]
 /// How far the energy of the oscillator has ever been off, over time.
 inline plot::Chart energy_figure()
 {
@@ -74,9 +71,7 @@ inline plot::Chart energy_figure()
   }
   return chart;
 }
-// [energy_figure]
 
-// [cost_figure]
 /// Cost against error for one swing, with the Pareto front; errors down to `least`.
 inline plot::Chart
 cost_panel(const std::string& name, const std::string& title, const Swing& swing, double least)
@@ -121,6 +116,5 @@ inline plot::Chart kink_figure()
   chart.describe("Evaluations against error, for a ball that bounces on a springy floor.");
   return chart.size(640, 460);
 }
-// [cost_figure]
 
 } // namespace cookbook

@@ -13,7 +13,6 @@
 namespace cookbook
 {
 
-// [integrator_methods]
 /// An acceleration [m/s²] as a function of position and velocity.
 template <class Place>
 using AccelerationAt = std::function<Place(const Place&, const Place&)>;
@@ -90,6 +89,5 @@ std::vector<Integrator<Place>> integrators()
           "implicit midpoint",
           [](const Point& p, double h, const Force& a) { return implicit_midpoint(p, h, a); })};
 }
-// [integrator_methods]
 
 } // namespace cookbook

@@ -11,7 +11,6 @@
 namespace cookbook
 {
 
-// [published_motions]
 /// What the published way and ours come to.
 using AsPublishedAndOurs = std::array<double, 2>;
 
@@ -53,9 +52,7 @@ inline AsPublishedAndOurs damper_power()
       spring_as_published(damper, arm, inwards).dot(inwards),
       spring_force(damper, arm, inwards).dot(inwards)};
 }
-// [published_motions]
 
-// [published_verdicts]
 /// Both judged alike.
 template <class Result, class Judge>
 VerdictRow published_row(
@@ -121,6 +118,5 @@ inline std::vector<VerdictRow> published_verdicts()
   rows.push_back(published_row("", "spring of length zero", at_none, finite));
   return rows;
 }
-// [published_verdicts]
 
 } // namespace cookbook

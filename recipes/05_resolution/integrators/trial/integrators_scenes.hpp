@@ -12,7 +12,6 @@
 namespace cookbook
 {
 
-// [energy]
 /// The energy of the oscillator as a part of what it began with.
 inline double energy_share(const PhasePoint<double>& at)
 {
@@ -40,9 +39,7 @@ inline double largest_energy(const Integrator<double>& method, double z)
   }
   return most;
 }
-// [energy]
 
-// [fall]
 /// The error [m] after 10 s of free fall from rest, in so many steps a second.
 inline double fall_error(const Integrator<double>& method, double rate)
 {
@@ -50,9 +47,7 @@ inline double fall_error(const Integrator<double>& method, double rate)
   const int steps = static_cast<int>(std::lround(10 * rate));
   return method.follow({0, 0}, 1 / rate, steps, gravity).back().position + falling * 50;
 }
-// [fall]
 
-// [measured_period]
 /// The mean period [s] of positions a step apart: between the first and the last passage through
 /// zero downwards, each found on the straight line between two steps.
 ///
@@ -87,9 +82,7 @@ inline double pendulum_measured(const Integrator<double>& method, double rate)
   }
   return measured_period(angles, 1 / rate);
 }
-// [measured_period]
 
-// [bouncing_mass]
 /// 10 N/m, 1 m long at rest.
 inline constexpr Spring<double> soft_spring{10, 0, 1};
 
@@ -108,6 +101,5 @@ inline double spring_measured(const Integrator<Vector3<double>>& method, double 
   }
   return measured_period(stretches, 1 / rate);
 }
-// [bouncing_mass]
 
 } // namespace cookbook

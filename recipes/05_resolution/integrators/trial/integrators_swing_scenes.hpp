@@ -13,7 +13,6 @@
 namespace cookbook
 {
 
-// [motions]
 /// The steps a second that games take unless they say otherwise.
 inline constexpr double game_rate = 60;
 
@@ -64,6 +63,5 @@ inline Swing springy_floor()
       {1 - falling / 2 * quarter * quarter, -falling * quarter},
       std::sqrt(falling)};
 }
-// [motions]
 
 } // namespace cookbook

@@ -13,7 +13,6 @@
 namespace cookbook
 {
 
-// [motions_table]
 /// Every integrator on three motions, in so many steps a second.
 inline std::string motions_table(double rate)
 {
@@ -30,9 +29,7 @@ inline std::string motions_table(double rate)
   table.row({"exact", "1", "0", decimals(pendulum().period, 3)});
   return table.text();
 }
-// [motions_table]
 
-// [needs_table]
 /// How many evaluations a period each integrator needs for some errors of a swing.
 inline std::string needs_table(const std::string& name, const Swing& swing)
 {
@@ -50,6 +47,5 @@ inline std::string needs_table(const std::string& name, const Swing& swing)
   }
   return table.text();
 }
-// [needs_table]
 
 } // namespace cookbook

@@ -22,7 +22,6 @@ inline std::string decimals(double value, int count)
   return number(std::round(value * scale) / scale);
 }
 
-// [integrator_verdicts]
 /// Whether the oscillator keeps its energy to 1 % over 10 s at 60 Hz.
 inline Verdict keeps_energy(const Integrator<double>& method)
 {
@@ -96,6 +95,5 @@ inline std::vector<VerdictRow> integrator_verdicts()
       case_row("I10", "pendulum from 90° at 60 Hz: 2.368 s to 0.1 %", one, swings_right),
       case_row("I11", "mass on a spring, 30 to 960 Hz: 1.987 s to 1 %", three, springs_right)};
 }
-// [integrator_verdicts]
 
 } // namespace cookbook

@@ -15,7 +15,6 @@
 namespace cookbook
 {
 
-// [inertia_cases]
 /// Solids that hold together, and their inertia about the common centre of mass by hand.
 template <class Real>
 struct InertiaCase
@@ -59,7 +58,6 @@ std::vector<InertiaCase<Real>> inertia_cases()
            {fraction(6536, 10000), fraction(3764, 10000), fraction(101, 100)},
            fraction(-4752, 10000))}};
 }
-// [inertia_cases]
 
 /// What the moments and axes of the combined solid amount to, along the common axes.
 template <class Real>

@@ -15,7 +15,6 @@
 namespace cookbook
 {
 
-// [axe_figure]
 /// The solids of an axe.
 inline std::vector<PlacedSolid<double>> solids(const std::vector<AxePart>& parts)
 {
@@ -48,9 +47,7 @@ inline plot::Figure2d axe_figure(const std::vector<AxePart>& parts)
       .point(center, plot::Ink::overlap, "c");
   return figure;
 }
-// [axe_figure]
 
-// [simpler_figure]
 /// How much too large the moment across a capsule is, if a simpler shape of the same mass and
 /// length stands for it, against the length of the segment in radii.
 inline plot::Chart simpler_figure()
@@ -74,6 +71,5 @@ inline plot::Chart simpler_figure()
   chart.line("box", box, boxed).line("cylinder", cylinder, round);
   return chart;
 }
-// [simpler_figure]
 
 } // namespace cookbook

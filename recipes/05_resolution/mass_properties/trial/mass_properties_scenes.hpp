@@ -11,7 +11,6 @@
 namespace cookbook
 {
 
-// [composed]
 /// A solid that is not turned, with its centre of mass at a place [m].
 template <class Real>
 PlacedSolid<Real> upright(const MassProperties<Real>& properties, const Vector3<Real>& center)
@@ -68,9 +67,7 @@ std::vector<PlacedSolid<Real>> leaning_rod()
   const MassProperties<Real> rod = solid_box<Real>(3, Vector3<Real>(1, thin, thin));
   return {{rod, Vector3<Real>::Zero(), rational_rotation<Real>(2, 0, 0, 1)}};
 }
-// [composed]
 
-// [axe]
 /// A box of an axe, as it is drawn.
 struct AxePart
 {
@@ -86,6 +83,5 @@ inline std::vector<AxePart> axe(double head)
       {upright<double>(solid_box(0.8, handle), {0, 0, 0}), handle},
       {upright<double>(solid_box(head, blade), {0.12, 0.34, 0}), blade}};
 }
-// [axe]
 
 } // namespace cookbook

@@ -15,7 +15,6 @@
 namespace cookbook
 {
 
-// [solids_table]
 /// Solids of one mass [kg] and one length of 1 m, each with its moments.
 inline std::string solids_table(double mass)
 {
@@ -33,9 +32,7 @@ inline std::string solids_table(double mass)
   row("plate, 1 m by 0.01 m", solid_box<double>(mass, {0.5, 0.005, 0.5}));
   return table.text();
 }
-// [solids_table]
 
-// [axe_table]
 /// The axe's centre of mass, moments and lean, for several heads.
 inline std::string axe_table()
 {
@@ -51,6 +48,5 @@ inline std::string axe_table()
   }
   return table.text();
 }
-// [axe_table]
 
 } // namespace cookbook

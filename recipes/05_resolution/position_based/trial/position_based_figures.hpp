@@ -14,7 +14,6 @@
 namespace cookbook
 {
 
-// [budget_figure]
 /// How far [mm] the top of a column rests below its place, against the passes in a frame, given to
 /// small steps or not.
 inline std::vector<Eigen::Vector2d> sink_by_budget(const std::vector<double>& masses, bool steps)
@@ -57,9 +56,7 @@ inline plot::Chart budget_figure()
           {plot::Ink::b, plot::Marker::square, plot::Stroke::dashed});
   return chart;
 }
-// [budget_figure]
 
-// [tower_figure]
 /// The farthest [mm] that a cube of a tower is from its place after 3 s, against the passes in a
 /// frame.
 template <class MethodOf>
@@ -102,6 +99,5 @@ inline plot::Chart tower_figure()
           {plot::Ink::a, plot::Marker::circle, plot::Stroke::solid});
   return chart;
 }
-// [tower_figure]
 
 } // namespace cookbook

@@ -13,7 +13,6 @@
 namespace cookbook
 {
 
-// [spring_column]
 /// Bodies one above the other, at rest on the ground or on each other.
 template <class Real>
 struct PositionColumn
@@ -82,6 +81,5 @@ inline double resting_sink(PositionColumn<double> column, int substeps, int pass
   }
   return column.sinks.back();
 }
-// [spring_column]
 
 } // namespace cookbook

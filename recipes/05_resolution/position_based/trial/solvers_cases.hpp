@@ -22,7 +22,6 @@
 namespace cookbook
 {
 
-// [contact_methods]
 /// A way to solve many contacts.
 struct ContactMethod
 {
@@ -74,9 +73,7 @@ inline std::vector<ContactMethod> contact_methods()
           impulse_method(true, 8), impulse_method(true, 20), position_method(1, 20),
           position_method(20, 1)};
 }
-// [contact_methods]
 
-// [stack_measures]
 /// How far the bodies of a stack have gone from where they began.
 struct StackMeasures
 {
@@ -105,9 +102,7 @@ inline StackMeasures stack_measures(const Scene& scene, const IslandSolver& solv
   }
   return most;
 }
-// [stack_measures]
 
-// [order]
 /// The same bodies in another order, the ground first.
 inline Scene shuffled(Scene scene, unsigned seed)
 {
@@ -146,9 +141,7 @@ inline double order_spread(const IslandSolver& solver, unsigned orders)
   }
   return most;
 }
-// [order]
 
-// [factor]
 /// A ball on a ball of 1 kg, touching.
 inline Scene balls(double ratio)
 {
@@ -172,6 +165,5 @@ inline double measured_factor(const ContactMethod& method, double ratio)
 {
   return impulse_missing(method, ratio, 6) / impulse_missing(method, ratio, 5);
 }
-// [factor]
 
 } // namespace cookbook

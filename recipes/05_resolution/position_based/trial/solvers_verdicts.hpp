@@ -8,7 +8,6 @@
 namespace cookbook
 {
 
-// [stack_cases]
 /// A stack or a question about one, and how a method is judged.
 struct StackCase
 {
@@ -94,7 +93,6 @@ inline std::vector<StackCase> stack_cases()
       {"S5", "100 kg on 1 kg, 10 s: 2 cm", stack(scenes::heavy_on_light(100), 10, {0.02, 1, 90})},
       {"S19", "five cubes in 100 orders, 2 s: 1 cm apart", spread}};
 }
-// [stack_cases]
 
 /// The verdicts on stacks: a row for each, a column for each method.
 inline std::vector<VerdictRow> stack_verdicts()

@@ -16,7 +16,6 @@
 namespace cookbook
 {
 
-// [recovery]
 /// What happened on the way out.
 struct Recovery
 {
@@ -43,9 +42,7 @@ inline Recovery recovery(const std::vector<SunkCube>& rows)
   }
   return found;
 }
-// [recovery]
 
-// [correction_cases]
 /// A case of the cube in the floor, and its judge.
 struct CorrectionCase
 {
@@ -109,7 +106,6 @@ inline std::vector<CorrectionCase> correction_cases()
       {"", "two tiles report it: ends on the floor", tiles, 2, stays_on_floor},
       {"", "cube at rest, 10 s: at most 1.5 mm deep", resting, 10, rests}};
 }
-// [correction_cases]
 
 /// The verdicts: a row for each case, a column for each way.
 inline std::vector<VerdictRow> correction_verdicts()

@@ -13,7 +13,6 @@
 namespace cookbook
 {
 
-// [heights_out_figure]
 /// The look of the i-th way, the same in each figure.
 inline plot::Look way_look(std::size_t i)
 {
@@ -50,9 +49,7 @@ inline plot::Chart heights_out_figure()
   }
   return chart;
 }
-// [heights_out_figure]
 
-// [depths_figure]
 /// The depth left over time, by the ways without a hop that take more than a frame.
 inline plot::Chart depths_figure()
 {
@@ -75,9 +72,7 @@ inline plot::Chart depths_figure()
   }
   return chart;
 }
-// [depths_figure]
 
-// [hops_figure]
 /// Where a way stands: how long it takes to get out, and how high it hops.
 inline Eigen::Vector2d time_and_hop(const std::function<void(SunkCube&)>& advance)
 {
@@ -110,6 +105,5 @@ inline plot::Chart hops_figure()
       .line("soft, relaxed", soft, {plot::Ink::a, plot::Marker::circle, plot::Stroke::solid});
   return chart;
 }
-// [hops_figure]
 
 } // namespace cookbook

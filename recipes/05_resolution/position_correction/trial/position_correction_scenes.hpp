@@ -16,7 +16,6 @@
 namespace cookbook
 {
 
-// [sunk_cube]
 /// A cube that goes up and down only, over a floor of one tile or more that all report it.
 struct SunkCube
 {
@@ -32,7 +31,6 @@ inline constexpr double earth_gravity = 9.81;  ///< [m/s²]
 inline constexpr double push_limit = 3;   ///< [m/s], the fastest way out where there is a limit
 inline constexpr double push_share = 0.2; ///< [1], of the depth, taken away in a step or pass
 inline constexpr double no_limit = std::numeric_limits<double>::infinity(); ///< [m/s]
-// [sunk_cube]
 
 // [push_out]
 /// Lets each tile push until the speeds are right: once is enough, for the tiles agree.
@@ -132,7 +130,6 @@ inline void push_softly(SunkCube& cube, double frequency, double limit, bool rel
 }
 // [ways_out]
 
-// [corrections]
 /// A way out, a frame at a time.
 struct Correction
 {
@@ -164,6 +161,5 @@ inline std::vector<SunkCube> run_out(SunkCube cube, const Correction& way, doubl
   }
   return rows;
 }
-// [corrections]
 
 } // namespace cookbook

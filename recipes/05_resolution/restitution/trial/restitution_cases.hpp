@@ -15,7 +15,6 @@
 namespace cookbook
 {
 
-// [restitution_cases]
 /// A drop, and how its flight is judged.
 struct DropCase
 {
@@ -96,7 +95,6 @@ inline std::vector<DropCase> drop_cases()
        {ten, 1, 4, 1.0 / 60, Ahead::stop_in_time},
        keeps_speed}};
 }
-// [restitution_cases]
 
 /// The verdicts on drops: a row for each, a column for each rule.
 inline std::vector<VerdictRow> drop_verdicts()

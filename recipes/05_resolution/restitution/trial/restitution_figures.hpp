@@ -14,7 +14,6 @@
 namespace cookbook
 {
 
-// [heights_figure]
 /// The heights [m] of a flight from one time to another [s], times a scale.
 inline std::vector<Eigen::Vector2d>
 heights(const std::vector<Flight>& flight, double from, double to, double scale)
@@ -50,9 +49,7 @@ inline plot::Chart heights_figure()
       .reference_y(1, "");
   return chart;
 }
-// [heights_figure]
 
-// [rest_figure]
 /// The last bounces of a ball with e = 0.8, and the time by which there is none left.
 inline plot::Chart rest_figure()
 {
@@ -74,9 +71,7 @@ inline plot::Chart rest_figure()
       .reference_x(settling_time(drop.height, drop.gravity, drop.restitution), "due at rest");
   return chart;
 }
-// [rest_figure]
 
-// [cost_figure]
 /// The greatest error [m] of the first apex of e = 0.5, of 16 heights from 1 m to 2 m.
 inline double apex_error(const BounceRule& rule, double steps_per_second)
 {
@@ -116,6 +111,5 @@ inline plot::Chart cost_figure()
       .line("at the touch", line(4), {plot::Ink::a, plot::Marker::circle, plot::Stroke::solid});
   return chart;
 }
-// [cost_figure]
 
 } // namespace cookbook

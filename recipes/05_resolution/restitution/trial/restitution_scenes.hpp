@@ -14,7 +14,6 @@
 namespace cookbook
 {
 
-// [drop]
 /// What a contact does with a ball that will touch the floor within the step.
 enum class Ahead
 {
@@ -55,9 +54,7 @@ struct BounceRule
   std::string name;                                                             ///< as on the page
   std::function<double(double, const ContactStep<double>&, const Drop&)> speed; ///< the rule
 };
-// [drop]
 
-// [bounce_rules]
 /// The rules that compete; the last is the one to take.
 inline std::vector<BounceRule> bounce_rules()
 {
@@ -75,9 +72,7 @@ inline std::vector<BounceRule> bounce_rules()
       {"at the touch, threshold", [=](double speed, const Step& step, const Drop& drop)
        { return bounced_speed(speed, step, drop.restitution, threshold(drop)); }}};
 }
-// [bounce_rules]
 
-// [flight]
 /// The floor and the ball, at rest.
 inline BodyPair<double> floor_and_ball(double height)
 {
@@ -133,9 +128,7 @@ inline std::vector<Flight> flight(const Drop& drop, const BounceRule& rule)
   }
   return rows;
 }
-// [flight]
 
-// [measures]
 /// How high [m] the ball comes after each touch, between two steps too.
 inline std::vector<double> apexes(const std::vector<Flight>& flight, double gravity)
 {
@@ -173,6 +166,5 @@ inline double energy_change(const std::vector<Flight>& flight, double gravity)
   }
   return greatest;
 }
-// [measures]
 
 } // namespace cookbook

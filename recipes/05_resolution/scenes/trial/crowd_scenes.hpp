@@ -9,7 +9,6 @@
 namespace cookbook::scenes
 {
 
-// [wall]
 /// Courses of bricks of 1 m by 50 cm by 50 cm in bond: twice as many bricks as courses in the
 /// lowest, each second course shifted by half a brick and one brick shorter.
 inline Scene wall(int courses)
@@ -37,7 +36,6 @@ inline Scene wall_hit(int courses)
   scene.bodies.push_back(ball);
   return scene;
 }
-// [wall]
 
 /// A movable table top on so many legs.
 inline Scene table_on(int legs)
@@ -53,7 +51,6 @@ inline Scene table_on(int legs)
   return scene;
 }
 
-// [crowd]
 /// How many cells a cube has along a side that holds so many.
 inline int cells_along(int count)
 {
@@ -149,6 +146,5 @@ inline Scene swarm(int count)
   }
   return scene;
 }
-// [crowd]
 
 } // namespace cookbook::scenes

@@ -11,7 +11,6 @@
 namespace cookbook
 {
 
-// [frames]
 /// Where a body is, and how it moves.
 struct BodyState
 {
@@ -54,6 +53,5 @@ inline const Frame& frame_at(const std::vector<Frame>& frames, double time)
   }
   return *best;
 }
-// [frames]
 
 } // namespace cookbook

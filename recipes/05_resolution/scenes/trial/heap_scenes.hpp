@@ -11,7 +11,6 @@
 namespace cookbook::scenes
 {
 
-// [pile]
 /// Whole numbers that look random and are the same everywhere: each is made of the one before it.
 class Mixer
 {
@@ -56,9 +55,7 @@ inline Scene pile(int count)
   }
   return scene;
 }
-// [pile]
 
-// [plates]
 /// Plates of 1 m and 4 cm, one on top of the other, shifted by 3 cm to the left and right in turn.
 inline Scene plates(int count)
 {
@@ -87,6 +84,5 @@ inline Scene overlap()
   scene.bodies.push_back(cube_body("deep", {4, 0, 0}));
   return scene;
 }
-// [plates]
 
 } // namespace cookbook::scenes

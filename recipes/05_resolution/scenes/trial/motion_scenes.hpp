@@ -10,7 +10,6 @@
 namespace cookbook::scenes
 {
 
-// [slides]
 /// A cube at rest on a slope through the origin that falls towards +x, given by the sine of its
 /// angle, 0 to below 1, with one friction for both surfaces: rows S9 to S11.
 inline Scene incline(double sine, double friction)
@@ -48,9 +47,7 @@ inline Scene tiles()
   scene.bodies.push_back(cube);
   return scene;
 }
-// [slides]
 
-// [bounces]
 /// A ball with restitution 1 from 5 m, and a cube with restitution 0.5 from 1 m: rows S15, S16.
 inline Scene bounce()
 {
@@ -77,9 +74,7 @@ inline Scene thin_wall(int speed)
   }
   return scene;
 }
-// [bounces]
 
-// [turns]
 /// A box with moments of inertia 1, 2 and 2.6 kg m², free, that turns at 10 rad/s about the middle
 /// axis, nearly: it flips; row I4.
 inline Scene spinning_top()
@@ -103,6 +98,5 @@ inline Scene domino(int count)
   first.velocity = first.angular_velocity.cross(Vector3<double>(-0.05, 0.5, 0));
   return scene;
 }
-// [turns]
 
 } // namespace cookbook::scenes

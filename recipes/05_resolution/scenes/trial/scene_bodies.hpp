@@ -12,7 +12,6 @@
 namespace cookbook
 {
 
-// [scene_bodies]
 /// The ground: all below y = 0.
 inline SceneBody ground()
 {
@@ -46,7 +45,6 @@ inline std::string numbered(const std::string& what, int number)
 {
   return std::string(what).append("_").append(std::to_string(number));
 }
-// [scene_bodies]
 
 // [whole_turn]
 /// The unit quaternion along whole numbers w, x, y, z, not all zero.

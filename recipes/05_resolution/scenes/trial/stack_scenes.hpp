@@ -10,7 +10,6 @@
 namespace cookbook::scenes
 {
 
-// [tower]
 /// A scene with the ground in it and nothing else yet.
 inline Scene standing(double duration = 20)
 {
@@ -65,9 +64,7 @@ inline Scene tower_dropped(int count)
   scene.bodies.front().friction = 0.3;
   return scene;
 }
-// [tower]
 
-// [pyramid]
 /// Rows of cubes, each with one less than the row below, with gaps of 12.5 cm beside them.
 inline Scene pyramid(int rows)
 {
@@ -100,9 +97,7 @@ inline Scene heavy_on_light(int mass)
   scene.bodies.push_back(cube_body("heavy", {0, 1.5, 0}, mass));
   return scene;
 }
-// [pyramid]
 
-// [card_house]
 /// A card of 0.1 kg, 1 m long, 2 cm thick and 0.7 m deep, that leans to the right (side 1) or to
 /// the left (side −1) by the angle with the sine 7/25, and touches an apex with its upper edge.
 inline SceneBody
@@ -141,6 +136,5 @@ inline Scene card_house(int levels)
   }
   return scene;
 }
-// [card_house]
 
 } // namespace cookbook::scenes

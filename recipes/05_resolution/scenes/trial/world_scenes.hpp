@@ -13,7 +13,6 @@
 namespace cookbook
 {
 
-// [world_scenes]
 /// Scenes that differ in one number: how many bodies, which mass, which speed.
 struct SceneFamily
 {
@@ -56,7 +55,6 @@ inline const std::vector<SceneFamily>& scene_families()
       {"domino", "upright tiles, the first one falls", 20, 1000, domino}};
   return families;
 }
-// [world_scenes]
 
 /// The names of the families, in order.
 inline std::vector<std::string> scene_names()

@@ -16,7 +16,6 @@
 namespace cookbook
 {
 
-// [stack_figure]
 /// Three boxes, and what their contacts have got after some passes from a cold start, in weights.
 inline plot::Figure2d stack_panel(const std::string& title, int passes)
 {
@@ -49,9 +48,7 @@ inline plot::Grid stack_figure()
       .add(stack_panel("100 passes", 100));
   return grid;
 }
-// [stack_figure]
 
-// [passes_figure]
 /// The error of a cold column's impulses after each pass.
 inline std::vector<Eigen::Vector2d> error_by_pass(const std::vector<double>& masses, int passes)
 {
@@ -93,9 +90,7 @@ inline plot::Chart passes_figure()
   }
   return chart;
 }
-// [passes_figure]
 
-// [frames_figure]
 /// How fast [m/s] the top of a column sinks at the end of each frame, if it is at all.
 inline std::vector<Eigen::Vector2d>
 sinking_by_frame(std::size_t count, int passes, int frames, bool warm)
@@ -128,6 +123,5 @@ inline plot::Chart frames_figure()
           {plot::Ink::a, plot::Marker::none, plot::Stroke::solid});
   return chart;
 }
-// [frames_figure]
 
 } // namespace cookbook

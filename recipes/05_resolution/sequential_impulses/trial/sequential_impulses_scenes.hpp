@@ -53,7 +53,6 @@ Real residual(const PushProblem<Real>& problem, const Eigen::VectorX<Real>& impu
 }
 // [push_problem]
 
-// [column]
 /// Bodies one on top of the other on the ground, that gravity has just given a speed [m/s]; contact
 /// i is below body i.
 template <class Real>
@@ -128,9 +127,7 @@ inline double error_factor(const std::vector<double>& masses, int passes)
   }
   return factor;
 }
-// [column]
 
-// [frames]
 /// A column from frame to frame: its speeds and impulses at the end of one.
 template <class Real>
 struct ColumnFrame
@@ -158,6 +155,5 @@ ColumnFrame<Real> next_column_frame(
   frame.speeds = now.speeds + now.response * frame.impulses;
   return frame;
 }
-// [frames]
 
 } // namespace cookbook

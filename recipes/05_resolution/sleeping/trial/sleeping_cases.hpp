@@ -20,7 +20,6 @@ inline std::string seconds(double time)
   return number(time) + " s";
 }
 
-// [sleep_verdicts]
 /// What became of a rule with a motion.
 inline Verdict motion_verdict(const WatchedMotion& motion, const SleepRule& rule)
 {
@@ -83,9 +82,7 @@ inline std::vector<VerdictRow> sleep_verdicts()
   }
   return rows;
 }
-// [sleep_verdicts]
 
-// [waking_verdicts]
 /// The verdicts on ways of waking: all cubes are to fall within two steps.
 inline std::vector<VerdictRow> waking_verdicts()
 {
@@ -106,6 +103,5 @@ inline std::vector<VerdictRow> waking_verdicts()
   }
   return rows;
 }
-// [waking_verdicts]
 
 } // namespace cookbook

@@ -15,7 +15,6 @@
 namespace cookbook
 {
 
-// [slope_chart]
 /// Where a ball is that rolls up 1°, and where each rule has it.
 inline plot::Chart slope_chart()
 {
@@ -38,9 +37,7 @@ inline plot::Chart slope_chart()
   }
   return chart;
 }
-// [slope_chart]
 
-// [islands_figure]
 /// A body of the figure: a cube of 1 m, or a ball of 1 m across.
 struct Sleeper
 {
@@ -99,6 +96,5 @@ inline plot::Grid islands_figure()
       .add(sleepers_panel("cube 1 removed", 1));
   return grid;
 }
-// [islands_figure]
 
 } // namespace cookbook

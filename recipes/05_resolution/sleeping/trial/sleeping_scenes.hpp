@@ -22,7 +22,6 @@ inline constexpr double sleep_step = 1.0 / 60; ///< [s]
 inline constexpr double sleep_gravity = 9.81;  ///< [m/s²]
 inline constexpr double sleeper_radius = 0.05; ///< [m], of every ball here
 
-// [sleep_rules]
 /// A rule when a body may sleep.
 struct SleepRule
 {
@@ -40,9 +39,7 @@ inline std::vector<SleepRule> sleep_rules()
       {"slow for 0.5 s", {0.05, any, any, 0.5}, 0},
       {"slow, still, steady", {}, sleeper_radius}};
 }
-// [sleep_rules]
 
-// [watched_motions]
 /// How a ball moves at a time.
 struct Movement
 {
@@ -136,9 +133,7 @@ inline std::optional<double> falls_asleep(const WatchedMotion& motion, const Sle
   }
   return std::nullopt;
 }
-// [watched_motions]
 
-// [bouncing_out]
 /// Where and when a ball falls asleep.
 struct Bedtime
 {
@@ -171,6 +166,5 @@ bounces_out(double restitution, double threshold, const SleepRule& rule)
   }
   return std::nullopt;
 }
-// [bouncing_out]
 
 } // namespace cookbook

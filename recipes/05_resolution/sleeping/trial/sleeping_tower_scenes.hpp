@@ -12,7 +12,6 @@
 namespace cookbook
 {
 
-// [tower]
 /// What is woken when a body is removed.
 enum class Waking
 {
@@ -112,6 +111,5 @@ inline int steps_until_all_fall(int cubes, Waking waking)
   }
   return 0;
 }
-// [tower]
 
 } // namespace cookbook

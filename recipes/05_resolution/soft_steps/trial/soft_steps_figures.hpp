@@ -14,7 +14,6 @@
 namespace cookbook
 {
 
-// [sinks]
 /// How far a tower has come down, and gone aside, after a time.
 struct Sink
 {
@@ -35,7 +34,6 @@ inline std::vector<Sink> sinks(const std::string& scene)
   }
   return all;
 }
-// [sinks]
 
 /// The towers whose sinks are printed and drawn.
 inline const std::vector<std::string> sinking_scenes{
@@ -60,7 +58,6 @@ inline plot::Chart sink_chart(const std::vector<std::vector<Sink>>& all)
   return chart;
 }
 
-// [frame_figure]
 /// What happens in a frame of four small steps: time to the right, order from top to bottom.
 inline plot::Figure2d frame_figure()
 {
@@ -92,6 +89,5 @@ inline plot::Figure2d frame_figure()
   }
   return figure;
 }
-// [frame_figure]
 
 } // namespace cookbook

@@ -17,7 +17,6 @@
 namespace cookbook
 {
 
-// [spin_cases]
 /// A free spin, and how well it is to be kept. L may turn by a hundredth of a radian.
 struct SpinCase
 {
@@ -57,7 +56,6 @@ inline std::vector<SpinCase> spin_cases()
        1e-3,
        false}};
 }
-// [spin_cases]
 
 /// Whether the first three flips come when they should, to 2 %.
 inline bool flips_in_time(const FreeSpin& scene, const std::vector<double>& flips)

@@ -15,7 +15,6 @@
 namespace cookbook
 {
 
-// [racket_figure]
 /// A plate with the moments of a free spin, seven times while its y axis turns over.
 inline plot::Figure3d racket_figure()
 {
@@ -38,9 +37,7 @@ inline plot::Figure3d racket_figure()
   }
   return figure;
 }
-// [racket_figure]
 
-// [flips_figure]
 /// How the i-th of many lines is drawn: without marks.
 inline plot::Look plain_look(std::size_t i)
 {
@@ -75,9 +72,7 @@ inline plot::Chart flips_figure(const FreeSpin& scene, double rate)
   }
   return chart;
 }
-// [flips_figure]
 
-// [spin_energy_figure]
 /// The largest energy drift so far of the free spin of case I4, over a hundred seconds at 60 Hz.
 inline plot::Chart spin_energy_figure()
 {
@@ -106,9 +101,7 @@ inline plot::Chart spin_energy_figure()
   }
   return chart;
 }
-// [spin_energy_figure]
 
-// [spin_cost_figure]
 /// How far off an orientation is after ten seconds, against the stages a second that it took: a
 /// stage solves or evaluates Euler's equations once, or takes the body's axes in turn once.
 inline plot::Chart spin_cost_figure()
@@ -135,6 +128,5 @@ inline plot::Chart spin_cost_figure()
   }
   return chart;
 }
-// [spin_cost_figure]
 
 } // namespace cookbook

@@ -15,7 +15,6 @@
 namespace cookbook
 {
 
-// [spin_methods]
 /// A way to step a free spin.
 struct SpinMethod
 {
@@ -39,9 +38,7 @@ inline std::vector<SpinMethod> spin_methods()
       {"turned_with_energy", turned_with_energy<double>},
       {"turned_finely", turned_finely<double>}};
 }
-// [spin_methods]
 
-// [free_spin]
 /// A body that spins freely.
 struct FreeSpin
 {
@@ -69,9 +66,7 @@ angular_momentum(const Spinning<double>& body, const Vector3<double>& moments)
 {
   return body.orientation * moments.cwiseProduct(own_spin(body));
 }
-// [free_spin]
 
-// [spin_run]
 /// What became of a free spin.
 struct SpinRun
 {
@@ -132,9 +127,7 @@ spin_run(const FreeSpin& scene, const SpinMethod& method, double duration, doubl
   run.end = stepped(scene, method, duration, rate, visit);
   return run;
 }
-// [spin_run]
 
-// [true_orientation]
 /// The orientation of a free spin after a duration [s]: fourth order, 3,840 steps a second, in long
 /// double.
 inline Quaternion<double> true_orientation(const FreeSpin& scene, double duration)
@@ -148,6 +141,5 @@ inline Quaternion<double> true_orientation(const FreeSpin& scene, double duratio
   }
   return body.orientation.cast<double>();
 }
-// [true_orientation]
 
 } // namespace cookbook

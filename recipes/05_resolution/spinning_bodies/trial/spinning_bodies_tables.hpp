@@ -13,7 +13,6 @@
 namespace cookbook
 {
 
-// [flips_table]
 /// A number with four digits, or that there is none.
 inline std::string cell(double value)
 {
@@ -37,9 +36,7 @@ inline std::string flips_table(const FreeSpin& scene, double rate)
   }
   return table.text();
 }
-// [flips_table]
 
-// [drift_table]
 /// A drift with two digits' worth of what it says, or that it is no more than rounding.
 inline std::string drift(double value)
 {
@@ -59,6 +56,5 @@ inline std::string drift_table(const FreeSpin& scene, double rate)
   }
   return table.text();
 }
-// [drift_table]
 
 } // namespace cookbook

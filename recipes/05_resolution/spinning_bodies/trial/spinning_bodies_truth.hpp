@@ -13,7 +13,6 @@
 namespace cookbook
 {
 
-// [elliptic]
 /// The elliptic integral of the first kind of an amplitude [rad], 0 to π/2, by the complementary
 /// modulus k' = √(1 − k²), above zero, that is the descent of arithmetic and geometric means.
 inline double elliptic_integral(double amplitude, double complement)
@@ -43,9 +42,7 @@ inline double quarter_period(double complement)
   }
   return std::numbers::pi / (2 * a);
 }
-// [elliptic]
 
-// [flip_times]
 /// When [s] the spin about the middle axis is zero, for the first three times, of a free body with
 /// moments that grow from x to z and a spin [rad/s] along its axes that is nowhere zero.
 inline std::array<double, 3> flip_times(Vector3<double> moments, Vector3<double> spin)
@@ -72,6 +69,5 @@ inline std::array<double, 3> flip_times(Vector3<double> moments, Vector3<double>
   const double first = grows ? quarter + left : quarter - left;
   return {first / rate, (first + 2 * quarter) / rate, (first + 4 * quarter) / rate};
 }
-// [flip_times]
 
 } // namespace cookbook

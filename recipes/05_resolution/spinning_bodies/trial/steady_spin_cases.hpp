@@ -22,7 +22,6 @@ inline std::string rough(double value)
   return number(std::round(value / unit) * unit);
 }
 
-// [turn_cases]
 /// A steady spin, and how far an orientation may be off in the end.
 struct TurnCase
 {
@@ -68,7 +67,6 @@ inline std::vector<Quaternion<double>> turned_in_four_ways(const TurnCase& one)
   }
   return {from_angles(angles), added, unit, exact};
 }
-// [turn_cases]
 
 /// The verdicts on steady spins: the orientation off by no more than the limit, its length by 1e-6.
 inline std::vector<VerdictRow> turn_verdicts()

@@ -16,7 +16,6 @@
 namespace cookbook
 {
 
-// [box_sweep_methods]
 /// A way to find the time, 0 to 1, of the first touch of two boxes.
 struct BoxSweepMethod
 {
@@ -45,9 +44,7 @@ inline std::vector<BoxSweepMethod> box_sweep_methods()
          return hit ? std::optional(hit->time) : std::nullopt;
        }}};
 }
-// [box_sweep_methods]
 
-// [box_sweep_verdicts]
 /// What became of a method with a pair of boxes: its time is to be right to 0.1 ms.
 inline Verdict box_sweep_verdict(const BoxSweep& sweep, const BoxSweepMethod& method)
 {
@@ -76,6 +73,5 @@ inline std::vector<VerdictRow> box_sweep_verdicts()
   }
   return rows;
 }
-// [box_sweep_verdicts]
 
 } // namespace cookbook

@@ -13,7 +13,6 @@
 namespace cookbook
 {
 
-// [box_sweeps]
 /// Two boxes on their way, and when they first touch.
 struct BoxSweep
 {
@@ -75,6 +74,5 @@ inline std::vector<BoxSweep> box_sweeps()
       square_and_box("", "the same for 30 s: right through it", 30),
       rod_and_peg()};
 }
-// [box_sweeps]
 
 } // namespace cookbook

@@ -15,7 +15,6 @@
 namespace cookbook
 {
 
-// [flight_cases]
 /// What is asked of the balls of a case.
 enum class Asked
 {
@@ -84,7 +83,6 @@ inline std::vector<FlightCase> flight_cases()
       {"J8", "e = 1 on a block 1 m thick, 10 m/s", Asked::bounce, {straight_at(1, 10, 1)}},
       {"", "e = 0.8 on a 2 cm wall, 1,000 m/s", Asked::bounce, {straight_at(0.02, 1000, 0.8)}}};
 }
-// [flight_cases]
 
 /// A share as whole per cent; none only if it is none.
 inline std::string percent(double share)
@@ -92,7 +90,6 @@ inline std::string percent(double share)
   return share > 0 && share < 0.005 ? "under 1 %" : number(std::round(100 * share)) + " %";
 }
 
-// [flight_verdicts]
 /// What became of a method with all balls of a case.
 inline Verdict flight_verdict(const FlightCase& one, const FlightMethod& method)
 {
@@ -136,6 +133,5 @@ inline std::vector<VerdictRow> flight_verdicts()
   }
   return rows;
 }
-// [flight_verdicts]
 
 } // namespace cookbook

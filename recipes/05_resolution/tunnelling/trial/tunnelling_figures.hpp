@@ -15,7 +15,6 @@
 namespace cookbook
 {
 
-// [wall_figure]
 /// A ball of 5 cm on its way to a wall of 2 cm at 30 m/s, slightly upwards, drawn at every step.
 inline plot::Figure2d wall_panel(const FlightMethod& method)
 {
@@ -58,9 +57,7 @@ inline plot::Grid wall_figure()
       .add(wall_panel(methods.back()));
   return grid;
 }
-// [wall_figure]
 
-// [looks]
 /// How often the recommended method looks at the gap in a step, on average over all balls.
 inline double mean_looks(const Shots& shots)
 {
@@ -89,9 +86,7 @@ inline double mean_looks(const Shots& shots)
   }
   return static_cast<double>(looks) / (shots.count * shots.steps());
 }
-// [looks]
 
-// [cost_chart]
 /// The share of balls that pass a wall against the number of looks at the gap in a step.
 inline plot::Chart cost_chart()
 {
@@ -117,9 +112,7 @@ inline plot::Chart cost_chart()
       .fails("speculative", 1);
   return chart;
 }
-// [cost_chart]
 
-// [beside_chart]
 /// How much of its velocity a ball loses that passes a wall's edge by 3 cm, against its speed.
 inline plot::Chart beside_chart()
 {
@@ -142,6 +135,5 @@ inline plot::Chart beside_chart()
   }
   return chart;
 }
-// [beside_chart]
 
 } // namespace cookbook

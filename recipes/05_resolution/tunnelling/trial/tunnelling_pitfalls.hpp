@@ -9,7 +9,6 @@
 namespace cookbook
 {
 
-// [speculative_bounce]
 /// Speculative without a margin; a ball that was braked gets the bounce of its full speed at once.
 ///
 /// Restitution is kept. So is that of walls which the ball would have missed.
@@ -26,7 +25,6 @@ FlyingBall<Real> speculative_bounce_step(
       moved<Real>({flight.ball, braked}, step).ball,
       brakes ? bounced(flight.velocity, ahead.unit, restitution) : flight.velocity};
 }
-// [speculative_bounce]
 
 // [box_sweep_pitfalls]
 /// Looks at the end of the way only: time 1 where the boxes overlap there.

@@ -15,7 +15,6 @@
 namespace cookbook
 {
 
-// [flight_methods]
 /// A way to move a ball on by one step.
 struct FlightMethod
 {
@@ -66,9 +65,7 @@ inline std::vector<FlightMethod> flight_methods()
        { return speculative_bounce_step(flight, wall, e, step); }},
       swept_method()};
 }
-// [flight_methods]
 
-// [shots]
 /// Balls on their way along x to a wall, or past it; they differ in how far they still have to go.
 struct Shots
 {
@@ -157,6 +154,5 @@ inline double most_bounce_lost(const Shots& shots, const FlightMethod& method)
   }
   return most;
 }
-// [shots]
 
 } // namespace cookbook

@@ -14,7 +14,6 @@
 namespace cookbook
 {
 
-// [two_runs]
 /// The same scene under both.
 struct TwoRuns
 {
@@ -51,7 +50,6 @@ inline std::vector<double> farthest_apart(const TwoRuns& runs)
   }
   return apart;
 }
-// [two_runs]
 
 /// The scenes that are compared.
 inline const std::vector<std::string> compared_scenes{"tower_1", "tower_5", "pyramid", "incline"};

@@ -13,7 +13,6 @@
 namespace cookbook
 {
 
-// [impact_figure]
 /// A square of 20 cm in a drawing.
 struct DrawnSquare
 {
@@ -122,6 +121,5 @@ inline plot::Grid impact_figure()
       .add(driven_panel());
   return grid;
 }
-// [impact_figure]
 
 } // namespace cookbook

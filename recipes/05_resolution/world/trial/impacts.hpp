@@ -17,7 +17,6 @@
 namespace cookbook
 {
 
-// [impacts]
 /// The deepest [m] that a cube of an edge [m] is in the ground in 10 steps, if it comes down flat
 /// at a speed [m/s] and would reach the ground after a share of the first step.
 inline double impact_depth(double edge, double speed, double share, const std::string& solver)
@@ -47,7 +46,6 @@ inline double deepest_impact(double edge, double speed, const std::string& solve
   }
   return deepest;
 }
-// [impacts]
 
 /// The deepest impact over the speed, as a share of the edge, beside the way of a step.
 inline plot::Chart impacts_chart()

@@ -46,7 +46,6 @@ std::vector<Frame> frames_of(const Scene& scene, const std::string& solver, doub
   return run_world(scene, {.solver = solver, .duration = duration, .keeps_frames = true}).frames;
 }
 
-// [judges]
 /// S3: each cube of a dropped tower is on top of the one below it in the end.
 Verdict stands_dropped(const std::string& solver)
 {
@@ -198,7 +197,6 @@ Verdict refuses(const std::string& solver)
   const bool same = refused == 60 && same_places(alone, pushed, scene.bodies.size());
   return {same, same ? "refused" : "spreads"};
 }
-// [judges]
 
 /// A ball at rest on the ground.
 Scene resting_ball()

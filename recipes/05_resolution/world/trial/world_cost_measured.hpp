@@ -31,7 +31,6 @@ inline double seconds_of(const std::function<void()>& run)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// [step_seconds]
 /// The time [s] of each step of each world, from the start on: a list of steps for each world.
 ///
 /// The worlds take turns at every step, and all of it is repeated: a step is the same work each
@@ -83,6 +82,5 @@ step_seconds(const std::vector<TimedWorld>& worlds, int steps, int repetitions =
   }
   return average;
 }
-// [step_seconds]
 
 } // namespace cookbook

@@ -30,7 +30,6 @@ inline const std::vector<GallerySolver> gallery_solvers{
     {"position based", "position_based", 0}, {"soft, 4 substeps", "soft_steps", 4},
     {"soft, 16 substeps", "soft_steps", 16}, {"direct", "direct", 0}};
 
-// [standings]
 /// How far the farthest body of each scene is from where it was after some seconds [mm].
 inline std::string standings_table()
 {
@@ -54,7 +53,6 @@ inline std::string standings_table()
   }
   return table.text();
 }
-// [standings]
 
 /// Draws a tower under six solvers, and a run of the recommended one in time.
 inline void draw_gallery(const Arguments& given)

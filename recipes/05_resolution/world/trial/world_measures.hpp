@@ -28,7 +28,6 @@ inline Frame frame_of(const World& world)
   return frame;
 }
 
-// [world_sums]
 /// The energy [J] of the movable bodies of a world: of motion, and of height against gravity.
 inline double energy(std::span<const RigidBody> bodies, const Vector3<double>& gravity)
 {
@@ -56,9 +55,7 @@ inline Vector3<double> momentum(std::span<const RigidBody> bodies)
   }
   return sum;
 }
-// [world_sums]
 
-// [world_contacts_measured]
 /// The deepest overlap [m] at any contact point of a world.
 inline double deepest_overlap(const World& world)
 {
@@ -99,9 +96,7 @@ inline double residual(const World& world)
   }
   return most;
 }
-// [world_contacts_measured]
 
-// [carried]
 /// The impulses [N s] that each body gets, against gravity and in the last step, from all contacts
 /// with bodies before it in the scene: what carries it, where each stands on the one before.
 inline std::vector<double> carried_in(const World& world)
@@ -119,9 +114,7 @@ inline std::vector<double> carried_in(const World& world)
   }
   return sums;
 }
-// [carried]
 
-// [moved_by]
 /// The farthest that any body has moved from where its scene put it.
 struct FarthestMove
 {
@@ -145,6 +138,5 @@ inline FarthestMove farthest_move(const Scene& scene, const World& world)
   }
   return most;
 }
-// [moved_by]
 
 } // namespace cookbook

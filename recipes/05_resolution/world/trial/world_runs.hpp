@@ -19,7 +19,6 @@ class World;
 struct SoftSettings;
 struct WidePasses;
 
-// [world_run]
 /// How a scene is to be run.
 struct RunSettings
 {
@@ -85,6 +84,5 @@ public:
 private:
   std::shared_ptr<World> world_;
 };
-// [world_run]
 
 } // namespace cookbook

@@ -29,7 +29,6 @@ inline std::vector<std::pair<int, int>> pairs_by_tree(const std::vector<Bounds>&
   return pairs_by(tree, bounds);
 }
 
-// [every_pair]
 /// What BroadPhase is to find, by asking every pair.
 inline std::vector<std::pair<int, int>> every_overlapping_pair(const std::vector<Bounds>& bounds)
 {
@@ -47,9 +46,7 @@ inline std::vector<std::pair<int, int>> every_overlapping_pair(const std::vector
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
-// [every_pair]
 
-// [sweep]
 /// The same by sorting and sweeping: all lower ends along x in order, and each body against those
 /// that begin before it ends. Quick as long as few do.
 inline std::vector<std::pair<int, int>> swept_pairs(std::vector<Bounds>& bounds)
@@ -74,7 +71,6 @@ inline std::vector<std::pair<int, int>> swept_pairs(std::vector<Bounds>& bounds)
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
-// [sweep]
 
 /// The bounds of a box of 1 m about a place [m].
 inline Bounds unit_bounds(const Vector3<double>& middle, int body)

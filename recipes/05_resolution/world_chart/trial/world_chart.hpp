@@ -80,7 +80,6 @@ inline double farthest(const Scene& scene, const Frame& frame)
   return most;
 }
 
-// [world_to_time]
 /// A step of a world that, at the last of its steps, says what came of it.
 template <class AnyWorld>
 std::function<void()>
@@ -114,7 +113,6 @@ inline TimedWorld timed_world(const Scene& scene, ChartedRun& run, int steps)
   };
   return {run.solver.line, build};
 }
-// [world_to_time]
 
 /// All solvers on a scene for a time [s], timed in turns.
 inline std::vector<ChartedRun> charted_runs(
