@@ -1,9 +1,9 @@
+#include "tests/catch.hpp"
 #include "tools/plot/charts/bar_chart.hpp"
 #include "tools/plot/charts/chart.hpp"
 #include "tools/plot/charts/chart_layout.hpp"
 #include "tools/plot/figures/figure2d.hpp"
 #include "tools/plot/figures/figure3d.hpp"
-#include "tests/catch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -260,15 +260,14 @@ TEST_CASE("a label keeps the side it asks for where there is room", "[plot]")
   CHECK(place_labels({left}, {}, bounds).front().box.right <= 192 + rounding);
 }
 
-TEST_CASE(
-    "texts of failures on the rail share no row with a text or point they would cover", "[plot]")
+TEST_CASE("names of failing methods share no row with a text or point they would cover", "[plot]")
 {
-  const std::vector<RailSlot> slots =
-      rail_slots({"first method", "second method", "last"}, {100, 120, 300}, 400);
+  const std::vector<FailureSlot> slots =
+      failure_slots({"first method", "second method", "last"}, {100, 120, 300}, 400);
   CHECK(slots[1].row == 0);
   CHECK(slots[0].row == 1);
   CHECK(slots[2].row == 0);
-  CHECK(rail_slots({"at the right edge"}, {390}, 400).front().to_left);
+  CHECK(failure_slots({"at the right edge"}, {390}, 400).front().to_left);
 }
 
 TEST_CASE("names that want one height come to stand a line apart", "[plot]")

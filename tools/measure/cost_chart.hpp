@@ -24,8 +24,8 @@ struct ChartedMethod
 /// Times all methods in one run, and draws each at its cost: a mark at its largest error, with a
 /// whisker to what 99 of a hundred do not exceed, and the Pareto front of all.
 ///
-/// A method whose largest error is more than `most`, or not a number, stands on the rail. The first
-/// one looks as `plot::series_look(first_look)`.
+/// A method whose largest error is more than `most`, or not a number, stands in the row of
+/// failures. The first one looks as `plot::series_look(first_look)`.
 void add_methods(
     plot::Chart& chart, const std::vector<ChartedMethod>& methods, const Effort& effort,
     double most = std::numeric_limits<double>::max(), std::size_t first_look = 0);

@@ -93,7 +93,7 @@ angles_chart(const std::string& name, const std::string& title, const measure::E
     charted.push_back({all[i], angle_errors(methods[i], pairs)});
   }
   measure::add_methods(chart, charted, effort, 0.1);
-  chart.size(400, 310).rail("no digit");
+  chart.size(400, 310).name_failures("no digit");
   return chart;
 }
 

@@ -35,7 +35,7 @@ plot::Chart chart(const std::string& title, double stretch, const measure::Effor
       title, {"time of a call [ns]", plot::Scale::log, 4, 20000},
       {"relative error", plot::Scale::log});
   measure::add_methods(chart, ways, effort);
-  chart.size(400, 290).rail("says: singular");
+  chart.size(400, 290).name_failures("says: singular");
   return chart;
 }
 

@@ -71,7 +71,8 @@ double worst_error(const NormalizeMethod<float>& method, int exponent)
   return worst;
 }
 
-/// Draws a way's errors, and stands it on the rail where it begins to fail, above and below 1.
+/// Draws a way's errors, and stands it in the row of failures where it begins to fail, above and
+/// below 1.
 void add_method(plot::Chart& chart, const NormalizeMethod<float>& method, plot::Look look)
 {
   const auto size = [](int exponent) { return std::pow(10.0, exponent); };
@@ -108,7 +109,7 @@ plot::Chart chart()
       {"worst error [ulp]", plot::Scale::log});
   chart.describe("Errors of four ways to normalise, from the smallest to the largest float.")
       .legend(plot::Legend::below)
-      .rail("no length")
+      .name_failures("no length")
       .reference_y(allowed_ulps, "allowed")
       .size(400, 360);
   std::size_t index = 0;

@@ -82,7 +82,7 @@ plot::Chart chart(
       name, title, {"time of a call [ns]", plot::Scale::log},
       {"error [ulp]", plot::Scale::log, 0.3, 3});
   measure::add_methods(chart, contenders(vectors), effort, 1000);
-  chart.size(400, 330).rail("lost");
+  chart.size(400, 330).name_failures("lost");
   return chart;
 }
 

@@ -36,7 +36,7 @@ plot::Chart chart(
       name, title, {"time of a call [ns]", plot::Scale::log},
       {"error [ulp of one]", plot::Scale::log});
   measure::add_methods(chart, ways, effort);
-  chart.size(400, 290).rail("not a number");
+  chart.size(400, 290).name_failures("not a number");
   return chart;
 }
 

@@ -53,7 +53,7 @@ plot::Chart chart(const measure::Effort& effort)
       {"drift [rad, or of the length]", plot::Scale::log});
   // Half a turn is the most that an angle can be off.
   measure::add_methods(chart, turning_ways(), effort, 4);
-  chart.size(400, 420).rail("length lost").note(measure::machine_line());
+  chart.size(400, 420).name_failures("length lost").note(measure::machine_line());
   chart.describe("Cost of a step against drift after a million; " + measure::machine_line());
   return chart;
 }

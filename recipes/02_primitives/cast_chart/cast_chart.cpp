@@ -46,7 +46,7 @@ plot::Chart chart_of(
       name, title, {"time of a call [ns]", plot::Scale::log},
       {"error as a part of t", plot::Scale::log});
   measure::add_methods(chart, ways, effort);
-  chart.size(400, 310).rail("misses");
+  chart.size(400, 310).name_failures("misses");
   return chart;
 }
 

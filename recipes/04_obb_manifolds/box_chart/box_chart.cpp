@@ -23,7 +23,7 @@ std::string depth_chart(const std::vector<MeasuredBoxMethod>& methods)
       {"time [ns a pair]", plot::Scale::log},
       {"error of the depth, 99 % below [1, of the size]", plot::Scale::log});
   chart.describe("Time of each method against the 99th percentile of its depth's error.")
-      .rail("wrong verdicts");
+      .name_failures("wrong verdicts");
   return box_chart_svg(chart, methods, depth_error_of, random_pairs);
 }
 

@@ -45,7 +45,7 @@ std::string chart_of(const ChartedMeasure& shown, const std::vector<ChartedRun>&
       shown.file, "A tower of ten after 5 s: cost against " + shown.title,
       {"time a body and step [µs]", plot::Scale::log}, {shown.axis, plot::Scale::log});
   chart.describe("Time of each solver on a tower of ten cubes against " + shown.title + ".")
-      .rail("falls")
+      .name_failures("falls")
       .note(measure::machine_line());
   std::map<std::string, std::vector<Eigen::Vector2d>> lines;
   std::map<std::string, double> fallen;

@@ -16,14 +16,14 @@ using Eigen::Vector3d;
 /// Where everything stands, in pixels.
 struct Chart::Layout
 {
-  Rect plot; // between the axes, without rail and floor
+  Rect plot; // between the axes, without failures and floor
   AxisMap x;
   AxisMap y;
   bool has_floor; // zeros on a logarithmic y axis
   std::vector<Tick> x_ticks;
   std::vector<Tick> y_ticks;
-  std::vector<RailSlot> rail;
-  double rail_height;
+  std::vector<FailureSlot> failures;
+  double failures_height;
   Legend legend;                 // never automatic
   std::vector<Vector2d> entries; // of a legend below: upper left corners
   double note_height;
@@ -152,9 +152,9 @@ Chart& Chart::note(std::string text)
   return *this;
 }
 
-Chart& Chart::rail(std::string label)
+Chart& Chart::name_failures(std::string label)
 {
-  rail_ = std::move(label);
+  failures_name_ = std::move(label);
   return *this;
 }
 
@@ -279,7 +279,7 @@ Chart::Layout Chart::layout() const
 
   // Across: the texts of the y axis on the left, names of series on the right.
   layout.y_ticks = axis_ticks(y_, y_range, std::max(3, static_cast<int>(height_ / 62)));
-  double gutter = failures_.empty() ? 24 : text_width(rail_, small_size);
+  double gutter = failures_.empty() ? 24 : text_width(failures_name_, small_size);
   for (const Tick& tick : layout.y_ticks)
   {
     gutter = std::max(gutter, text_width(tick.text, small_size));
@@ -301,7 +301,7 @@ Chart::Layout Chart::layout() const
   layout.x_ticks = axis_ticks(
       x_, x_range, std::max(2, static_cast<int>((layout.plot.right - layout.plot.left) / 75)));
 
-  // Down: title, name of the y axis, rail; floor, texts and name of the x axis, note.
+  // Down: title, name of the y axis, failures; floor, texts and name of the x axis, note.
   std::vector<std::string> labels;
   std::vector<double> pixels;
   for (const Failure& failure : failures_)
@@ -309,15 +309,15 @@ Chart::Layout Chart::layout() const
     labels.push_back(failure.label);
     pixels.push_back(layout.x(failure.x));
   }
-  layout.rail = rail_slots(labels, pixels, width_ - 4);
+  layout.failures = failure_slots(labels, pixels, width_ - 4);
   int rows = 0;
-  for (const RailSlot& slot : layout.rail)
+  for (const FailureSlot& slot : layout.failures)
   {
     rows = std::max(rows, slot.row + 1);
   }
-  layout.rail_height = rows == 0 ? 0 : 6 + rows * rail_row;
+  layout.failures_height = rows == 0 ? 0 : 6 + rows * failure_row;
   const double name_lines = static_cast<double>(wrapped(y_.label, axis_name_size, width_).size());
-  layout.plot.top = title_height(title_, width_) + 10 + 16 * name_lines + layout.rail_height;
+  layout.plot.top = title_height(title_, width_) + 10 + 16 * name_lines + layout.failures_height;
   layout.note_height = note_line * static_cast<double>(wrapped(note_, note_size, width_).size());
   layout.note_height += note_.empty() ? 0 : note_gap;
   layout.entries = legend_corners(layout.legend);
@@ -516,7 +516,7 @@ void Chart::draw_rail(Sketch& sketch, const Layout& layout) const
     return;
   }
   const Rect& plot = layout.plot;
-  const double top = plot.top - layout.rail_height;
+  const double top = plot.top - layout.failures_height;
   const Ink ink = Ink::overlap;
   sketch.body += svg::filled(
       svg::path_data(
@@ -526,11 +526,12 @@ void Chart::draw_rail(Sketch& sketch, const Layout& layout) const
   sketch.body +=
       svg::line({plot.left, plot.top}, {plot.right, plot.top}, {ink, Stroke::solid, 1.6});
   const double foot = plot.top - 10;
-  sketch.body += svg::text({plot.left - 8, foot + 4}, rail_, {ink, small_size, true, "end", 0});
+  sketch.body +=
+      svg::text({plot.left - 8, foot + 4}, failures_name_, {ink, small_size, true, "end", 0});
   for (std::size_t k = 0; k < failures_.size(); ++k)
   {
-    const RailSlot& slot = layout.rail[k];
-    const double row = foot - slot.row * rail_row;
+    const FailureSlot& slot = layout.failures[k];
+    const double row = foot - slot.row * failure_row;
     if (slot.row > 0)
     {
       sketch.body += svg::line({slot.x, foot}, {slot.x, row}, {Ink::muted, Stroke::solid, 0.8});
@@ -543,7 +544,7 @@ void Chart::draw_rail(Sketch& sketch, const Layout& layout) const
   for (std::size_t k = 0; k < failures_.size(); ++k)
   {
     const Look& look = failures_[k].look;
-    sketch.body += svg::marker(look.marker, {layout.rail[k].x, foot}, marker_size, look.ink);
+    sketch.body += svg::marker(look.marker, {layout.failures[k].x, foot}, marker_size, look.ink);
   }
 }
 

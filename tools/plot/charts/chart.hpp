@@ -72,11 +72,11 @@ public:
   /// cost, and a faint line that joins them. Lower left is better.
   Chart& front(std::vector<Eigen::Vector2d> points, const std::string& label = "Pareto front");
 
-  /// Stands a method that fails on a rail at the upper edge, at its cost `x`.
+  /// Stands a method that fails in a row of failures at the upper edge, at its cost `x`.
   Chart& fails(const std::string& label, double x, Look look = {Ink::overlap, Marker::cross, {}});
 
-  /// Names the rail, instead of "fails".
-  Chart& rail(std::string label);
+  /// Names the row of failures, instead of "fails".
+  Chart& name_failures(std::string label);
 
   Chart& reference_x(double value, const std::string& label);
   Chart& reference_y(double value, const std::string& label);
@@ -138,7 +138,7 @@ private:
   std::string title_;
   std::string description_;
   std::string note_;
-  std::string rail_ = "fails";
+  std::string failures_name_ = "fails";
   Axis x_;
   Axis y_;
   double width_ = 640;

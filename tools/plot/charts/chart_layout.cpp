@@ -56,8 +56,8 @@ double AxisMap::operator()(double value) const
   return first_pixel + t * (last_pixel - first_pixel);
 }
 
-std::vector<RailSlot>
-rail_slots(const std::vector<std::string>& labels, const std::vector<double>& pixels, double right)
+std::vector<FailureSlot> failure_slots(
+    const std::vector<std::string>& labels, const std::vector<double>& pixels, double right)
 {
   std::vector<std::size_t> order(labels.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -66,7 +66,7 @@ rail_slots(const std::vector<std::string>& labels, const std::vector<double>& pi
       order.begin(), order.end(),
       [&pixels](std::size_t p, std::size_t q)
       { return std::llround(100 * pixels[p]) > std::llround(100 * pixels[q]); });
-  std::vector<RailSlot> slots(labels.size());
+  std::vector<FailureSlot> slots(labels.size());
   std::vector<Block> texts;
   std::vector<Block> stems;
   for (const double x : pixels)

@@ -23,8 +23,8 @@ struct AxisMap
   double operator()(double value) const;
 };
 
-/// A text in a row of the rail, and the column in which its point stands.
-struct RailSlot
+/// A text in a row of failures, and the column in which its point stands.
+struct FailureSlot
 {
   double x;
   int row;      ///< 0 is the lowest
@@ -32,8 +32,8 @@ struct RailSlot
 };
 
 /// Gives each failure a row, so that no text covers another's text, point or stem.
-std::vector<RailSlot>
-rail_slots(const std::vector<std::string>& labels, const std::vector<double>& pixels, double right);
+std::vector<FailureSlot> failure_slots(
+    const std::vector<std::string>& labels, const std::vector<double>& pixels, double right);
 
 /// Moves texts apart that want the given heights, at least `spacing` apart within [top, bottom].
 std::vector<double>
@@ -46,7 +46,7 @@ Range axis_range(const Axis& axis, const std::vector<double>& values);
 /// Returns about `count` ticks of an axis.
 std::vector<Tick> axis_ticks(const Axis& axis, const Range& range, int count);
 
-inline constexpr double rail_row = 18;    ///< height of a row of the rail
+inline constexpr double failure_row = 18; ///< height of a row of failures
 inline constexpr double floor_strip = 26; ///< height of the strip of zeros on a log axis
 
 } // namespace cookbook::plot

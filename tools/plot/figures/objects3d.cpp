@@ -39,16 +39,16 @@ void add_circle(
   const Vector3d u = sideways.normalized();
   const Vector3d across = pole.normalized().cross(u);
   const Vector3d v = across.z() < 0 ? Vector3d(-across) : across;
-  std::vector<Vector3d> near;
-  std::vector<Vector3d> far;
+  std::vector<Vector3d> front_half;
+  std::vector<Vector3d> back_half;
   for (int k = 0; k <= half_steps; ++k)
   {
     const double t = 3.141592653589793 * k / half_steps;
-    near.push_back(center + radius * (std::cos(t) * u + std::sin(t) * v));
-    far.push_back(center + radius * (std::cos(t) * u - std::sin(t) * v));
+    front_half.push_back(center + radius * (std::cos(t) * u + std::sin(t) * v));
+    back_half.push_back(center + radius * (std::cos(t) * u - std::sin(t) * v));
   }
-  object.behind.push_back({Part::Kind::stroke, far, {ink, Stroke::dashed, hidden_width}});
-  object.front.push_back({Part::Kind::stroke, near, {ink, Stroke::solid, 1.1}});
+  object.behind.push_back({Part::Kind::stroke, back_half, {ink, Stroke::dashed, hidden_width}});
+  object.front.push_back({Part::Kind::stroke, front_half, {ink, Stroke::solid, 1.1}});
 }
 
 /// The least distance of an object from the outer side of a plane.

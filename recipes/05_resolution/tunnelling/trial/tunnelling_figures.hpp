@@ -94,7 +94,7 @@ inline plot::Chart cost_chart()
       "tunnelling_cost", "", {"looks at the gap in a step", plot::Scale::log, 0.7, 2048},
       {"balls answered wrongly [%]", plot::Scale::linear, 0, 100});
   chart.describe("The share of balls that pass a wall, against substeps, at three speeds.")
-      .rail("stops near misses");
+      .name_failures("stops near misses");
   double looks = 0;
   for (const double speed : {10.0, 100.0, 1000.0})
   {
