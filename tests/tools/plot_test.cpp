@@ -478,3 +478,15 @@ TEST_CASE("empty figures and charts are drawn, too", "[plot]")
   CHECK_NOTHROW(BarChart("b", "", {"v"}).svg());
   CHECK_NOTHROW(Grid("g", "", 2).svg());
 }
+
+TEST_CASE("a figure that stands alone takes no colour from a CSS variable", "[plot]")
+{
+  std::istringstream rules{std::string(style_sheet())};
+  int coloured = 0;
+  for (std::string rule; std::getline(rules, rule);)
+  {
+    coloured += rule.rfind(".cookbook-figure .cb-overlap{color:#", 0) == 0 ? 1 : 0;
+    CHECK((rule.find("var(") == std::string::npos || rule.rfind("html.", 0) == 0));
+  }
+  CHECK(coloured == 2); // light and dark
+}

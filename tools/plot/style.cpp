@@ -7,54 +7,55 @@ namespace cookbook::plot
 namespace
 {
 
-// The colours of one scheme: paper first, then the inks in the order of the enumeration.
-#define COOKBOOK_LIGHT                                                                             \
-  "--cb-paper:var(--page-background-color,#ffffff);--cb-a:#1c5fa8;--cb-b:#e07b00;"                 \
-  "--cb-overlap:#c8102e;--cb-ink:#1d2733;--cb-muted:#5d6875;--cb-good:#23803f;"                    \
-  "--cb-faint:#d8dde3;--cb-series1:#1c5fa8;--cb-series2:#e07b00;--cb-series3:#23803f;"             \
-  "--cb-series4:#8a4fbf;--cb-series5:#0b8a94;--cb-series6:#c2307c;--cb-series7:#857000;"           \
-  "--cb-series8:#4f5b69;"
-#define COOKBOOK_DARK                                                                              \
-  "--cb-paper:var(--page-background-color,#16191d);--cb-a:#6db1ff;--cb-b:#ffab4a;"                 \
-  "--cb-overlap:#ff6b7f;--cb-ink:#e8ecf1;--cb-muted:#9aa6b3;--cb-good:#62cf84;"                    \
-  "--cb-faint:#3a424b;--cb-series1:#6db1ff;--cb-series2:#ffab4a;--cb-series3:#62cf84;"             \
-  "--cb-series4:#c39bf0;--cb-series5:#4fd0d9;--cb-series6:#ff86bf;--cb-series7:#d9c34a;"           \
-  "--cb-series8:#b3bfcc;"
+// The colours of one scheme, for figures that `where` selects. What is drawn takes them as its
+// `color`, not from variables: viewers of pictures that know none would draw everything black.
+// clang-format off
+#define COOKBOOK_SCHEME(where, paper, a, b, good, overlap, ink, muted, faint, s4, s5, s6, s7, s8)  \
+  where "{--cb-paper:" paper "}\n"                                                                 \
+  where " .cb-paper," where " .cb-open{fill:" paper "}\n"                                          \
+  where " .cb-text{stroke:" paper "}\n"                                                            \
+  where " .cb-a," where " .cb-series1{color:" a "}\n"                                              \
+  where " .cb-b," where " .cb-series2{color:" b "}\n"                                              \
+  where " .cb-good," where " .cb-series3{color:" good "}\n"                                        \
+  where " .cb-overlap{color:" overlap "}\n"                                                        \
+  where " .cb-ink{color:" ink "}\n"                                                                \
+  where " .cb-muted{color:" muted "}\n"                                                            \
+  where " .cb-faint{color:" faint "}\n"                                                            \
+  where " .cb-series4{color:" s4 "}\n"                                                             \
+  where " .cb-series5{color:" s5 "}\n"                                                             \
+  where " .cb-series6{color:" s6 "}\n"                                                             \
+  where " .cb-series7{color:" s7 "}\n"                                                             \
+  where " .cb-series8{color:" s8 "}\n"
+#define COOKBOOK_LIGHT(where, paper)                                                               \
+  COOKBOOK_SCHEME(                                                                                 \
+      where, paper, "#1c5fa8", "#e07b00", "#23803f", "#c8102e", "#1d2733", "#5d6875", "#d8dde3",   \
+      "#8a4fbf", "#0b8a94", "#c2307c", "#857000", "#4f5b69")
+#define COOKBOOK_DARK(where, paper)                                                                \
+  COOKBOOK_SCHEME(                                                                                 \
+      where, paper, "#6db1ff", "#ffab4a", "#62cf84", "#ff6b7f", "#e8ecf1", "#9aa6b3", "#3a424b",   \
+      "#c39bf0", "#4fd0d9", "#ff86bf", "#d9c34a", "#b3bfcc")
+// clang-format on
 
 constexpr std::string_view sheet =
-    ".cookbook-figure{" COOKBOOK_LIGHT "display:block;max-width:100%;height:auto;margin:0 auto;"
+    ".cookbook-figure{display:block;max-width:100%;height:auto;margin:0 auto;"
     "font-family:system-ui,-apple-system,\"Segoe UI\",Roboto,\"Helvetica Neue\",Arial,"
     "sans-serif;font-variant-numeric:tabular-nums}\n"
-    "@media (prefers-color-scheme:dark){.cookbook-figure{" COOKBOOK_DARK "}}\n"
-    "html.light-mode .cookbook-figure{" COOKBOOK_LIGHT "}\n"
-    "html.dark-mode .cookbook-figure{" COOKBOOK_DARK "}\n"
-    ".cookbook-figure .cb-paper{fill:var(--cb-paper)}\n"
-    ".cookbook-figure .cb-line{fill:none;stroke:var(--c);stroke-linejoin:round;"
+    ".cookbook-figure .cb-line{fill:none;stroke:currentColor;stroke-linejoin:round;"
     "stroke-linecap:round}\n"
-    ".cookbook-figure .cb-fill{fill:var(--c)}\n"
-    ".cookbook-figure .cb-wash{fill:var(--c);fill-opacity:.17;stroke:var(--c);"
+    ".cookbook-figure .cb-fill{fill:currentColor}\n"
+    ".cookbook-figure .cb-wash{fill:currentColor;fill-opacity:.17;stroke:currentColor;"
     "stroke-linejoin:round;stroke-linecap:round}\n"
-    ".cookbook-figure .cb-solid{fill:var(--c);stroke:var(--c);stroke-linejoin:round}\n"
-    ".cookbook-figure .cb-open{fill:var(--cb-paper);stroke:var(--c);stroke-linejoin:round}\n"
-    ".cookbook-figure .cb-shade{stop-color:var(--c)}\n"
-    ".cookbook-figure .cb-text{fill:var(--c);stroke:var(--cb-paper);stroke-width:3px;"
-    "stroke-opacity:.8;paint-order:stroke;stroke-linejoin:round}\n"
-    ".cookbook-figure .cb-a{--c:var(--cb-a)}\n"
-    ".cookbook-figure .cb-b{--c:var(--cb-b)}\n"
-    ".cookbook-figure .cb-overlap{--c:var(--cb-overlap)}\n"
-    ".cookbook-figure .cb-ink{--c:var(--cb-ink)}\n"
-    ".cookbook-figure .cb-muted{--c:var(--cb-muted)}\n"
-    ".cookbook-figure .cb-good{--c:var(--cb-good)}\n"
-    ".cookbook-figure .cb-faint{--c:var(--cb-faint)}\n"
-    ".cookbook-figure .cb-series1{--c:var(--cb-series1)}\n"
-    ".cookbook-figure .cb-series2{--c:var(--cb-series2)}\n"
-    ".cookbook-figure .cb-series3{--c:var(--cb-series3)}\n"
-    ".cookbook-figure .cb-series4{--c:var(--cb-series4)}\n"
-    ".cookbook-figure .cb-series5{--c:var(--cb-series5)}\n"
-    ".cookbook-figure .cb-series6{--c:var(--cb-series6)}\n"
-    ".cookbook-figure .cb-series7{--c:var(--cb-series7)}\n"
-    ".cookbook-figure .cb-series8{--c:var(--cb-series8)}\n";
+    ".cookbook-figure .cb-solid{fill:currentColor;stroke:currentColor;stroke-linejoin:round}\n"
+    ".cookbook-figure .cb-open{stroke:currentColor;stroke-linejoin:round}\n"
+    ".cookbook-figure .cb-shade{stop-color:currentColor}\n"
+    ".cookbook-figure .cb-text{fill:currentColor;stroke-width:3px;"
+    "stroke-opacity:.8;paint-order:stroke;stroke-linejoin:round}\n"                            //
+    COOKBOOK_LIGHT(".cookbook-figure", "#ffffff")                                              //
+    "@media (prefers-color-scheme:dark){\n" COOKBOOK_DARK(".cookbook-figure", "#16191d") "}\n" //
+    COOKBOOK_LIGHT("html.light-mode .cookbook-figure", "var(--page-background-color,#ffffff)") //
+    COOKBOOK_DARK("html.dark-mode .cookbook-figure", "var(--page-background-color,#16191d)");
 
+#undef COOKBOOK_SCHEME
 #undef COOKBOOK_LIGHT
 #undef COOKBOOK_DARK
 

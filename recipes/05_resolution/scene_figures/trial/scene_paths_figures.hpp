@@ -63,7 +63,7 @@ inline std::string
 body_path(const std::string& data, plot::Ink ink, bool translucent, const std::string& inside = "")
 {
   const std::string of_ink(plot::css_name(ink));
-  const std::string tint = "fill:color-mix(in srgb,var(--c) 22%,var(--cb-paper))";
+  const std::string tint = "fill:color-mix(in srgb,currentColor 22%,var(--cb-paper))";
   if (translucent)
   {
     return plot::svg::element(
