@@ -139,11 +139,11 @@ TEST_CASE(
 // [published_overlap_test]
 TEST_CASE("X10: boxes 100 m apart overlap in the yes-or-no test", "[case:X10]")
 {
-  const Obb<double> far = upright({60, 0, 80}, {1, 1, 1});
-  CHECK_FALSE(overlap_as_published(cube, far, no_faults));
-  CHECK(overlap_as_published(cube, far, only(&PublishedFaults::casts_a_twice)));
-  CHECK(overlap_as_published(cube, far));
-  CHECK_FALSE(box_as_published(cube, far));
+  const Obb<double> distant = upright({60, 0, 80}, {1, 1, 1});
+  CHECK_FALSE(overlap_as_published(cube, distant, no_faults));
+  CHECK(overlap_as_published(cube, distant, only(&PublishedFaults::casts_a_twice)));
+  CHECK(overlap_as_published(cube, distant));
+  CHECK_FALSE(box_as_published(cube, distant));
 }
 
 TEST_CASE(
@@ -279,7 +279,7 @@ TEST_CASE(
     "of 12,000 pairs each fault is wrong where it can be, and all mended nowhere",
     "[published][long]")
 {
-  const std::vector<JudgedPair> pairs = judged_pairs(12000);
+  const std::vector<CheckedPair> pairs = checked_pairs(12000);
   for (const FaultVariant& variant : fault_variants())
   {
     const FaultCounts counts = count_faults(pairs, variant.faults);

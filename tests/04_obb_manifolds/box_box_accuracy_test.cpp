@@ -3,7 +3,7 @@
 /// depth, points and area against the truth; steadiness under jitter, other names and other poses.
 
 #include "04_obb_manifolds/box_box/box_box.hpp"
-#include "04_obb_manifolds/box_judges/trial/resting_steadiness.hpp"
+#include "04_obb_manifolds/box_oracles/trial/resting_steadiness.hpp"
 
 #include "tests/catch.hpp"
 
@@ -234,7 +234,7 @@ TEMPLATE_TEST_CASE(
     if (faces > 1e-4 * std::pow(pair_size(wide_a, wide_b), 2))
     {
       ++flat;
-      least = std::min(least, area_share(wide_a, wide_b, wide));
+      least = std::min(least, area_fraction(wide_a, wide_b, wide));
     }
   }
   CHECK(flat > pairs_each / 5);

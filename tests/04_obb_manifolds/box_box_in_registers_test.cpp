@@ -3,7 +3,7 @@
 
 #include "04_obb_manifolds/box_box/box_box_in_registers.hpp"
 #include "04_obb_manifolds/box_failures/trial/box_failures.hpp"
-#include "04_obb_manifolds/box_judges/trial/manifold_error.hpp"
+#include "04_obb_manifolds/box_oracles/trial/manifold_error.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_workloads.hpp"
 
 #include "tests/04_obb_manifolds/same_bits.hpp"

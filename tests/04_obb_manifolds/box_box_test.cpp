@@ -197,8 +197,8 @@ TEMPLATE_TEST_CASE(
     const Vector3<double> half(1 + i % 3, 1 + i / 3 % 3, 1 + i / 9 % 3);
     const Vector3<double> center(k % 17 - 8, k / 17 % 17 - 8, k / 289 - 8);
     const Obb<double> b{center / 2, i % 2 == 0 ? turn : cube.axes, half / 2};
-    const Vector3<double> reach = b.axes * b.half_extents;
-    const Vector3<double> overlap = cube.half_extents + reach - b.center.cwiseAbs();
+    const Vector3<double> radius = b.axes * b.half_extents;
+    const Vector3<double> overlap = cube.half_extents + radius - b.center.cwiseAbs();
     const auto touching = (overlap.array() == 0).count();
     if (overlap.minCoeff() < 0 || touching < 2)
     {

@@ -114,8 +114,8 @@ TEST_CASE("all fifteen overlaps of a pair take 246 operations, counted by hand",
   constexpr std::size_t seen = 9 * 5 + 3 + 2 * 3 * 5;
   // A face: 3 products, 2 sums, and two more to add the half extent and take the distance away.
   constexpr std::size_t faces = 6 * 7;
-  // An edge axis: four times two products and a sum or difference, for the cofactor, both reaches
-  // and the distance, and two to put them together.
+  // An edge axis: four times two products and a sum or difference, for the cofactor, both projected
+  // radii and the distance, and two to put them together.
   constexpr std::size_t edges = 9 * (4 * 3 + 2);
   static_assert(seen + faces + edges == 246);
   const Obb<float> a = cube_at(0, 0, 0);

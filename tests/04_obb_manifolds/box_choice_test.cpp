@@ -4,7 +4,7 @@
 
 #include "04_obb_manifolds/box_box/box_box.hpp"
 #include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
-#include "04_obb_manifolds/box_judges/trial/manifold_error.hpp"
+#include "04_obb_manifolds/box_oracles/trial/manifold_error.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_workloads.hpp"
 #include "common/math/rotation.hpp"
 
@@ -50,12 +50,12 @@ TEMPLATE_TEST_CASE("hair and margin go with the boxes' sizes", "[O9]", float, do
   for (const auto& tolerances : {tolerances_of(a, b), tolerances_of(b, a)})
   {
     CHECK(tolerances.size == Real(6.875));
-    CHECK(tolerances.hair == Real(27.5) * epsilon);
+    CHECK(tolerances.length == Real(27.5) * epsilon);
     CHECK(tolerances.margin == Catch::Approx(0.00875).epsilon(1e-6));
   }
 }
 
-// [bar]
+// [threshold]
 TEMPLATE_TEST_CASE(
     "where faces are parallel an edge must be better by a twentieth or half the margin, elsewhere "
     "by "
@@ -69,19 +69,19 @@ TEMPLATE_TEST_CASE(
   {
     CAPTURE(degrees);
     const BoxesInRows<Group<Real, 3>> parallel = turned_by<Real>(degrees);
-    CHECK(edge_bar(parallel, Real(4), tolerances) == Catch::Approx(3.8));
-    CHECK(edge_bar(parallel, Real(0.5), tolerances) == Catch::Approx(0.4375));
-    CHECK(edge_bar(parallel, Real(0.05), tolerances) == 0);
+    CHECK(edge_threshold(parallel, Real(4), tolerances) == Catch::Approx(3.8));
+    CHECK(edge_threshold(parallel, Real(0.5), tolerances) == Catch::Approx(0.4375));
+    CHECK(edge_threshold(parallel, Real(0.05), tolerances) == 0);
   }
   for (const double degrees : {1.4, 60.0, 121.5})
   {
     CAPTURE(degrees);
     const BoxesInRows<Group<Real, 3>> oblique = turned_by<Real>(degrees);
-    CHECK(edge_bar(oblique, Real(4), tolerances) == Catch::Approx(3.999).epsilon(1e-6));
-    CHECK(edge_bar(oblique, Real(0.0005), tolerances) == 0);
+    CHECK(edge_threshold(oblique, Real(4), tolerances) == Catch::Approx(3.999).epsilon(1e-6));
+    CHECK(edge_threshold(oblique, Real(0.0005), tolerances) == 0);
   }
 }
-// [bar]
+// [threshold]
 
 // [least]
 TEMPLATE_TEST_CASE("of six faces the first of least overlap is taken", "[O9]", float, double)
@@ -140,28 +140,28 @@ TEMPLATE_TEST_CASE("axes of edges that are parallel are no axes", "[O4]", float,
 }
 // [least]
 
-// [gap]
+// [separation]
 TEMPLATE_TEST_CASE(
     "a corner with a gap is kept while the gap is less than the depth and than the margin", "[O20]",
     float, double)
 {
   using Real = TestType;
   const Tolerances<Real> tolerances{Real(6), Real(0.001), Real(0.125)};
-  CHECK(kept_gap(LeastFace<Real>{Real(2), 0}, tolerances) == Real(0.125));
-  CHECK(kept_gap(LeastFace<Real>{Real(0.0625), 0}, tolerances) == Real(0.0625));
-  CHECK(kept_gap(LeastFace<Real>{Real(0), 0}, tolerances) == Real(0.001));
+  CHECK(kept_separation(LeastFace<Real>{Real(2), 0}, tolerances) == Real(0.125));
+  CHECK(kept_separation(LeastFace<Real>{Real(0.0625), 0}, tolerances) == Real(0.0625));
+  CHECK(kept_separation(LeastFace<Real>{Real(0), 0}, tolerances) == Real(0.001));
 
   // A cube on a cube, leaning: one of its lower edges is 0.01 deep, the other hangs in the air.
-  const auto leaning = [](double gap) -> Obb<double>
+  const auto leaning = [](double separation) -> Obb<double>
   {
-    const double sine = (0.01 + gap) / 2, angle = std::asin(sine);
+    const double sine = (0.01 + separation) / 2, angle = std::asin(sine);
     return {{0, 1 + std::cos(angle) + sine - 0.01, 0}, turned(angle, {0, 0, 1}), {1, 1, 1}};
   };
   const Obb<double> below = upright({0, 0, 0}, {2, 1, 2});
   CHECK(points_of<Real>(below, leaning(0.009)) == 4);
   CHECK(points_of<Real>(below, leaning(0.011)) == 2);
 }
-// [gap]
+// [separation]
 
 TEMPLATE_TEST_CASE(
     "boxes so large or small that squares do not fit are made of another size, to the last bit",
@@ -179,13 +179,13 @@ TEMPLATE_TEST_CASE(
       for (const int exponent : {-100, -45, 45, 100, 120})
       {
         CAPTURE(name, exponent);
-        const auto far = box_box(scaled(pair.first, exponent), scaled(pair.second, exponent));
-        REQUIRE(manifold.has_value() == far.has_value());
+        const auto distant = box_box(scaled(pair.first, exponent), scaled(pair.second, exponent));
+        REQUIRE(manifold.has_value() == distant.has_value());
         if (!manifold)
         {
           continue;
         }
-        const Manifold<Real> back = scaled(*far, -exponent);
+        const Manifold<Real> back = scaled(*distant, -exponent);
         CHECK(back.normal == manifold->normal);
         CHECK(back.depth == manifold->depth);
         REQUIRE(back.points.size() == manifold->points.size());

@@ -26,14 +26,14 @@ using Failing = std::map<std::string, Names>;
 /// The same, of a part of the table.
 Failing failing(std::size_t part)
 {
-  const VerdictPart judged = verdict_parts().at(part);
+  const VerdictPart checked = verdict_parts().at(part);
   Failing ids;
-  for (const BoxMethod& method : judged.methods)
+  for (const BoxMethod& method : checked.methods)
   {
     ids[method.name];
     for (const BoxCase& pair : all_box_cases())
     {
-      if (!verdict_of(judged, method, pair).holds)
+      if (!verdict_of(checked, method, pair).holds)
       {
         ids[method.name].insert(pair.id);
       }
@@ -45,10 +45,10 @@ Failing failing(std::size_t part)
 /// What is said of each method in a row of a part of the table.
 std::map<std::string, Verdict> row_of(std::size_t part, const std::string& id)
 {
-  const VerdictPart judged = verdict_parts().at(part);
-  const std::vector<std::string> names = names_of(judged.methods);
+  const VerdictPart checked = verdict_parts().at(part);
+  const std::vector<std::string> names = names_of(checked.methods);
   std::map<std::string, Verdict> said;
-  for (const VerdictRow& row : verdict_rows(judged))
+  for (const VerdictRow& row : verdict_rows(checked))
   {
     for (std::size_t i = 0; i < names.size() && row.id == id; ++i)
     {
@@ -107,12 +107,12 @@ TEST_CASE("a depth, a normal and a contact beyond the tolerance are wrong", "[ve
                      0.1, {0, 1, 0}, rectangle(1, 0.95, 1)};
   const auto answer = [&](double depth, double turn, double off)
   {
-    BoxAnswer answer{{turn, 1, 0}, depth, {}};
+    BoxAnswer made{{turn, 1, 0}, depth, {}};
     for (const Vector3<double>& contact : pair.contacts)
     {
-      answer.points.push_back({contact + Vector3<double>(0, off, 0), depth, 0});
+      made.points.push_back({contact + Vector3<double>(0, off, 0), depth, 0});
     }
-    return answer;
+    return made;
   };
   CHECK(verdict_on_overlap(pair, answer(0.1 + 0.9e-6, 0.9e-6, 0)).holds);
   CHECK_FALSE(verdict_on_overlap(pair, answer(0.1 + 1.1e-6, 0, 0)).holds);
@@ -184,7 +184,7 @@ TEST_CASE(
       {"separating_axes", far_in_float},
       {"six_axes", with(far_in_float, {"G1", "G2", "G9", "G14", "X08", "X14", "X14-b"})},
       {"unnormalized_axes", with(far_in_float, {"G9", "G9b", "G11", "G12", "G12-b", "G14", "X14"})},
-      {"short_reach_axes", with(far_in_float, {"G9b"})},
+      {"short_radius_axes", with(far_in_float, {"G9b"})},
       {"union_depth", with(far_in_float, {"G3", "G4", "G6", "G14", "X11", "X12", "X13"})}};
   CHECK(failing(0) == expected);
 }

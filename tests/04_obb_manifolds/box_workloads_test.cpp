@@ -4,11 +4,11 @@
 
 #include "02_primitives/shapes/checked_shapes.hpp"
 #include "03_sphere_manifolds/manifold/trial/pairs_file.hpp"
-#include "04_obb_manifolds/box_judges/trial/resting_steadiness.hpp"
+#include "04_obb_manifolds/box_oracles/trial/resting_steadiness.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_workloads.hpp"
 #include "04_obb_manifolds/separating_axes/separating_axes.hpp"
-#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 
@@ -63,7 +63,7 @@ double least_angle(const Obb<double>& a, const Obb<double>& b)
   return least;
 }
 
-double share_overlapping(const std::string& name)
+double fraction_overlapping(const std::string& name)
 {
   double overlapping = 0;
   each_pair(
@@ -108,13 +108,13 @@ TEST_CASE("random boxes: more than half overlap, and less than two thirds", "[wo
   for (const char* const name : {"random", "near-parallel", "millimetres", "kilometres", "far"})
   {
     CAPTURE(name);
-    CHECK(share_overlapping(name) > 0.5);
-    CHECK(share_overlapping(name) < 0.67);
+    CHECK(fraction_overlapping(name) > 0.5);
+    CHECK(fraction_overlapping(name) < 0.67);
   }
   for (const char* const name : {"resting", "edge-edge", "deep", "thin plates"})
   {
     CAPTURE(name);
-    CHECK(share_overlapping(name) == 1);
+    CHECK(fraction_overlapping(name) == 1);
   }
 }
 
@@ -487,13 +487,13 @@ TEST_CASE("of a hundred manifolds two are 0.3 too long: the 99th percentile is 0
 TEST_CASE(
     "the area of four corners is that of the faces' overlap, of three half of it", "[measures]")
 {
-  CHECK(area_share(cube, above, right()) == Catch::Approx(1).margin(1e-14));
+  CHECK(area_fraction(cube, above, right()) == Catch::Approx(1).margin(1e-14));
   Manifold<double> three{{0, 1, 0}, 0.1, {}};
   for (std::size_t i = 0; i < 3; ++i)
   {
     three.points.push_back(right().points[i]);
   }
-  CHECK(area_share(cube, above, three) == Catch::Approx(0.5).margin(1e-14));
+  CHECK(area_fraction(cube, above, three) == Catch::Approx(0.5).margin(1e-14));
 }
 
 TEST_CASE(

@@ -2,7 +2,7 @@
 /// What holds for four points of many, formula O15, and for the four deepest instead.
 
 #include "04_obb_manifolds/box_box/box_box.hpp"
-#include "04_obb_manifolds/box_judges/trial/resting_steadiness.hpp"
+#include "04_obb_manifolds/box_oracles/trial/resting_steadiness.hpp"
 #include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "04_obb_manifolds/contact_reduction/contact_reduction.hpp"
 #include "04_obb_manifolds/contact_reduction/trial/contact_reduction_pitfalls.hpp"
@@ -172,24 +172,27 @@ TEST_CASE("of equal points those that come first are kept, also on a line or in 
       features(reduced(flat<double>({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}}))) ==
       Features{0, 1, 2, 4});
   // The corners of a square: any two of them that are equally deep may differ by rounding.
-  const double hair = 1e-15;
+  const double tolerance = 1e-15;
   CHECK(
       features(reduced(flat<double>(
-          {{1, 1, 0}, {-1, 1, hair}, {-1, -1 - hair, 0}, {1, -1, hair}, {0, 1, 0}}))) ==
-      Features{0, 1, 2, 3});
+          {{1, 1, 0},
+           {-1, 1, tolerance},
+           {-1, -1 - tolerance, 0},
+           {1, -1, tolerance},
+           {0, 1, 0}}))) == Features{0, 1, 2, 3});
 }
 
 TEST_CASE("areas that differ by rounding are ties, those that differ by more are not", "[O15]")
 {
   // From (−3, 0) the farthest is (3, 0). A hair of z makes 6 of them in doubled area; rounding of
   // coordinates of 3 may make 32 · 3 · 6 of 2.2e-16.
-  for (const auto& [hair, third] : {std::pair(5e-15, 2u), std::pair(1e-13, 3u)})
+  for (const auto& [tolerance, third] : {std::pair(5e-15, 2u), std::pair(1e-13, 3u)})
   {
     const Manifold<double> above =
-        flat<double>({{-3, 0, 1}, {3, 0, 0}, {-1, 3, 0}, {1, 3 + hair, 0}, {0, -2, 0}});
+        flat<double>({{-3, 0, 1}, {3, 0, 0}, {-1, 3, 0}, {1, 3 + tolerance, 0}, {0, -2, 0}});
     CHECK(features(reduced(above)) == Features{0, 1, third, 4});
     const Manifold<double> below =
-        flat<double>({{-3, 0, 1}, {3, 0, 0}, {-1, -2, 0}, {1, -2 - hair, 0}, {0, 3, 0}});
+        flat<double>({{-3, 0, 1}, {3, 0, 0}, {-1, -2, 0}, {1, -2 - tolerance, 0}, {0, 3, 0}});
     CHECK(features(reduced(below)) == Features{0, 1, third, 4});
   }
 }
@@ -362,11 +365,11 @@ TEST_CASE(
 
 TEST_CASE("triangles over a weight that differ by rounding are ties", "[O15]")
 {
-  for (const auto& [hair, third] :
+  for (const auto& [tolerance, third] :
        {std::pair(-5e-15, 2u), std::pair(5e-15, 2u), std::pair(1e-13, 3u)})
   {
     const Manifold<double> many =
-        flat<double>({{-3, 0, 1}, {3, 0, 0}, {-1, 3, 0}, {1, 3 + hair, 0}, {0, -2, 0}});
+        flat<double>({{-3, 0, 1}, {3, 0, 0}, {-1, 3, 0}, {1, 3 + tolerance, 0}, {0, -2, 0}});
     CHECK(features(reduced_over(many, {0, 0, 0.5})) == Features{0, 1, third, 4});
   }
 }

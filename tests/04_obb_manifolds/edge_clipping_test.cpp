@@ -98,11 +98,11 @@ TEST_CASE("an edge along an edge of the box passes its two ends", "[O11]")
   CHECK((piece->leave == 1 && piece->leave_face == 0));
 }
 
-TEST_CASE("an edge that misses the box by less than the slack touches it", "[O11]")
+TEST_CASE("an edge that misses the box by less than the tolerance touches it", "[O11]")
 {
   // From x = 3 to y = 3, past the box's edge x = y = 1 by gap · √2 along the way.
-  const auto past = [](double gap) {
-    return clip_edge<double>({3, gap - 1, 0}, {gap - 1, 3, 0}, {1, 1, 1}, 0.01);
+  const auto past = [](double separation) {
+    return clip_edge<double>({3, separation - 1, 0}, {separation - 1, 3, 0}, {1, 1, 1}, 0.01);
   };
   CHECK_FALSE(past(0.01));
   CHECK(past(0.005));
@@ -120,21 +120,21 @@ TEST_CASE(
   {
     const RelativeBoxes<double> boxes = relative_boxes(draw.box(), draw.box());
     each_crossing<double>(
-        {boxes.rotation, boxes.offset, boxes.half_b, boxes.half_a}, rounding_slack(boxes),
+        {boxes.rotation, boxes.offset, boxes.half_b, boxes.half_a}, rounding_tolerance(boxes),
         [&](const Vector3<double>& point, std::uint32_t number)
         {
           ++crossings;
           const int edge = int(number) / 6, face = int(number) % 6;
           const Vector3<double> in_b = boxes.rotation.transpose() * (point - boxes.offset);
-          const Vector3<double> share_b = in_b.cwiseQuotient(boxes.half_b);
-          const Vector3<double> share_a = point.cwiseQuotient(boxes.half_a);
+          const Vector3<double> fraction_b = in_b.cwiseQuotient(boxes.half_b);
+          const Vector3<double> fraction_a = point.cwiseQuotient(boxes.half_a);
           const int k = edge / 4;
           const double tolerance = 1e-12;
-          CHECK(share_a[face / 2] == Catch::Approx(face % 2 == 0 ? 1 : -1).margin(tolerance));
-          CHECK(share_a.cwiseAbs().maxCoeff() <= 1 + tolerance);
-          CHECK(share_b[(k + 1) % 3] == Catch::Approx(edge % 2 == 0 ? -1 : 1).margin(tolerance));
-          CHECK(share_b[(k + 2) % 3] == Catch::Approx(edge % 4 < 2 ? -1 : 1).margin(tolerance));
-          CHECK(std::abs(share_b[k]) <= 1 + tolerance);
+          CHECK(fraction_a[face / 2] == Catch::Approx(face % 2 == 0 ? 1 : -1).margin(tolerance));
+          CHECK(fraction_a.cwiseAbs().maxCoeff() <= 1 + tolerance);
+          CHECK(fraction_b[(k + 1) % 3] == Catch::Approx(edge % 2 == 0 ? -1 : 1).margin(tolerance));
+          CHECK(fraction_b[(k + 2) % 3] == Catch::Approx(edge % 4 < 2 ? -1 : 1).margin(tolerance));
+          CHECK(std::abs(fraction_b[k]) <= 1 + tolerance);
         });
   }
   CHECK(crossings > 1000);
@@ -198,7 +198,7 @@ TEST_CASE(
     const Vector3<double>& n = manifold->normal;
     const double top_of_a =
         n.dot(a.center) + (a.axes.transpose() * n).cwiseAbs().dot(a.half_extents);
-    const double slack = 2 * same_point<double>();
+    const double tolerance = 2 * same_point<double>();
     for (const ContactPoint<double>& point : manifold->points)
     {
       CHECK(n.dot(point.position) == Catch::Approx(top_of_a - manifold->depth / 2).margin(1e-13));
@@ -208,8 +208,8 @@ TEST_CASE(
         return signed_distance_box<double>(box_coordinates(box, point.position), box.half_extents)
             .length;
       };
-      CHECK(outside(a) <= manifold->depth / 2 + slack);
-      CHECK(outside(b) <= manifold->depth / 2 + slack);
+      CHECK(outside(a) <= manifold->depth / 2 + tolerance);
+      CHECK(outside(b) <= manifold->depth / 2 + tolerance);
     }
   }
   CHECK(overlapping > 1000);

@@ -7,8 +7,8 @@
 #include "04_obb_manifolds/box_workloads/trial/box_overlap_truth.hpp"
 #include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "04_obb_manifolds/face_clipping/face_clipping.hpp"
-#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
@@ -309,7 +309,8 @@ TEST_CASE("an edge that ends at 1 before the 5/4 is closest at its end", "[O13]"
   CHECK((midway_between(longer, shorter) - Vector3<double>(1.7, 0.3, 2.5)).norm() <= 2 * rounding);
 }
 
-TEST_CASE("in fractions, what joins two lines where they are closest is square to both", "[O13]")
+TEST_CASE(
+    "in fractions, what joins two lines where they are closest is perpendicular to both", "[O13]")
 {
   Draw draw(2);
   for (int i = 0; i < 100; ++i)

@@ -1,7 +1,7 @@
 /// \file
 /// What holds for boxes that remember the frame before, formula O17, and what fails without.
 
-#include "04_obb_manifolds/box_judges/trial/resting_steadiness.hpp"
+#include "04_obb_manifolds/box_oracles/trial/resting_steadiness.hpp"
 #include "04_obb_manifolds/contact_reduction/steady_reduction.hpp"
 #include "04_obb_manifolds/feature_memory/feature_memory.hpp"
 #include "04_obb_manifolds/feature_memory/trial/feature_memory_pitfalls.hpp"
@@ -25,8 +25,8 @@ const Obb<double> cube = upright({0, 0, 0}, {0.5, 0.5, 0.5});
 /// The cube on the cube, sunk by a depth and tilted about z, deeper on the right for angles < 0.
 Obb<double> on_top(double depth, double angle)
 {
-  const double reach = 0.5 * (std::cos(angle) + std::abs(std::sin(angle)));
-  return {{0, 0.5 + reach - depth, 0}, turned(angle, {0, 0, 1}), {0.5, 0.5, 0.5}};
+  const double radius = 0.5 * (std::cos(angle) + std::abs(std::sin(angle)));
+  return {{0, 0.5 + radius - depth, 0}, turned(angle, {0, 0, 1}), {0.5, 0.5, 0.5}};
 }
 
 using Memory = ContactMemory<double, int>;
@@ -135,8 +135,8 @@ TEST_CASE("an old face is kept up to the margin and not beyond", "[O17]")
   // and r reach, centres apart by h = 0.5 + r − d along y, so d_B = 0.5 + r − h cos φ.
   const auto overlap_b = [](double depth, double angle)
   {
-    const double reach = 0.5 * (std::cos(angle) + std::abs(std::sin(angle)));
-    return 0.5 + reach - (0.5 + reach - depth) * std::cos(angle);
+    const double radius = 0.5 * (std::cos(angle) + std::abs(std::sin(angle)));
+    return 0.5 + radius - (0.5 + radius - depth) * std::cos(angle);
   };
   int kept = 0, left = 0;
   for (double angle = 0.001; angle < 0.3; angle += 0.01)
@@ -182,27 +182,27 @@ TEST_CASE("edges give way to a face that overlaps by half the margin more, and n
     for (const int before : {6, 8, 12, 14})
     {
       const int axis = axis_of(next_frame(frame_on(before, cube, beam), cube, beam).manifold);
-      const bool near = face_depth <= depth + margin / 2;
-      CHECK((near ? axis == a1 : axis >= 6));
-      (near ? of_face : of_edges) += 1;
+      const bool close_by = face_depth <= depth + margin / 2;
+      CHECK((close_by ? axis == a1 : axis >= 6));
+      (close_by ? of_face : of_edges) += 1;
     }
   }
   CHECK((of_face > 50 && of_edges > 50));
 }
 
-TEST_CASE("boxes that part forget, and begin anew without a memory", "[O17]")
+TEST_CASE("boxes that separate forget, and begin anew without a memory", "[O17]")
 {
-  const Obb<double> near = on_top(0.001, 0), far = on_top(-0.1, 0);
-  Memory memory = next_frame(Memory{}, cube, near);
+  const Obb<double> close_by = on_top(0.001, 0), distant = on_top(-0.1, 0);
+  Memory memory = next_frame(Memory{}, cube, close_by);
   REQUIRE(memory.manifold);
   CHECK(memory.manifold->points.size() == 4);
   CHECK(memory.warm == PerPoint<int>{});
   memory.warm.fill(7);
-  memory = next_frame(memory, cube, near);
+  memory = next_frame(memory, cube, close_by);
   CHECK(std::count(memory.warm.begin(), memory.warm.end(), 7) == 4);
-  memory = next_frame(memory, cube, far);
+  memory = next_frame(memory, cube, distant);
   CHECK_FALSE(memory.manifold);
-  CHECK(next_frame(memory, cube, near).warm == PerPoint<int>{});
+  CHECK(next_frame(memory, cube, close_by).warm == PerPoint<int>{});
 }
 // [margin]
 
@@ -455,7 +455,7 @@ TEST_CASE("boxes that rest, nudged by 1e-4: four points of the frame before do n
     { return (centroid(manifold) - centroid(four)).norm() / size; };
     fresh_jumps.push_back(jump(reduced(*box_box(a, next))));
     jumps.push_back(jump(same));
-    areas.push_back(area_share(a, next, same));
+    areas.push_back(area_fraction(a, next, same));
   }
   CHECK(measure::percentile(fresh_jumps, 99) > 0.1);
   CHECK(measure::percentile(jumps, 99) < 1e-3);

@@ -34,14 +34,15 @@ struct Difference
           box.half_extents.template cast<double>()};
     };
     const double size = double(a.half_extents.sum() + b.half_extents.sum());
-    const double gap = largest_gap(wide(a), wide(b)) / size;
+    const double separation = largest_separation(wide(a), wide(b)) / size;
     const auto manifold = gjk_epa(a, b);
     ++compared;
     hits += manifold ? 1 : 0;
-    wrong += manifold.has_value() != (gap <= 0) && std::abs(gap) > tolerance ? 1 : 0;
-    depth = manifold
-                ? std::max(depth, std::abs(double(manifold->depth) / size + std::max(gap, -1.0)))
-                : depth;
+    wrong += manifold.has_value() != (separation <= 0) && std::abs(separation) > tolerance ? 1 : 0;
+    depth =
+        manifold
+            ? std::max(depth, std::abs(double(manifold->depth) / size + std::max(separation, -1.0)))
+            : depth;
   }
 };
 
@@ -68,7 +69,7 @@ public:
 
 // [K4]
 TEST_CASE(
-    "of a million pairs of random cubes none is judged wrongly, in double and in float",
+    "of a million pairs of random cubes none is decided wrongly, in double and in float",
     "[case:K4]")
 {
   Difference in_doubles{.tolerance = 1e-15}, in_floats{.tolerance = 1e-15};
@@ -83,7 +84,7 @@ TEST_CASE(
   CHECK(in_doubles.hits > pairs / 5);
   CHECK(in_doubles.hits < pairs / 2);
   CHECK(in_doubles.wrong == 0);
-  // Both ways to the depth round a few times: far less than the slack of 7e-15.
+  // Both ways to the depth round a few times: far less than the tolerance of 7e-15.
   CHECK(in_doubles.depth <= 2e-15);
   // Floats are taken as they are and computed in double; only the answer is rounded.
   CHECK(in_floats.wrong == 0);
@@ -97,15 +98,15 @@ TEST_CASE("without the rebuild, contacts of random cubes in float get lost", "[c
   for (int i = 0; i < 50'000; ++i)
   {
     const Obb<double> a = draw.next(), b = draw.next();
-    const double gap = largest_gap(a, b);
+    const double separation = largest_separation(a, b);
     const ConvexPair<float> pair = convex_pair(to_float(a), to_float(b));
-    if (gap < -1e-4)
+    if (separation < -1e-4)
     {
-      lost += no_rebuild(pair.support, pair.start, slack_of(pair)) ? 0 : 1;
+      lost += no_rebuild(pair.support, pair.start, tolerance_of(pair)) ? 0 : 1;
       const ConvexPair<double> exact = convex_pair(a, b);
-      lost_in_double += no_rebuild(exact.support, exact.start, slack_of(exact)) ? 0 : 1;
-      const auto depth = convex_depth(pair.support, pair.start, slack_of(pair));
-      wrong += depth && std::abs(double(*depth) + gap) <= 1e-4 ? 0 : 1;
+      lost_in_double += no_rebuild(exact.support, exact.start, tolerance_of(exact)) ? 0 : 1;
+      const auto depth = convex_depth(pair.support, pair.start, tolerance_of(pair));
+      wrong += depth && std::abs(double(*depth) + separation) <= 1e-4 ? 0 : 1;
     }
   }
   CHECK(lost > 0);
@@ -115,7 +116,7 @@ TEST_CASE("without the rebuild, contacts of random cubes in float get lost", "[c
 }
 // [K4]
 
-// [near]
+// [nearly_aligned]
 TEST_CASE("boxes turned against each other by next to nothing have the depth of the axes", "[epa]")
 {
   Draw draw(2);
@@ -133,7 +134,7 @@ TEST_CASE("boxes turned against each other by next to nothing have the depth of 
     }
     CAPTURE(angle);
     CHECK(difference.wrong == 0);
-    // Among faces as thin as needles EPA may close a whole slack of O8 early, and round.
+    // Among faces as thin as needles EPA may close a whole tolerance of O8 early, and round.
     CHECK(difference.depth <= 36 * std::numeric_limits<double>::epsilon());
   }
 }
@@ -181,7 +182,7 @@ TEST_CASE(
   CHECK(thin.wrong + rods.wrong + inside.wrong == 0);
   CHECK(std::max({thin.depth, rods.depth, inside.depth}) <= 2e-15);
 }
-// [near]
+// [nearly_aligned]
 
 // [rods]
 TEST_CASE(
@@ -195,14 +196,14 @@ TEST_CASE(
       return {center, draw.rotation(), {draw.between(0.5, 2), 1e-9, 1e-9}};
     };
     const Obb<double> a = rod({0, 0, 0}), b = rod(draw.vector(-2e-9, 2e-9));
-    const double depth = -largest_gap(a, b);
+    const double depth = -largest_separation(a, b);
     if (const auto manifold = gjk_epa(a, b))
     {
       below = std::max(below, depth - manifold->depth);
       above = std::max(above, manifold->depth - depth);
     }
   }
-  // Slack of O8 for five metres of half extents.
+  // Tolerance of O8 for five metres of half extents.
   CHECK(below <= 4e-14);
   CHECK(above > 1e-10);
   CHECK(above < 1e-8);

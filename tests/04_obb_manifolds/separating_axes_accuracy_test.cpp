@@ -4,8 +4,8 @@
 #include "04_obb_manifolds/box_workloads/trial/box_overlap_truth.hpp"
 #include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "04_obb_manifolds/separating_axes/separating_axes.hpp"
-#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 
@@ -31,7 +31,7 @@ class Draw : public BoxDraw
 public:
   using BoxDraw::BoxDraw;
 
-  WholeBox box(int reach)
+  WholeBox box(int radius)
   {
     const auto number = [&](int low, int high) { return low + whole(high - low + 1); };
     const auto vector = [&](int low, int high) -> Eigen::Vector3i
@@ -41,7 +41,7 @@ public:
     };
     const Eigen::Vector3i axis = vector(-2, 2);
     const Eigen::Vector4i quaternion(number(1, 2), axis.x(), axis.y(), axis.z());
-    const Eigen::Vector3i center = vector(-reach, reach);
+    const Eigen::Vector3i center = vector(-radius, radius);
     return {center, quaternion, vector(1, 6)};
   }
 };
@@ -62,7 +62,7 @@ struct Exact
   Rational squared_depth; ///< of the least overlap; meaningless where apart
 };
 
-/// All pairs of the six edge directions in the world, each shadow from the edges of both boxes.
+/// All pairs of the six edge directions in the world, each projection from the edges of both boxes.
 Exact exact_least_overlap(const Obb<Rational>& a, const Obb<Rational>& b)
 {
   const Rational signed_square = true_least_overlap(a, b).signed_square;
@@ -197,12 +197,12 @@ TEMPLATE_TEST_CASE(
     const Exact truth = exact_least_overlap(as<Rational>(a), as<Rational>(b));
     const Obb<Real> rounded_a = as<Real>(a), rounded_b = as<Real>(b);
     const auto ours = separating_axes(rounded_a, rounded_b);
-    const double slack = double(rounding_slack(relative_boxes(rounded_a, rounded_b)));
+    const double tolerance = double(rounding_tolerance(relative_boxes(rounded_a, rounded_b)));
     if (truth.squared_depth == 0 && !truth.apart)
     {
       // Rotations with thirds or fifths round: then touching may fall to either side.
       ++touching;
-      CHECK((!ours || double(ours->depth) <= slack));
+      CHECK((!ours || double(ours->depth) <= tolerance));
       continue;
     }
     REQUIRE(ours.has_value() == !truth.apart);
@@ -210,7 +210,7 @@ TEMPLATE_TEST_CASE(
     if (ours)
     {
       const double depth = std::sqrt(static_cast<double>(truth.squared_depth));
-      CHECK(std::abs(double(ours->depth) - depth) <= slack);
+      CHECK(std::abs(double(ours->depth) - depth) <= tolerance);
     }
   }
   CHECK(touching <= 150);
@@ -229,25 +229,26 @@ TEST_CASE("no direction has less overlap than the depth, or more gap than the di
     const Vector3<double> parts = draw.vector(-1, 1);
     return box.center + box.axes * box.half_extents.cwiseProduct(parts);
   };
-  const auto reach = [](const Obb<double>& box, const Vector3<double>& axis)
+  const auto radius = [](const Obb<double>& box, const Vector3<double>& axis)
   { return (box.axes.transpose() * axis).cwiseAbs().dot(box.half_extents); };
   for (int i = 0; i < 300; ++i)
   {
     const Obb<double> a = as<double>(draw.box(6)), b = as<double>(draw.box(6));
     const auto least = separating_axes(a, b);
-    const double slack = rounding_slack(relative_boxes(a, b));
+    const double tolerance = rounding_tolerance(relative_boxes(a, b));
     for (int k = 0; k < 100; ++k)
     {
       const Vector3<double> axis = any_direction();
-      const double gap = std::abs(axis.dot(b.center - a.center)) - reach(a, axis) - reach(b, axis);
-      CHECK(gap <= (any_point(b) - any_point(a)).norm() + slack);
-      CHECK((!least || -gap >= least->depth - slack));
+      const double separation =
+          std::abs(axis.dot(b.center - a.center)) - radius(a, axis) - radius(b, axis);
+      CHECK(separation <= (any_point(b) - any_point(a)).norm() + tolerance);
+      CHECK((!least || -separation >= least->depth - tolerance));
     }
     if (least)
     {
       const Vector3<double>& n = least->normal;
-      const double overlap = reach(a, n) + reach(b, n) - n.dot(b.center - a.center);
-      CHECK(std::abs(overlap - least->depth) <= slack);
+      const double overlap = radius(a, n) + radius(b, n) - n.dot(b.center - a.center);
+      CHECK(std::abs(overlap - least->depth) <= tolerance);
     }
   }
 }

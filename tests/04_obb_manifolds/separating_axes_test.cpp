@@ -4,8 +4,8 @@
 #include "04_obb_manifolds/box_failures/trial/box_pitfalls.hpp"
 #include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "04_obb_manifolds/separating_axes/separating_axes.hpp"
-#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
@@ -78,11 +78,11 @@ TEST_CASE("the reach of both boxes along a0 × b0 is four products, exactly", "[
   const Obb<Rational> b{{5, 7, 11}, rational_rotation<Rational>(1, 2, 3, 4), {4, 5, 6}};
   const AxisOverlap<Rational> along = edge_axis(relative_boxes(a, b), 0, 0);
   const Rational c10(20, 30), c20(10, 30), c01(4, 30), c02(22, 30);
-  const Rational reach_a = 2 * c20 + 3 * c10;
-  const Rational reach_b = 5 * c02 + 6 * c01;
+  const Rational radius_a = 2 * c20 + 3 * c10;
+  const Rational radius_b = 5 * c02 + 6 * c01;
   const Rational distance = 11 * c10 - 7 * c20;
   CHECK(along.offset == distance);
-  CHECK(along.overlap == reach_a + reach_b - distance);
+  CHECK(along.overlap == radius_a + radius_b - distance);
   CHECK(along.squared_length == c10 * c10 + c20 * c20);
 }
 // [O3]
@@ -152,12 +152,13 @@ TEST_CASE(
     REQUIRE(separating_axes(a, b));
     const float depth = separating_axes(a, b)->depth;
     worst = std::max(worst, std::abs(depth - static_cast<float>(truth)) / size);
-    const auto brief = short_reach_axes(a, b);
+    const auto brief = short_radius_axes(a, b);
     apart += brief ? 0 : 1;
     worst_short = std::max(
         worst_short, brief ? std::abs(brief->depth - static_cast<float>(truth)) / size : 0);
   }
-  // The slack of ties is 32 ε; the bound O8 of 9 roundings of ε/2 on |t| and on Σh comes on top.
+  // The tolerance of ties is 32 ε; the bound O8 of 9 roundings of ε/2 on |t| and on Σh comes on
+  // top.
   CHECK(worst <= 41 * std::numeric_limits<float>::epsilon());
   CHECK(apart > 0);
   CHECK(worst_short > 1e-3f);
@@ -250,7 +251,7 @@ TEMPLATE_TEST_CASE(
     REQUIRE(exact.has_value() == rounded.has_value());
     if (exact)
     {
-      CHECK(std::abs(double(rounded->depth) - exact->depth) <= double(rounding_slack(boxes)));
+      CHECK(std::abs(double(rounded->depth) - exact->depth) <= double(rounding_tolerance(boxes)));
     }
   }
 }
@@ -305,17 +306,17 @@ TEST_CASE(
   const Obb<double> a = upright({0, 0, 0}, {1, 2, 3});
   const Obb<double> b{{0, 0, 0}, rational_rotation<double>(1, 2, 3, 4), {1, 1, 1}};
   const RoundedTerms<double> terms = rounded_terms(a, b);
-  const auto gaps = [&](int axis)
+  const auto separations = [&](int axis)
   {
     const AxisOverlap<double> along = axis_overlap(relative_boxes(a, b), axis);
     return overlap_rounding(terms, along, axis) / std::numeric_limits<double>::epsilon();
   };
-  CHECK(gaps(0) == Catch::Approx(8 * 76 / 30.0));
-  CHECK(gaps(1) == Catch::Approx(8 * 110 / 30.0));
-  CHECK(gaps(2) == Catch::Approx(8 * 132 / 30.0));
-  CHECK(gaps(4) == Catch::Approx(8 * (4 * 76 + 10 * 110 + 28 * 132) / 900.0));
+  CHECK(separations(0) == Catch::Approx(8 * 76 / 30.0));
+  CHECK(separations(1) == Catch::Approx(8 * 110 / 30.0));
+  CHECK(separations(2) == Catch::Approx(8 * 132 / 30.0));
+  CHECK(separations(4) == Catch::Approx(8 * (4 * 76 + 10 * 110 + 28 * 132) / 900.0));
   // a0 × b0 is (0, −10, 20)/30.
-  CHECK(gaps(6) == Catch::Approx(8 * (10 * 110 + 20 * 132) / (30 * std::sqrt(500.0))));
+  CHECK(separations(6) == Catch::Approx(8 * (10 * 110 + 20 * 132) / (30 * std::sqrt(500.0))));
 }
 
 TEST_CASE("two overlaps are told apart beyond both their roundings: 24 + 24 ε", "[O8][O9]")
@@ -483,7 +484,7 @@ TEST_CASE("moved apart by half the depth each, boxes touch: the overlap is 0 to 
     const RelativeBoxes<double> boxes = relative_boxes(a, b);
     const AxisOverlap<double> along = axis_overlap(boxes, least->axis);
     const double left = along.overlap / std::sqrt(along.squared_length);
-    CHECK(std::abs(left) <= rounding_slack(boxes));
+    CHECK(std::abs(left) <= rounding_tolerance(boxes));
   }
   CHECK(overlapping > 1000);
 }
@@ -508,7 +509,7 @@ TEST_CASE("boxes turned about one common axis: the nine pairs of edges change no
     apart += all ? 0 : 1;
     if (all)
     {
-      CHECK(std::abs(all->depth - six->depth) <= rounding_slack(relative_boxes(a, b)));
+      CHECK(std::abs(all->depth - six->depth) <= rounding_tolerance(relative_boxes(a, b)));
     }
   }
   CHECK(apart > 500);

@@ -3,7 +3,7 @@
 
 #include "04_obb_manifolds/box_as_published/trial/box_as_published.hpp"
 #include "04_obb_manifolds/box_as_published/trial/box_as_published_rates.hpp"
-#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
+#include "04_obb_manifolds/box_oracles/trial/box_instances.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
 #include "tools/plot/charts/bar_chart.hpp"
 #include "tools/program/program.hpp"
@@ -25,7 +25,7 @@ struct Counted
 
 std::vector<Counted> count_all()
 {
-  const std::vector<JudgedPair> pairs = judged_pairs(200000);
+  const std::vector<CheckedPair> pairs = checked_pairs(200000);
   std::vector<Counted> all;
   for (const FaultVariant& variant : fault_variants())
   {
@@ -34,14 +34,14 @@ std::vector<Counted> count_all()
   return all;
 }
 
-/// A share in per cent, to the tenth.
+/// A rate in per cent, to the tenth.
 double percent(std::size_t part, std::size_t whole)
 {
   return std::round(1000 * double(part) / double(whole)) / 10;
 }
 
 /// What can be wrong, and in how many per cent of the pairs that it can befall.
-std::vector<std::pair<std::string, double>> shares(const FaultCounts& counts)
+std::vector<std::pair<std::string, double>> rates(const FaultCounts& counts)
 {
   return {
       {"said to overlap", percent(counts.hit, counts.apart)},
@@ -59,9 +59,9 @@ void print(const std::vector<Counted>& all)
   for (const auto& [variant, counts] : all)
   {
     std::vector<std::string> cells{variant.id, variant.what};
-    for (const auto& [what, share] : shares(counts))
+    for (const auto& [what, rate] : rates(counts))
     {
-      cells.push_back(number(share));
+      cells.push_back(number(rate));
     }
     table.row(cells);
   }
@@ -74,16 +74,16 @@ void draw(const Arguments& arguments, const std::vector<Counted>& all)
   chart.describe("How often each fault of the published code gives a wrong answer.").width(400);
   for (const auto& [variant, counts] : all)
   {
-    for (const auto& [what, share] : shares(counts))
+    for (const auto& [what, rate] : rates(counts))
     {
-      const std::string text = number(share) + " %";
-      if (share > 0 && variant.id == "all")
+      const std::string text = number(rate) + " %";
+      if (rate > 0 && variant.id == "all")
       {
-        chart.highlight("all: " + what, share, plot::Ink::overlap, text);
+        chart.highlight("all: " + what, rate, plot::Ink::overlap, text);
       }
-      else if (share > 0)
+      else if (rate > 0)
       {
-        chart.bar(variant.id + ": " + what, share, plot::Ink::a, text);
+        chart.bar(variant.id + ": " + what, rate, plot::Ink::a, text);
       }
     }
   }

@@ -45,7 +45,7 @@ box_choice(const BoxesInRows<Row>& boxes, const Tolerances<Real>& tolerances)
     return std::nullopt;
   }
   const LeastFace<Real> face = least_face(face_a, face_b);
-  return BoxChoice<Real>{face, least_edge(edges, edge_bar(boxes, face.depth, tolerances))};
+  return BoxChoice<Real>{face, least_edge(edges, edge_threshold(boxes, face.depth, tolerances))};
 }
 // [box_choice]
 
@@ -64,7 +64,8 @@ std::optional<Manifold<Real>> box_manifold(
   const auto& [face, edge] = *choice;
   return edge.found()
              ? edge_manifold(a, boxes, edge.index, std::sqrt(edge.squared_depth))
-             : face_manifold(a, b, boxes, face, kept_gap(face, tolerances), tolerances.hair);
+             : face_manifold(
+                   a, b, boxes, face, kept_separation(face, tolerances), tolerances.length);
 }
 // [box_manifold]
 
@@ -82,10 +83,11 @@ box_box_at_unit_size(const Obb<Real>& a, const Obb<Real>& b)
     return std::nullopt;
   }
   const int exponent = size > 0 ? std::ilogb(size) : 0;
-  const Obb<Real> near{{0, 0, 0}, a.axes, scaled(a.half_extents, -exponent)};
+  const Obb<Real> close_by{{0, 0, 0}, a.axes, scaled(a.half_extents, -exponent)};
   const Obb<Real> other{scaled(quarter, 2 - exponent), b.axes, scaled(b.half_extents, -exponent)};
   const auto found = box_manifold(
-      near, other, boxes_in_rows<Group<Real, 3>>(near, other), tolerances_of(near, other));
+      close_by, other, boxes_in_rows<Group<Real, 3>>(close_by, other),
+      tolerances_of(close_by, other));
   return found ? translated(std::optional(scaled(*found, exponent)), a.center) : std::nullopt;
 }
 // [at_unit_size]

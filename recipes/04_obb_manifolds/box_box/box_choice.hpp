@@ -19,7 +19,7 @@ template <class Real>
 struct Tolerances
 {
   Real size;   ///< [m], all half extents together
-  Real hair;   ///< [m], what rounding can make of equal lengths
+  Real length; ///< [m], what rounding can make of equal lengths
   Real margin; ///< [m], a hundredth of the smaller box
 };
 
@@ -70,38 +70,38 @@ LeastFace<RowNumber<Row>> least_face(const Row& face_a, const Row& face_b)
 
 /// The gap [m] up to which corners of a face's manifold are kept; O20.
 template <class Real>
-Real kept_gap(const LeastFace<Real>& face, const Tolerances<Real>& tolerances)
+Real kept_separation(const LeastFace<Real>& face, const Tolerances<Real>& tolerances)
 {
   using std::max, std::min;
-  return min(tolerances.margin, max(face.depth, tolerances.hair));
+  return min(tolerances.margin, max(face.depth, tolerances.length));
 }
 
-// [edge_bar]
+// [edge_threshold]
 /// Faces of two boxes are parallel if the cosine of their angle is at least that of one degree.
 inline constexpr float parallel_cosine = 0.99985f;
 
 /// The overlap [m] that an edge axis must stay under to be taken instead of a face; O19.
 ///
-/// A hair less than the face's: rounding alone shall not decide. Where two faces are parallel, a
+/// The face's less a tolerance: rounding alone must not decide. Where two faces are parallel, a
 /// twentieth less, or half the margin: a face keeps all its points, and the next frame's.
 template <class Row, class Real>
-Real edge_bar(
+Real edge_threshold(
     const BoxesInRows<Row>& boxes, const Real& face_depth, const Tolerances<Real>& tolerances)
 {
   using std::max;
   const Row largest = max(max(abs(boxes.rows[0]), abs(boxes.rows[1])), abs(boxes.rows[2]));
   const auto parallel = RowTraits<Row>::any(Row(Real(parallel_cosine)) < largest);
   const Real preference = max(face_depth * Real(0.05f), tolerances.margin * Real(0.5f));
-  return max(face_depth - select(parallel, preference, tolerances.hair), Real(0));
+  return max(face_depth - select(parallel, preference, tolerances.length), Real(0));
 }
-// [edge_bar]
+// [edge_threshold]
 
 // [least_edge]
 /// The edge axis of least overlap.
 template <class Real>
 struct LeastEdge
 {
-  Real squared_depth; ///< [m²]; `none` where no edge axis stays under the bar
+  Real squared_depth; ///< [m²]; `none` where no edge axis stays under the threshold
   Index<Real> index;  ///< 3 i + j for a_i × b_j
 
   static constexpr float none = std::numeric_limits<float>::max(); ///< [m²], for no axis
@@ -109,11 +109,12 @@ struct LeastEdge
   auto found() const { return squared_depth < Real(none); } ///< whether there is one
 };
 
-/// The edge axes whose overlap stays under a bar, and which of them has the least.
+/// The edge axes whose overlap stays under a threshold, and which of them has the least.
 ///
-/// Squares are compared: s² < bar² |L|² needs no root. Axes shorter than ε are left out.
+/// Squares are compared: s² < threshold² |L|² needs no root. Axes shorter than ε are left out.
 template <class Row>
-LeastEdge<RowNumber<Row>> least_edge(const EdgeOverlaps<Row> (&edges)[3], const RowNumber<Row>& bar)
+LeastEdge<RowNumber<Row>>
+least_edge(const EdgeOverlaps<Row> (&edges)[3], const RowNumber<Row>& threshold)
 {
   using Real = RowNumber<Row>;
   constexpr float epsilon = std::numeric_limits<float>::epsilon();
@@ -123,7 +124,7 @@ LeastEdge<RowNumber<Row>> least_edge(const EdgeOverlaps<Row> (&edges)[3], const 
   for (int i = 0; i < 3; ++i)
   {
     square[i] = edges[i].overlap * edges[i].overlap;
-    under[i] = (square[i] < Row(bar * bar) * edges[i].squared) &
+    under[i] = (square[i] < Row(threshold * threshold) * edges[i].squared) &
                (Row(Real(epsilon * epsilon)) < edges[i].squared);
   }
   if (!any(RowTraits<Row>::any(under[0] | under[1] | under[2])))

@@ -113,13 +113,13 @@ struct FaceContact
 /// directly; O10, O12, O14.
 ///
 /// `c` are the rows of the other box's axes as this one sees them, `offset` is where its centre is.
-/// Points with a gap are kept up to `gap` [m]; a hair [m] decides no corner. There is no point
-/// where the faces touch and have only a hair of their rims in common. Mirrored boxes are as good
-/// as others.
+/// Points with a gap are kept up to `separation` [m]; lengths within `tolerance` [m] are equal.
+/// There is no point where the faces touch and share no more than `tolerance` at their rims.
+/// Mirrored boxes are as good as others.
 template <class Row, class Real, class Which>
 FaceContact<Row> face_contact(
     const Obb<Real>& box, const Obb<Real>& other, const Row (&c)[3], const Row& offset,
-    const Which& k, const Real& gap, const Real& hair)
+    const Which& k, const Real& separation, const Real& tolerance)
 {
   using Four = FourOf<Row>;
   using std::copysign, std::max;
@@ -158,19 +158,19 @@ FaceContact<Row> face_contact(
       -side * left * chosen(row_k, q)};
 
   // Where boxes only touch, along edges, the clipping does not find their common corners.
-  Real widest = gap;
-  const auto touch = gap <= hair;
+  Real widest = separation;
+  const auto touch = separation <= tolerance;
   if (any(touch)) [[unlikely]]
   {
     const Real none(-std::numeric_limits<float>::max()), wide = facing_overlap(rectangles);
-    widest = select(touch & (wide <= hair), none, gap);
+    widest = select(touch & (wide <= tolerance), none, separation);
   }
   FaceContact<Row> contact;
   contact.incident = incident;
   contact.normal = axis_of(box, k) * side;
   const Vector3<Real> axis_u = axis_of(box, u), axis_v = axis_of(box, v);
   const FourCorners<Four> corners[] = {
-      corners_on_other<Four>(rectangles, hair), corners_on_this<Four>(rectangles, hair)};
+      corners_on_other<Four>(rectangles, tolerance), corners_on_this<Four>(rectangles, tolerance)};
   for (int part = 0; part < 2; ++part)
   {
     const FourCorners<Four>& four = corners[part];

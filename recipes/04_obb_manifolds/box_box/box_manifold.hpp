@@ -67,10 +67,10 @@ template <class Real>
 /// count them.
 template <class Real>
 [[gnu::noinline]] void add_touching_corners(
-    Manifold<Real>& manifold, const Obb<Real>& box, const Obb<Real>& other, const Real& hair,
+    Manifold<Real>& manifold, const Obb<Real>& box, const Obb<Real>& other, const Real& tolerance,
     std::uint32_t feature)
 {
-  const Real few_hairs = 8 * hair;
+  const Real several_tolerances = 8 * tolerance;
   Vector3<Real> first = Vector3<Real>::Zero();
   for (int i = 0; i < 16 && manifold.points.size() < 2; ++i)
   {
@@ -79,8 +79,8 @@ template <class Real>
     const Vector3<Real> corner = from.axes * from.half_extents.cwiseProduct(signs);
     const Vector3<Real> place = (from.center - box.center) + corner;
     const Vector3<Real> seen = to.axes.transpose() * (place - (to.center - box.center));
-    const bool is_common = (seen.cwiseAbs() - to.half_extents).maxCoeff() <= few_hairs;
-    const bool is_new = manifold.points.empty() || (place - first).norm() > few_hairs;
+    const bool is_common = (seen.cwiseAbs() - to.half_extents).maxCoeff() <= several_tolerances;
+    const bool is_new = manifold.points.empty() || (place - first).norm() > several_tolerances;
     if (is_common && is_new)
     {
       const auto number = static_cast<std::uint32_t>(manifold.points.size());
@@ -93,11 +93,11 @@ template <class Real>
 
 // [face_manifold]
 /// The manifold on the axis of a face: the corners of the polygon in which two faces overlap, with
-/// gaps up to `widest_gap` [m]; a hair [m] decides no corner.
+/// gaps up to `widest_separation` [m]; lengths within `tolerance` [m] are equal.
 template <class Row, class Real>
 std::optional<Manifold<Real>> face_manifold(
     const Obb<Real>& a, const Obb<Real>& b, const BoxesInRows<Row>& boxes,
-    const LeastFace<Real>& face, const Real& widest_gap, const Real& hair)
+    const LeastFace<Real>& face, const Real& widest_separation, const Real& tolerance)
 {
   const bool of_a = face.index < 3;
   const Obb<Real>& box = of_a ? a : b;
@@ -106,7 +106,7 @@ std::optional<Manifold<Real>> face_manifold(
   {
     const FaceContact<Row> contact = face_contact(
         box, other, of_a ? boxes.rows : boxes.columns, of_a ? boxes.offset_a : boxes.offset_b,
-        of_a ? face.index : face.index - 3, widest_gap, hair);
+        of_a ? face.index : face.index - 3, widest_separation, tolerance);
     Manifold<Real> manifold;
     manifold.normal = contact.normal * (of_a ? Real(1) : Real(-1));
     manifold.depth = face.depth;
@@ -128,9 +128,9 @@ std::optional<Manifold<Real>> face_manifold(
             });
       }
     }
-    if (manifold.points.empty() && face.depth <= hair)
+    if (manifold.points.empty() && face.depth <= tolerance)
     {
-      add_touching_corners(manifold, box, other, hair, feature);
+      add_touching_corners(manifold, box, other, tolerance, feature);
     }
     if (manifold.points.empty())
     {

@@ -75,13 +75,13 @@ BoxesInRows<Row> boxes_in_rows(const Obb<Real>& a, const Obb<Real>& b)
 // [boxes_in_rows]
 
 // [face_overlaps]
-/// The overlaps [m] along the three axes of a box: its half extents, the reach of the other box
-/// along each, less the distance of the centres; O2.
+/// The overlaps [m] along the three axes of a box: its half extents, the projected radius of the
+/// other box along each, less the distance of the centres; O2.
 template <class Row>
 Row face_overlaps(const Row& half, const Row (&others)[3], const Row& half_other, const Row& offset)
 {
-  const Row reach[] = {abs(others[0]), abs(others[1]), abs(others[2])};
-  return half + combined(reach, half_other[0], half_other[1], half_other[2]) - abs(offset);
+  const Row radius[] = {abs(others[0]), abs(others[1]), abs(others[2])};
+  return half + combined(radius, half_other[0], half_other[1], half_other[2]) - abs(offset);
 }
 // [face_overlaps]
 
@@ -104,11 +104,11 @@ EdgeOverlaps<Row> edge_overlaps(const BoxesInRows<Row>& boxes, int i)
   const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
   const Row &r1 = boxes.rows[i1], &r2 = boxes.rows[i2];
   const Row cofactor = abs(turned_once(r1) * r2 - turned_once(r2) * r1);
-  const Row reach_a = abs(r2) * Row(boxes.half_a[i1]) + abs(r1) * Row(boxes.half_a[i2]);
-  const Row reach_b =
+  const Row radius_a = abs(r2) * Row(boxes.half_a[i1]) + abs(r1) * Row(boxes.half_a[i2]);
+  const Row radius_b =
       turned_once(boxes.half_b) * cofactor + turned_twice(boxes.half_b) * turned_twice(cofactor);
   const Row offset = r1 * Row(boxes.offset_a[i2]) - r2 * Row(boxes.offset_a[i1]);
-  return {reach_a + reach_b - abs(offset), r1 * r1 + r2 * r2};
+  return {radius_a + radius_b - abs(offset), r1 * r1 + r2 * r2};
 }
 // [edge_overlaps]
 

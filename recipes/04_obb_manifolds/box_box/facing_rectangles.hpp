@@ -89,10 +89,10 @@ struct Pieces
     const Four per_step = bounded_reciprocal(RowTraits<Four>::four(p, q, p, q), Four(least));
     const Four per_length = abs(per_step),
                middle = start * per_step * round<Four>(Real(-1), Real(-1));
-    const Four reach = Four(max(half + tie, Real(0))) * per_length;
-    const Four first = middle - reach, shift = Four(tie) * per_length;
+    const Four radius = Four(max(half + tie, Real(0))) * per_length;
+    const Four first = middle - radius, shift = Four(tie) * per_length;
     enter = max(enter, first);
-    leave = min(leave, middle + reach);
+    leave = min(leave, middle + radius);
     corner = max(corner, first + select(abs(shift) < Four(Real(1e-3f)), shift, Four(Real(0))));
   }
 };
@@ -115,33 +115,33 @@ Four corners(const Real& center, const Real& p, const Real& q)
          Four(q) * RowTraits<Four>::four(-one, -one, one, one);
 }
 
-/// Corners at which a piece of the other's edges begins; a hair outside this rectangle counts as in
-/// it.
+/// Corners at which a piece of the other's edges begins; within `tolerance` outside this rectangle
+/// counts as in it.
 template <class Four, class Real>
-FourCorners<Four> corners_on_other(const FacingRectangles<Real>& r, const Real& hair)
+FourCorners<Four> corners_on_other(const FacingRectangles<Real>& r, const Real& tolerance)
 {
   const Four u = corners<Four>(r.center_u, r.p_u, r.q_u);
   const Four v = corners<Four>(r.center_v, r.p_v, r.q_v);
   const Four depth = corners<Four>(r.center_depth, r.p_depth, r.q_depth);
-  const Real least = hair * Real(1e-6f);
+  const Real least = tolerance * Real(1e-6f);
   const auto twice = [](const Real& x) { return x + x; };
   Pieces<Four> pieces;
-  pieces.cut(u, twice(r.p_u), twice(r.q_u), r.half_u, hair, least);
-  pieces.cut(v, twice(r.p_v), twice(r.q_v), r.half_v, hair, least);
+  pieces.cut(u, twice(r.p_u), twice(r.q_u), r.half_u, tolerance, least);
+  pieces.cut(v, twice(r.p_v), twice(r.q_v), r.half_v, tolerance, least);
   const Four part = pieces.corner + pieces.corner;
   return {
       along(u, part, r.p_u, r.q_u), along(v, part, r.p_v, r.q_v),
       along(depth, part, r.p_depth, r.q_depth), pieces.enter < pieces.leave};
 }
 
-/// Corners at which a piece of this rectangle's edges begins; a hair inside the other counts as
-/// out.
+/// Corners at which a piece of this rectangle's edges begins; within `tolerance` inside the other
+/// counts as out.
 ///
 /// There α and β are measured in areas: multiplied by that of p and q, they need no division.
 template <class Four, class Real>
-FourCorners<Four> corners_on_this(const FacingRectangles<Real>& r, const Real& hair)
+FourCorners<Four> corners_on_this(const FacingRectangles<Real>& r, const Real& tolerance)
 {
-  const Real least = hair * hair;
+  const Real least = tolerance * tolerance;
   const Real zero(0), area = r.p_u * r.q_v - r.p_v * r.q_u;
   const Four u = corners<Four>(zero, r.half_u, zero), v = corners<Four>(zero, zero, r.half_v);
   const Four from_u = u - Four(r.center_u), from_v = v - Four(r.center_v);
@@ -151,8 +151,8 @@ FourCorners<Four> corners_on_this(const FacingRectangles<Real>& r, const Real& h
   const Real alpha_p = side_u * r.q_v, alpha_q = -side_v * r.q_u;
   const Real beta_p = -side_u * r.p_v, beta_q = side_v * r.p_u;
   Pieces<Four> pieces;
-  pieces.cut(alpha, alpha_p, alpha_q, area, -hair * r.half_q, least);
-  pieces.cut(beta, beta_p, beta_q, area, -hair * r.half_p, least);
+  pieces.cut(alpha, alpha_p, alpha_q, area, -tolerance * r.half_q, least);
+  pieces.cut(beta, beta_p, beta_q, area, -tolerance * r.half_p, least);
   const Real per_area = bounded_reciprocal(area, least);
   const Real p_slope = r.p_depth * per_area, q_slope = r.q_depth * per_area;
   const Four depth = Four(r.center_depth) + alpha * Four(p_slope) + beta * Four(q_slope);

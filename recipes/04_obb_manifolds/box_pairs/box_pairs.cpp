@@ -3,7 +3,7 @@
 
 #include "04_obb_manifolds/box_pairs/box_pairs.hpp"
 #include "04_obb_manifolds/box_box/box_box.hpp"
-#include "04_obb_manifolds/box_judges/trial/manifold_error.hpp"
+#include "04_obb_manifolds/box_oracles/trial/manifold_error.hpp"
 #include "04_obb_manifolds/box_pairs/trial/box_pairs_scenes.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
 #include "tools/plot/figures/figure3d.hpp"

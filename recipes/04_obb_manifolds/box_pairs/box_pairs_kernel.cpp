@@ -54,7 +54,7 @@ Choice choice_of(const BoxesInRows<Three>& boxes, const Tolerances<Lanes>& toler
   const Overlaps overlaps(boxes);
   Choice choice;
   choice.face = least_face(overlaps.face_a, overlaps.face_b);
-  choice.edge = least_edge(overlaps.edges, edge_bar(boxes, choice.face.depth, tolerances));
+  choice.edge = least_edge(overlaps.edges, edge_threshold(boxes, choice.face.depth, tolerances));
   const Lanes::Mask moderate = has_moderate_size(tolerances.size);
   const std::uint32_t touching = bits_of(overlaps.touching() & moderate);
   choice.on_edge = touching & bits_of(choice.edge.found());

@@ -3,8 +3,8 @@
 
 #include "04_obb_manifolds/contact_reduction/contact_reduction.hpp"
 #include "04_obb_manifolds/box_box/box_box.hpp"
-#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
-#include "04_obb_manifolds/box_judges/trial/resting_steadiness.hpp"
+#include "04_obb_manifolds/box_oracles/trial/box_instances.hpp"
+#include "04_obb_manifolds/box_oracles/trial/resting_steadiness.hpp"
 #include "04_obb_manifolds/contact_reduction/trial/contact_reduction_figures.hpp"
 #include "04_obb_manifolds/contact_reduction/trial/contact_reduction_verdicts.hpp"
 #include "tools/program/program.hpp"

@@ -33,7 +33,7 @@ template <class Real, std::size_t Capacity>
 struct Keeping
 {
   const Manifold<Real, Capacity>& manifold; ///< all points
-  Real slack;                               ///< [m], lengths that differ by less may be equal
+  Real tolerance;                           ///< [m], lengths that differ by less may be equal
   std::array<bool, Capacity> kept{};        ///< by a point's number
 
   /// Keeps the point with the highest score, of those left, and returns where it is; the first of
@@ -73,16 +73,16 @@ struct Keeping
 
 /// No point kept yet, or all of them if they are no more than four.
 ///
-/// Coordinates have been rounded at their own size, so that is what the slack is a part of.
+/// Coordinates have been rounded at their own size, so that is what the tolerance is a part of.
 template <class Real, std::size_t Capacity>
 Keeping<Real, Capacity> keeping(const Manifold<Real, Capacity>& manifold)
 {
   Keeping<Real, Capacity> few{manifold, Real(0), {}};
   for (const ContactPoint<Real>& point : manifold.points)
   {
-    few.slack = std::max(few.slack, point.position.cwiseAbs().maxCoeff());
+    few.tolerance = std::max(few.tolerance, point.position.cwiseAbs().maxCoeff());
   }
-  few.slack *= Real(32) * std::numeric_limits<Real>::epsilon();
+  few.tolerance *= Real(32) * std::numeric_limits<Real>::epsilon();
   few.kept.fill(manifold.points.size() <= most_kept);
   return few;
 }
@@ -98,7 +98,7 @@ void keep_fourth(
   const Vector3<Real>& n = few.manifold.normal;
   const Real turn = doubled_area(n, p, q, r) < Real(0) ? Real(-1) : Real(1);
   few.keep(
-      few.slack * (q - p).norm(),
+      few.tolerance * (q - p).norm(),
       [&](const ContactPoint<Real>& point)
       {
         const Vector3<Real>& x = point.position;
@@ -123,11 +123,12 @@ Manifold<Real, most_kept> reduced(const Manifold<Real, Capacity>& manifold)
   if (manifold.points.size() > most_kept)
   {
     const Vector3<Real> p =
-        few.keep(few.slack, [](const ContactPoint<Real>& point) { return point.depth; });
+        few.keep(few.tolerance, [](const ContactPoint<Real>& point) { return point.depth; });
     const Vector3<Real> q = few.keep(
-        few.slack, [&](const ContactPoint<Real>& point) { return (point.position - p).norm(); });
+        few.tolerance,
+        [&](const ContactPoint<Real>& point) { return (point.position - p).norm(); });
     const Vector3<Real> r = few.keep(
-        few.slack * (q - p).norm(), [&](const ContactPoint<Real>& point)
+        few.tolerance * (q - p).norm(), [&](const ContactPoint<Real>& point)
         { return abs(doubled_area(manifold.normal, p, q, point.position)); });
     keep_fourth(few, p, q, r);
   }

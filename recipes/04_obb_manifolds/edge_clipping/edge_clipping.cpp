@@ -4,7 +4,7 @@
 #include "04_obb_manifolds/edge_clipping/edge_clipping.hpp"
 #include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
 #include "04_obb_manifolds/box_cases/trial/contacts_figure.hpp"
-#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
+#include "04_obb_manifolds/box_oracles/trial/box_instances.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
 #include "tools/program/program.hpp"
 #include "tools/program/table.hpp"

@@ -27,10 +27,10 @@ Vector3<Real> farthest_middle(const Vector3<Real>& direction, const Vector3<Real
 template <class Real>
 Vector3<Real> contained_point(const RelativeBoxes<Real>& boxes, const Vector3<Real>& normal)
 {
-  const Real slack = rounding_slack(boxes);
+  const Real tolerance = rounding_tolerance(boxes);
   const Vector3<Real> back = boxes.rotation.transpose() * -normal;
   const Vector3<Real> of_b = boxes.offset + boxes.rotation * farthest_middle(back, boxes.half_b);
-  const bool b_in_a = (of_b.cwiseAbs() - boxes.half_a).maxCoeff() <= slack;
+  const bool b_in_a = (of_b.cwiseAbs() - boxes.half_a).maxCoeff() <= tolerance;
   return b_in_a ? of_b : farthest_middle(normal, boxes.half_a);
 }
 // [contained_point]
@@ -83,13 +83,13 @@ template <class Real>
 void add_crossings(const RelativeBoxes<Real>& boxes, ContactsOnPlane<Real>& contacts)
 {
   const Matrix3<Real>& c = boxes.rotation;
-  const Real slack = rounding_slack(boxes);
+  const Real tolerance = rounding_tolerance(boxes);
   each_crossing<Real>(
-      {c.transpose(), c.transpose() * -boxes.offset, boxes.half_a, boxes.half_b}, slack,
+      {c.transpose(), c.transpose() * -boxes.offset, boxes.half_a, boxes.half_b}, tolerance,
       [&](const Vector3<Real>& point, std::uint32_t number)
       { contacts.add(boxes.offset + c * point, 1 + number); });
   each_crossing<Real>(
-      {c, boxes.offset, boxes.half_b, boxes.half_a}, slack,
+      {c, boxes.offset, boxes.half_b, boxes.half_a}, tolerance,
       [&](const Vector3<Real>& point, std::uint32_t number)
       { contacts.add(point, 1 + edge_face_pairs + number); });
 }

@@ -28,7 +28,7 @@ struct ClippedEdge
 template <class Real>
 std::optional<ClippedEdge<Real>> clip_edge(
     const Vector3<Real>& start, const Vector3<Real>& end, const Vector3<Real>& half_extents,
-    Real slack)
+    Real tolerance)
 {
   ClippedEdge<Real> piece;
   for (int face = 0; face < 6; ++face)
@@ -37,7 +37,8 @@ std::optional<ClippedEdge<Real>> clip_edge(
     const Real sign = face % 2 == 0 ? Real(1) : Real(-1);
     const Real d_start = sign * start[axis] - half_extents[axis];
     const Real d_end = sign * end[axis] - half_extents[axis];
-    const int side_start = side_of_face(d_start, slack), side_end = side_of_face(d_end, slack);
+    const int side_start = side_of_face(d_start, tolerance),
+              side_end = side_of_face(d_end, tolerance);
     if (side_start > 0 && side_end > 0)
     {
       return std::nullopt;
@@ -58,7 +59,7 @@ std::optional<ClippedEdge<Real>> clip_edge(
       piece.leave_face = face;
     }
   }
-  const bool empty = (piece.enter - piece.leave) * (end - start).norm() > slack;
+  const bool empty = (piece.enter - piece.leave) * (end - start).norm() > tolerance;
   return empty ? std::nullopt : std::optional(piece);
 }
 // [clip_edge]
@@ -79,7 +80,7 @@ inline constexpr std::uint32_t edge_face_pairs = 12 * 6;
 
 /// Calls `found(point, 6 edge + face)` where an edge of one box passes a face of the other.
 template <class Real, class Found>
-void each_crossing(const EdgesAndFaces<Real>& boxes, Real slack, const Found& found)
+void each_crossing(const EdgesAndFaces<Real>& boxes, Real tolerance, const Found& found)
 {
   for (int edge = 0; edge < 12; ++edge)
   {
@@ -90,7 +91,7 @@ void each_crossing(const EdgesAndFaces<Real>& boxes, Real slack, const Found& fo
     const Vector3<Real> middle = boxes.center + side_1 * boxes.half_edges[k1] * boxes.axes.col(k1) +
                                  side_2 * boxes.half_edges[k2] * boxes.axes.col(k2);
     const Vector3<Real> start = middle - along, end = middle + along;
-    const auto piece = clip_edge<Real>(start, end, boxes.half_faces, slack);
+    const auto piece = clip_edge<Real>(start, end, boxes.half_faces, tolerance);
     const auto report = [&](int face, Real cut)
     { found(start + cut * (end - start), static_cast<std::uint32_t>(6 * edge + face)); };
     if (piece && piece->enter_face >= 0)

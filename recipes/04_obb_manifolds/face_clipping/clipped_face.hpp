@@ -66,11 +66,11 @@ FacePolygon<Real> seen_from(const BoxFace<Real>& reference, const BoxFace<Real>&
 // [cut_at_side]
 /// The part of a polygon within side 0 … 3 of the reference face; Sutherland and Hodgman, O11.
 ///
-/// A corner within `slack` [m] of the side is on it, and stays as it is. A polygon of two corners
-/// is a segment: it is cut on the way there, not again on the way back.
+/// A corner within `tolerance` [m] of the side is on it, and stays as it is. A polygon of two
+/// corners is a segment: it is cut on the way there, not again on the way back.
 template <class Real>
-FacePolygon<Real>
-cut_at_side(const FacePolygon<Real>& polygon, const BoxFace<Real>& reference, int side, Real slack)
+FacePolygon<Real> cut_at_side(
+    const FacePolygon<Real>& polygon, const BoxFace<Real>& reference, int side, Real tolerance)
 {
   const int k = side % 2 == 0 ? 1 : 0;
   const Real sign = side == 1 || side == 2 ? Real(1) : Real(-1);
@@ -82,7 +82,7 @@ cut_at_side(const FacePolygon<Real>& polygon, const BoxFace<Real>& reference, in
   {
     const PolygonCorner<Real>&a = polygon[i], &b = polygon[i + 1];
     const Real d_a = distance(a), d_b = distance(b);
-    const int side_a = side_of_face(d_a, slack), side_b = side_of_face(d_b, slack);
+    const int side_a = side_of_face(d_a, tolerance), side_b = side_of_face(d_b, tolerance);
     if (side_a <= 0)
     {
       inside.add({a.point, side_a == 0 && side_b > 0 ? edge : a.edge});
@@ -101,12 +101,12 @@ cut_at_side(const FacePolygon<Real>& polygon, const BoxFace<Real>& reference, in
 /// The part of the incident face that lies over the reference face: none to eight corners; O14.
 template <class Real>
 FacePolygon<Real>
-overlap_polygon(const BoxFace<Real>& reference, const BoxFace<Real>& incident, Real slack)
+overlap_polygon(const BoxFace<Real>& reference, const BoxFace<Real>& incident, Real tolerance)
 {
   FacePolygon<Real> polygon = seen_from(reference, incident);
   for (int side = 0; side < 4; ++side)
   {
-    polygon = cut_at_side(polygon, reference, side, slack);
+    polygon = cut_at_side(polygon, reference, side, tolerance);
   }
   return polygon;
 }

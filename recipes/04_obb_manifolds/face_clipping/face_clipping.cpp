@@ -4,7 +4,7 @@
 
 #include "04_obb_manifolds/face_clipping/face_clipping.hpp"
 #include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
-#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
+#include "04_obb_manifolds/box_oracles/trial/box_instances.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
 #include "04_obb_manifolds/face_clipping/trial/face_clipping_figures.hpp"
 #include "04_obb_manifolds/face_clipping/trial/same_pair_figures.hpp"

@@ -39,7 +39,7 @@ face_point(const BoxFace<Real>& reference, const Vector3<Real>& over_face, std::
 /// The points of two boxes that meet at a face: O10, O11, O12.
 ///
 /// One for each corner of the incident face's part over the reference face, unless there is a gap
-/// wider than `widest_gap` at it.
+/// wider than `widest_separation` at it.
 template <class Real>
 ContactPoints<Real, 8> face_points(const BoxesInFrameOfA<Real>& boxes)
 {
@@ -48,12 +48,12 @@ ContactPoints<Real, 8> face_points(const BoxesInFrameOfA<Real>& boxes)
   const BoxFace<Real> of_box_b = face_along<Real>(boxes.b, -boxes.least.normal);
   const BoxFace<Real>&reference = of_a ? of_box_a : of_box_b,
         &incident = of_a ? of_box_b : of_box_a;
-  const FacePolygon<Real> polygon = overlap_polygon(reference, incident, boxes.slack);
+  const FacePolygon<Real> polygon = overlap_polygon(reference, incident, boxes.tolerance);
   ContactPoints<Real, 8> points;
   for (int i = 0; i < polygon.size; ++i)
   {
     const int before = polygon[of_a ? i - 1 : i].edge, after = polygon[of_a ? i : i - 1].edge;
-    if (polygon[i].point.z() <= boxes.widest_gap)
+    if (polygon[i].point.z() <= boxes.widest_separation)
     {
       points.push_back(face_point(reference, polygon[i].point, crossing_feature(before, after)));
     }
@@ -94,8 +94,8 @@ std::optional<LeastOverlap<Real>> least_with_certain_edges(const Obb<Real>& a, c
     return least;
   }
   const std::optional<LeastOverlap<Real>> of_faces = least_overlap(a, b, 6);
-  const Real slack = rounding_slack(relative_boxes(a, b));
-  return of_faces->depth <= least->depth + slack ? of_faces : least;
+  const Real tolerance = rounding_tolerance(relative_boxes(a, b));
+  return of_faces->depth <= least->depth + tolerance ? of_faces : least;
 }
 
 /// The manifold of two boxes of ordinary size; see face_clipping().
@@ -126,8 +126,8 @@ std::optional<Manifold<Real>> face_clipping_of(const Obb<Real>& a, const Obb<Rea
 /// hundredth of the smaller box and than the depth. Where a pair of edges has it, the point is the
 /// one midway between the two. One to eight points, each within half the depth of both boxes;
 /// features as crossing_feature() numbers them. What separating_axes() says of touching and of ties
-/// holds here too, and a face wins where edges are better by rounding_slack() only. Boxes may be of
-/// any finite size.
+/// holds here too, and a face wins where edges are better by rounding_tolerance() only. Boxes may
+/// be of any finite size.
 template <class Real>
 std::optional<Manifold<Real>> face_clipping(const Obb<Real>& a, const Obb<Real>& b)
 {

@@ -2,7 +2,7 @@
 /// \brief Follows boxes that rest or slide for many frames, with and without a memory.
 
 #include "04_obb_manifolds/feature_memory/feature_memory.hpp"
-#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
+#include "04_obb_manifolds/box_oracles/trial/box_instances.hpp"
 #include "04_obb_manifolds/feature_memory/trial/feature_memory_figures.hpp"
 #include "04_obb_manifolds/feature_memory/trial/feature_memory_scenes.hpp"
 #include "04_obb_manifolds/feature_memory/trial/feature_memory_verdicts.hpp"

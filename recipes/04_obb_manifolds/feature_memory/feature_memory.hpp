@@ -42,28 +42,29 @@ std::optional<Real> overlap_on(const Obb<Real>& a, const Obb<Real>& b, int axis)
                                     : std::optional(along.overlap / sqrt(along.squared_length));
 }
 
-/// The manifold of two boxes on an axis, 0 … 14, that somebody chose, along which they overlap by
-/// `depth` [m]; below zero they are apart. Corners with a gap are kept up to `widest_gap` [m]; a
-/// hair [m] decides no corner.
+/// The manifold of two boxes on an axis, 0 … 14, that the caller chose, along which they overlap by
+/// `depth` [m]; below zero they are apart. Corners with a gap are kept up to `widest_separation`
+/// [m]; a hair [m] decides no corner.
 template <class Row, class Real>
 std::optional<Manifold<Real>> box_box_on(
-    const Obb<Real>& a, const Obb<Real>& b, int axis, const Real& depth, const Real& widest_gap,
-    const Real& hair)
+    const Obb<Real>& a, const Obb<Real>& b, int axis, const Real& depth,
+    const Real& widest_separation, const Real& tolerance)
 {
   const BoxesInRows<Row> boxes = boxes_in_rows<Row>(a, b);
   return axis_kind(axis) == AxisKind::edges
              ? edge_manifold(a, boxes, axis - 6, depth)
-             : face_manifold(a, b, boxes, LeastFace<Real>{depth, axis}, widest_gap, hair);
+             : face_manifold(
+                   a, b, boxes, LeastFace<Real>{depth, axis}, widest_separation, tolerance);
 }
 
-/// The same with the gap and the hair of box_box().
+/// The same with the separation and the tolerance of box_box().
 template <class Row, class Real>
 std::optional<Manifold<Real>>
 box_box_on(const Obb<Real>& a, const Obb<Real>& b, int axis, const Real& depth)
 {
   const Tolerances<Real> tolerances = tolerances_of(a, b);
-  const Real gap = kept_gap<Real>(LeastFace<Real>{depth, axis}, tolerances);
-  return box_box_on<Row>(a, b, axis, depth, gap, tolerances.hair);
+  const Real separation = kept_separation<Real>(LeastFace<Real>{depth, axis}, tolerances);
+  return box_box_on<Row>(a, b, axis, depth, separation, tolerances.length);
 }
 // [on_axis]
 
@@ -138,7 +139,7 @@ next_frame_in(const ContactMemory<Real, Warm>& before, const Obb<Real>& a, const
 ///
 /// As box_box(), but on the axis that steady_axis() says. Points whose features were there before
 /// keep what was known of them. A memory without a manifold is how to begin, with what box_box()
-/// answers; boxes that part forget everything.
+/// answers; boxes that separate forget everything.
 template <class Real, class Warm>
 ContactMemory<Real, Warm>
 next_frame(const ContactMemory<Real, Warm>& before, const Obb<Real>& a, const Obb<Real>& b)

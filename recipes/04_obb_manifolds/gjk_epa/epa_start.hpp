@@ -19,28 +19,28 @@ struct Expansion
 {
   Polytope<Real> polytope;
   Vector3<Real> normal;                          ///< [1], unit; the best direction
-  Real depth = std::numeric_limits<Real>::max(); ///< [m], how far the solid reaches along it
-  SupportPoint<Real> farthest;                   ///< the point that reaches so far
-  Real slack;                                    ///< [m], lengths that differ by less are equal
+  Real depth = std::numeric_limits<Real>::max(); ///< [m], how far the solid extends along it
+  SupportPoint<Real> found;                      ///< the support point along it
+  Real tolerance;                                ///< [m], lengths that differ by less are equal
   int steps = 0;                                 ///< directions tried
-  bool closed = false; ///< the best direction is the normal of a face within slack
+  bool closed = false; ///< the best direction is the normal of a face within tolerance
 };
 
-/// The farthest point along a unit direction, which becomes the best if it reaches least.
+/// The farthest point along a unit direction, which becomes the best if it extends least.
 template <class Real, class Support>
 SupportPoint<Real>
 try_direction(Expansion<Real>& expansion, const Support& support, const Vector3<Real>& unit)
 {
-  const SupportPoint<Real> farthest = support(unit);
-  const Real reach = unit.dot(farthest.point);
+  const SupportPoint<Real> found = support(unit);
+  const Real extent = unit.dot(found.point);
   ++expansion.steps;
-  if (reach < expansion.depth)
+  if (extent < expansion.depth)
   {
     expansion.normal = unit;
-    expansion.depth = reach;
-    expansion.farthest = farthest;
+    expansion.depth = extent;
+    expansion.found = found;
   }
-  return farthest;
+  return found;
 }
 // [expansion]
 
@@ -111,11 +111,11 @@ rebuilt(Expansion<Real>& expansion, const Support& support, const Simplex<Real>&
     {
       const Vector3<Real> out =
           ways[static_cast<std::size_t>(way / 2)] * (way % 2 == 0 ? Real(1) : Real(-1));
-      const SupportPoint<Real> farthest = try_direction(expansion, support, out);
-      const bool higher = height_over(solid, farthest.point) > height_over(solid, highest.point);
-      highest = higher ? farthest : highest;
+      const SupportPoint<Real> found = try_direction(expansion, support, out);
+      const bool higher = height_over(solid, found.point) > height_over(solid, highest.point);
+      highest = higher ? found : highest;
     }
-    if (!(height_over(solid, highest.point) > expansion.slack))
+    if (!(height_over(solid, highest.point) > expansion.tolerance))
     {
       break;
     }
@@ -127,12 +127,13 @@ rebuilt(Expansion<Real>& expansion, const Support& support, const Simplex<Real>&
 
 /// An expansion that starts from what GJK left; without a face where the solid is flat.
 template <class Real, class Support>
-Expansion<Real> start_expansion(const Support& support, const Simplex<Real>& simplex, Real slack)
+Expansion<Real>
+start_expansion(const Support& support, const Simplex<Real>& simplex, Real tolerance)
 {
   Expansion<Real> expansion;
   expansion.normal = Vector3<Real>::UnitX();
-  expansion.farthest = simplex.points[0];
-  expansion.slack = slack;
+  expansion.found = simplex.points[0];
+  expansion.tolerance = tolerance;
   const Simplex<Real> solid = rebuilt(expansion, support, simplex);
   if (solid.size < 4)
   {
@@ -147,7 +148,7 @@ Expansion<Real> start_expansion(const Support& support, const Simplex<Real>& sim
   for (const std::array<int, 3>& corners :
        {std::array{0, i, j}, std::array{0, j, 3}, std::array{j, i, 3}, std::array{i, 0, 3}})
   {
-    add_face(polytope, corners, slack);
+    add_face(polytope, corners, tolerance);
   }
   return expansion;
 }

@@ -3,7 +3,7 @@
 /// and tries all ways to run them at all cases.
 
 #include "04_obb_manifolds/gjk_epa/gjk_epa.hpp"
-#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
+#include "04_obb_manifolds/box_oracles/trial/box_instances.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
 #include "04_obb_manifolds/gjk_epa/trial/gjk_epa_figures.hpp"
 #include "04_obb_manifolds/gjk_epa/trial/gjk_epa_verdicts.hpp"
@@ -30,10 +30,10 @@ std::string cell(double x)
 void print_steps()
 {
   const RelativeBoxes<double> boxes = relative_boxes(below, above);
-  const BoxDifference<double> support{boxes};
-  const double slack = rounding_slack(boxes);
-  const GjkAnswer<double> decision = gjk(support, boxes.offset, slack);
-  Expansion<double> expansion = start_expansion(support, decision.simplex, slack);
+  const MinkowskiDifference<double> support{boxes};
+  const double tolerance = rounding_tolerance(boxes);
+  const GjkAnswer<double> decision = gjk(support, boxes.offset, tolerance);
+  Expansion<double> expansion = start_expansion(support, decision.simplex, tolerance);
   Table table({"corners", "faces", "closest face", "best depth"});
   for (bool more = true; more;)
   {
@@ -59,8 +59,9 @@ void print_cases()
       continue;
     }
     const ConvexPair<double> solid = convex_pair(pair.a, pair.b);
-    const GjkAnswer<double> decision = gjk(solid.support, solid.start, slack_of(solid));
-    const int asked = decision.steps + epa(solid.support, decision.simplex, slack_of(solid)).steps;
+    const GjkAnswer<double> decision = gjk(solid.support, solid.start, tolerance_of(solid));
+    const int asked =
+        decision.steps + epa(solid.support, decision.simplex, tolerance_of(solid)).steps;
     const Vector3<double>&n = manifold->normal, &p = manifold->points[0].position;
     table.row(
         {pair.scene, cell(manifold->depth), std::to_string(asked), cell(n.x()), cell(n.y()),
@@ -83,7 +84,7 @@ int main(int argc, char** argv)
       {
         print_steps();
         print_cases();
-        save_figure(given, "gjk_epa_difference.svg", difference_grid().svg());
+        save_figure(given, "gjk_epa_minkowski_difference.svg", minkowski_grid().svg());
         save_figure(given, "gjk_epa.svg", polytope_steps(below, above).svg());
         save_figure(given, "gjk_epa_error.svg", excess_chart(2000).svg());
         save_figure(

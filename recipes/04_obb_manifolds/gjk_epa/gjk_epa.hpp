@@ -25,7 +25,7 @@ SupportPoint<Real> contact_on_ray(const Expansion<Real>& expansion)
 {
   const Polytope<Real>& polytope = expansion.polytope;
   const Vector3<Real> target = expansion.depth * expansion.normal;
-  SupportPoint<Real> contact = expansion.farthest;
+  SupportPoint<Real> contact = expansion.found;
   for (std::size_t f = 0; f < polytope.face_count; ++f)
   {
     const SupportPoint<Real>& p = polytope.corner(polytope.faces[f], 0);
@@ -36,9 +36,9 @@ SupportPoint<Real> contact_on_ray(const Expansion<Real>& expansion)
     const Vector3<Real> turns(turn(q, r), turn(r, p), turn(p, q));
     if (turns.sum() > Real(0))
     {
-      const Vector3<Real> share = turns / turns.sum();
+      const Vector3<Real> weights = turns / turns.sum();
       const auto mixed = [&](auto member) -> Vector3<Real>
-      { return share[0] * p.*member + share[1] * q.*member + share[2] * r.*member; };
+      { return weights[0] * p.*member + weights[1] * q.*member + weights[2] * r.*member; };
       const Vector3<Real> point = mixed(&SupportPoint<Real>::point);
       const bool closer = (point - target).squaredNorm() < (contact.point - target).squaredNorm();
       contact = closer ? SupportPoint<Real>{point, mixed(&SupportPoint<Real>::on_a)} : contact;
@@ -102,9 +102,9 @@ std::uint32_t met_features(const RelativeBoxes<Real>& boxes, const Vector3<Real>
   return digits + 1;
 }
 
-/// The manifold of two boxes by farthest points alone: the least overlap, and one contact point.
+/// The manifold of two boxes by support points alone: the least overlap, and one contact point.
 ///
-/// Nothing where they are apart; touching is an overlap of depth 0, and separates() is the judge
+/// Nothing where they are apart; touching is an overlap of depth 0, and separates() decides
 /// throughout. The point is midway between two points of the boxes that meet along the normal:
 /// where faces meet it is one of many, and which of equal normals comes out is chance, but the same
 /// on every run. Float computes in double. Distances and sums of half extents must be finite.
@@ -114,19 +114,19 @@ std::optional<Manifold<Real>> gjk_epa(const Obb<Real>& a, const Obb<Real>& b)
   using std::ldexp;
   const ScaledBoxes<Real> scaled(a, b);
   const RelativeBoxes<Wide<Real>>& boxes = scaled.boxes;
-  const Wide<Real> reach = boxes.half_a.sum() + boxes.half_b.sum();
-  if (!(boxes.offset.cwiseAbs().maxCoeff() <= reach))
+  const Wide<Real> extent = boxes.half_a.sum() + boxes.half_b.sum();
+  if (!(boxes.offset.cwiseAbs().maxCoeff() <= extent))
   {
     return std::nullopt;
   }
-  const BoxDifference<Wide<Real>> support{boxes};
-  const Wide<Real> slack = rounding_slack(boxes);
-  const GjkAnswer<Wide<Real>> decision = gjk(support, boxes.offset, slack);
+  const MinkowskiDifference<Wide<Real>> support{boxes};
+  const Wide<Real> tolerance = rounding_tolerance(boxes);
+  const GjkAnswer<Wide<Real>> decision = gjk(support, boxes.offset, tolerance);
   if (decision.apart)
   {
     return std::nullopt;
   }
-  const Expansion<Wide<Real>> closest = epa(support, decision.simplex, slack);
+  const Expansion<Wide<Real>> closest = epa(support, decision.simplex, tolerance);
   if (closest.depth < Wide<Real>(0))
   {
     return std::nullopt;

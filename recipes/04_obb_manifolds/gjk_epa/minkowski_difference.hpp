@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief All differences of a point of A and a point of B, by their farthest points alone.
+/// \brief All differences of a point of A and a point of B, by its support function alone.
 
 #include "02_primitives/boxes_overlap/box_axes.hpp"
 
@@ -9,7 +9,8 @@ namespace cookbook
 {
 
 // [support_point]
-/// The farthest point of the solid A ⊖ B along a direction, and the point of A that it came from.
+/// The support point of the Minkowski difference A ⊖ B along a direction, and the point of A that
+/// it came from.
 template <class Real>
 struct SupportPoint
 {
@@ -18,19 +19,19 @@ struct SupportPoint
 };
 // [support_point]
 
-// [box_difference]
+// [minkowski_difference]
 /// The corner of the box [−h, h] farthest along a direction; the positive one where it is level.
 template <class Real>
-Vector3<Real> farthest_corner(const Vector3<Real>& direction, const Vector3<Real>& half_extents)
+Vector3<Real> support_corner(const Vector3<Real>& direction, const Vector3<Real>& half_extents)
 {
   const auto side = [](Real x) { return x < Real(0) ? Real(-1) : Real(1); };
   return half_extents.cwiseProduct(direction.unaryExpr(side));
 }
 
 /// The solid A ⊖ B of two boxes in A's frame. Called with a direction of any length, it answers
-/// with its farthest point: A's farthest corner less B's in the opposite direction.
+/// with its support point: A's farthest corner less B's in the opposite direction.
 template <class Real>
-struct BoxDifference
+struct MinkowskiDifference
 {
   RelativeBoxes<Real> boxes; ///< both boxes
 
@@ -38,12 +39,12 @@ struct BoxDifference
   SupportPoint<Real> operator()(const Vector3<Real>& direction) const
   {
     const Vector3<Real> in_b = boxes.rotation.transpose() * -direction;
-    const Vector3<Real> on_a = farthest_corner(direction, boxes.half_a);
-    const Vector3<Real> on_b = boxes.offset + boxes.rotation * farthest_corner(in_b, boxes.half_b);
+    const Vector3<Real> on_a = support_corner(direction, boxes.half_a);
+    const Vector3<Real> on_b = boxes.offset + boxes.rotation * support_corner(in_b, boxes.half_b);
     return {on_a - on_b, on_a};
   }
 };
-// [box_difference]
+// [minkowski_difference]
 
 // [separates]
 /// Whether a direction separates: the solid's farthest point along it does not reach the origin.
@@ -51,9 +52,9 @@ struct BoxDifference
 /// The one place where touching and apart are told from each other. Any direction is fair: where
 /// it is a little off, the farthest point is the farthest along what it is.
 template <class Real>
-bool separates(const Vector3<Real>& farthest, const Vector3<Real>& direction)
+bool separates(const Vector3<Real>& found, const Vector3<Real>& direction)
 {
-  return farthest.dot(direction) < Real(0);
+  return found.dot(direction) < Real(0);
 }
 // [separates]
 

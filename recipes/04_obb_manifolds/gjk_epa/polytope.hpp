@@ -48,12 +48,12 @@ struct Polytope
 // [polytope]
 
 // [add_face]
-/// Adds a triangle with its plane; one thinner than `slack` [m] is flat and done.
+/// Adds a triangle with its plane; one thinner than `tolerance` [m] is flat and done.
 ///
 /// Its distance is that of the closest of the three corners: a normal that rounding has tilted then
 /// brings the face up for trial too early, never too late.
 template <class Real>
-void add_face(Polytope<Real>& polytope, const std::array<int, 3>& corners, Real slack)
+void add_face(Polytope<Real>& polytope, const std::array<int, 3>& corners, Real tolerance)
 {
   PolytopeFace<Real>& face = polytope.faces[polytope.face_count++];
   face.corners = corners;
@@ -63,7 +63,7 @@ void add_face(Polytope<Real>& polytope, const std::array<int, 3>& corners, Real 
   const Direction<Real> out = normalize<Real>((q - p).cross(r - p), Vector3<Real>::Zero());
   const Real longest =
       std::max({(q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm()});
-  face.done = out.length * out.length <= slack * slack * longest;
+  face.done = out.length * out.length <= tolerance * tolerance * longest;
   face.normal = face.done ? Vector3<Real>::Zero() : out.unit;
   face.distance = std::min({face.normal.dot(p), face.normal.dot(q), face.normal.dot(r)});
 }
@@ -97,23 +97,23 @@ struct Horizon
   }
 };
 
-/// Whether a point is more than `slack` [m] beyond a face.
+/// Whether a point is more than `tolerance` [m] beyond a face.
 template <class Real>
-bool sees(const Vector3<Real>& point, const PolytopeFace<Real>& face, Real slack)
+bool sees(const Vector3<Real>& point, const PolytopeFace<Real>& face, Real tolerance)
 {
-  return face.normal.dot(point) - face.distance > slack;
+  return face.normal.dot(point) - face.distance > tolerance;
 }
 
 /// Grows the polytope to hold a point: the faces that see it give way to a cone from it to the
 /// edges around them. False, and nothing done, where there is no room.
 template <class Real>
-bool add_corner(Polytope<Real>& polytope, const SupportPoint<Real>& corner, Real slack)
+bool add_corner(Polytope<Real>& polytope, const SupportPoint<Real>& corner, Real tolerance)
 {
   Horizon horizon;
   std::size_t seen = 0;
   for (std::size_t f = 0; f < polytope.face_count; ++f)
   {
-    if (!sees(corner.point, polytope.faces[f], slack))
+    if (!sees(corner.point, polytope.faces[f], tolerance))
     {
       continue;
     }
@@ -130,7 +130,7 @@ bool add_corner(Polytope<Real>& polytope, const SupportPoint<Real>& corner, Real
     return false;
   }
   const auto sees_it = [&](const PolytopeFace<Real>& face)
-  { return sees(corner.point, face, slack); };
+  { return sees(corner.point, face, tolerance); };
   const auto faces = polytope.faces.begin();
   polytope.face_count = static_cast<std::size_t>(
       std::remove_if(faces, faces + std::ptrdiff_t(polytope.face_count), sees_it) - faces);
@@ -138,7 +138,7 @@ bool add_corner(Polytope<Real>& polytope, const SupportPoint<Real>& corner, Real
   polytope.corners[polytope.corner_count++] = corner;
   for (std::size_t e = 0; e < horizon.count; ++e)
   {
-    add_face<Real>(polytope, {horizon.edges[e][0], horizon.edges[e][1], top}, slack);
+    add_face<Real>(polytope, {horizon.edges[e][0], horizon.edges[e][1], top}, tolerance);
   }
   return true;
 }

@@ -47,16 +47,16 @@ NearestPart<Real> nearest_of_segment(const Simplex<Real>& simplex, int i, int j)
 {
   const Vector3<Real>&p = simplex.at(i), &q = simplex.at(j);
   const Vector3<Real> along = q - p;
-  const Real share = -p.dot(along), whole = along.squaredNorm();
-  if (!(share > Real(0)))
+  const Real projection = -p.dot(along), whole = along.squaredNorm();
+  if (!(projection > Real(0)))
   {
     return {{i, i, i}, 1, p};
   }
-  if (!(share < whole))
+  if (!(projection < whole))
   {
     return {{j, j, j}, 1, q};
   }
-  return {{i, j, j}, 2, p + share / whole * along};
+  return {{i, j, j}, 2, p + projection / whole * along};
 }
 
 /// The part of a triangle: its inside, or the closest of the edges that have the origin beyond.

@@ -4,10 +4,10 @@
 
 #include "04_obb_manifolds/separating_axes/separating_axes.hpp"
 #include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
-#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
+#include "04_obb_manifolds/box_oracles/trial/box_instances.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
+#include "04_obb_manifolds/separating_axes/trial/projections_figure.hpp"
 #include "04_obb_manifolds/separating_axes/trial/separating_axes_figures.hpp"
-#include "04_obb_manifolds/separating_axes/trial/shadows_figure.hpp"
 #include "tools/program/program.hpp"
 #include "tools/program/table.hpp"
 
@@ -63,7 +63,7 @@ int main(int argc, char** argv)
       [](const Arguments& given)
       {
         print_cases();
-        save_figure(given, "separating_axes_shadows.svg", shadows_grid().svg());
+        save_figure(given, "separating_axes_projections.svg", projections_grid().svg());
         save_figure(given, "separating_axes.svg", axes_chart().svg());
         save_figure(given, "separating_axes_boxes.svg", ridges_figure().svg());
         save_figure(given, "separating_axes_tilt.svg", tilt_grid().svg());

@@ -11,15 +11,15 @@
 namespace cookbook
 {
 
-// [rounding_slack]
+// [rounding_tolerance]
 /// Lengths [m] of two boxes that differ by less than this may be equal but for rounding; O8.
 template <class Real>
-Real rounding_slack(const RelativeBoxes<Real>& boxes)
+Real rounding_tolerance(const RelativeBoxes<Real>& boxes)
 {
   return Real(32) * std::numeric_limits<Real>::epsilon() *
          (boxes.half_a.sum() + boxes.half_b.sum());
 }
-// [rounding_slack]
+// [rounding_tolerance]
 
 // [overlap_rounding]
 /// Two boxes seen from A as if no product in a sum were negative: what rounding grows with.
@@ -45,15 +45,15 @@ template <class Real>
 Real overlap_rounding(const RoundedTerms<Real>& terms, const AxisOverlap<Real>& along, int axis)
 {
   using std::sqrt;
-  const Real gaps = Real(8) * std::numeric_limits<Real>::epsilon();
+  const Real separations = Real(8) * std::numeric_limits<Real>::epsilon();
   switch (axis_kind(axis))
   {
   case AxisKind::face_of_a:
-    return gaps * terms.lengths[axis];
+    return separations * terms.lengths[axis];
   case AxisKind::face_of_b:
-    return gaps * terms.rotation.col(axis - 3).dot(terms.lengths);
+    return separations * terms.rotation.col(axis - 3).dot(terms.lengths);
   default:
-    return gaps * along.axis.cwiseAbs().dot(terms.lengths) / sqrt(along.squared_length);
+    return separations * along.axis.cwiseAbs().dot(terms.lengths) / sqrt(along.squared_length);
   }
 }
 // [overlap_rounding]
@@ -91,7 +91,7 @@ std::optional<LeastOverlap<Real>> least_overlap(const Obb<Real>& a, const Obb<Re
 {
   using std::sqrt;
   const RelativeBoxes<Real> boxes = relative_boxes(a, b);
-  const Real slack = rounding_slack(boxes);
+  const Real tolerance = rounding_tolerance(boxes);
   LeastOverlap<Real> least{Vector3<Real>::Zero(), std::numeric_limits<Real>::max(), -1};
   for (int axis = 0; axis < axes; ++axis)
   {
@@ -105,7 +105,8 @@ std::optional<LeastOverlap<Real>> least_overlap(const Obb<Real>& a, const Obb<Re
       return std::nullopt;
     }
     const Real depth = along.overlap / sqrt(along.squared_length), gain = least.depth - depth;
-    if (gain > slack || (gain > Real(0) && is_beyond_rounding(gain, a, b, boxes, axis, least.axis)))
+    if (gain > tolerance ||
+        (gain > Real(0) && is_beyond_rounding(gain, a, b, boxes, axis, least.axis)))
     {
       const Real sign = along.offset < Real(0) ? Real(-1) : Real(1);
       least = {sign * along.axis, depth, axis};
@@ -115,7 +116,8 @@ std::optional<LeastOverlap<Real>> least_overlap(const Obb<Real>& a, const Obb<Re
   return least;
 }
 
-/// Whether two boxes overlap, the way they part soonest, and how deep they are; O1, O5, O7.
+/// Whether two boxes overlap, the way of their minimum translation vector, and how deep they are;
+/// O1, O5, O7.
 ///
 /// Nothing where they are apart; touching is an overlap of depth 0. Overlaps that differ by less
 /// than their overlap_rounding() together are ties: the first axis of A's faces, B's faces, edges

@@ -8,9 +8,9 @@ namespace cookbook
 
 /// Which side of a face a point is on: 1 outside, 0 on it as far as rounding can tell, −1 inside.
 template <class Real>
-int side_of_face(Real distance, Real slack)
+int side_of_face(Real distance, Real tolerance)
 {
-  return distance > slack ? 1 : distance < -slack ? -1 : 0;
+  return distance > tolerance ? 1 : distance < -tolerance ? -1 : 0;
 }
 
 } // namespace cookbook

@@ -2,7 +2,7 @@
 /// \brief Holds stacks up by moving bodies: small steps against passes, soft contacts, the table.
 
 #include "05_resolution/position_based/position_based.hpp"
-#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
+#include "04_obb_manifolds/box_oracles/trial/box_instances.hpp"
 #include "05_resolution/position_based/trial/position_based_figures.hpp"
 #include "05_resolution/position_based/trial/position_based_pitfalls.hpp"
 #include "05_resolution/position_based/trial/position_based_scenes.hpp"

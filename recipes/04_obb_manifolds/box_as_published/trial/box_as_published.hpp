@@ -122,8 +122,8 @@ box_as_published(const Obb<Real>& a, const Obb<Real>& b, const PublishedFaults& 
     return std::nullopt;
   }
   const auto& [normal, depth, axis] = *least;
-  const Real reach = (a.axes.transpose() * normal).cwiseAbs().dot(a.half_extents);
-  const Real middle = normal.dot(a.center) + reach - depth / Real(2);
+  const Real radius = (a.axes.transpose() * normal).cwiseAbs().dot(a.half_extents);
+  const Real middle = normal.dot(a.center) + radius - depth / Real(2);
   PublishedPoints<Real> points = published_crossings(a, b, *least, faults.tests_points_bare);
   for (ContactPoint<Real>& point : points)
   {

@@ -17,14 +17,14 @@ namespace cookbook
 /// Which faults are in; all of them as published, each can be mended alone.
 struct PublishedFaults
 {
-  bool crosses_a_with_a = true;   ///< X08: cross products of A's axes with A's, none with B's
-  bool erases_negatives = true;   ///< X09: a component below 1e-6 becomes 0, so each negative one
-  bool casts_a_twice = true;      ///< X10: the yes-or-no test compares A's shadow with A's
-  bool measures_union = true;     ///< X11: depth as lengths of shadows less the whole they cover
-  bool turns_by_begin = true;     ///< X12: normal turned round where B's shadow begins first
-  bool drops_touching = true;     ///< X13: depth 0 is no contact
-  bool drops_short_axes = true;   ///< X14: cross products of squared length below 1e-3 left out
-  bool tests_points_bare = true;  ///< X15: points where edges pass planes, tested without tolerance
+  bool crosses_a_with_a = true;  ///< X08: cross products of A's axes with A's, none with B's
+  bool erases_negatives = true;  ///< X09: a component below 1e-6 becomes 0, so each negative one
+  bool casts_a_twice = true;     ///< X10: the yes-or-no test compares A's projection with A's
+  bool measures_union = true;    ///< X11: depth as lengths of projections less the whole they cover
+  bool turns_by_begin = true;    ///< X12: normal turned round where B's projection begins first
+  bool drops_touching = true;    ///< X13: depth 0 is no contact
+  bool drops_short_axes = true;  ///< X14: cross products of squared length below 1e-3 left out
+  bool tests_points_bare = true; ///< X15: points where edges pass planes, tested without tolerance
   bool merges_within_1_cm = true; ///< X16: points 1 cm apart are one, whatever the boxes' size
   bool forgets_features = true;   ///< X17: a point does not know what met there
 };
@@ -65,21 +65,22 @@ published_axes(const Obb<Real>& a, const Obb<Real>& b, const PublishedFaults& fa
 // [published_axes]
 
 // [published_overlap]
-/// The interval that a box's shadow covers along a unit vector.
+/// The interval that a box's projection covers along a unit vector.
 template <class Real>
-struct Shadow
+struct Projection
 {
   Real begin; ///< [m]
   Real end;   ///< [m]
 };
 
-/// A box's shadow, seen from a point.
+/// A box's projection, seen from a point.
 template <class Real>
-Shadow<Real> shadow(const Obb<Real>& box, const Vector3<Real>& from, const Vector3<Real>& unit)
+Projection<Real>
+projection(const Obb<Real>& box, const Vector3<Real>& from, const Vector3<Real>& unit)
 {
   const Real middle = unit.dot(box.center - from);
-  const Real reach = (box.axes.transpose() * unit).cwiseAbs().dot(box.half_extents);
-  return {middle - reach, middle + reach};
+  const Real radius = (box.axes.transpose() * unit).cwiseAbs().dot(box.half_extents);
+  return {middle - radius, middle + radius};
 }
 
 /// The published yes-or-no test; X08, X10.
@@ -93,27 +94,27 @@ bool overlap_as_published(
       axes.begin(), axes.end(),
       [&](const Vector3<Real>& axis)
       {
-        const Shadow<Real> of_a = shadow<Real>(a, a.center, axis);
-        const Shadow<Real> of_b = shadow<Real>(second, a.center, axis);
+        const Projection<Real> of_a = projection<Real>(a, a.center, axis);
+        const Projection<Real> of_b = projection<Real>(second, a.center, axis);
         return of_b.begin <= of_a.end && of_a.begin <= of_b.end;
       });
 }
 
-/// How far two shadows overlap, and the unit vector turned the way that is taken for A to B; X11,
-/// X12.
+/// How far two projections overlap, and the unit vector turned the way that is taken for A to B;
+/// X11, X12.
 template <class Real>
 LeastOverlap<Real> published_overlap(
     const Obb<Real>& a, const Obb<Real>& b, const Vector3<Real>& unit,
     const PublishedFaults& faults)
 {
-  const Shadow<Real> of_a = shadow(a, a.center, unit), of_b = shadow(b, a.center, unit);
+  const Projection<Real> of_a = projection(a, a.center, unit), of_b = projection(b, a.center, unit);
   const Real lengths = of_a.end - of_a.begin + of_b.end - of_b.begin;
   const Real whole = std::max(of_a.end, of_b.end) - std::min(of_a.begin, of_b.begin);
-  const Real way_out = std::min(of_a.end - of_b.begin, of_b.end - of_a.begin);
+  const Real mtv_length = std::min(of_a.end - of_b.begin, of_b.end - of_a.begin);
   const bool back = faults.turns_by_begin ? of_b.begin < of_a.begin
                                           : of_b.begin + of_b.end < of_a.begin + of_a.end;
   return {
-      back ? Vector3<Real>(-unit) : unit, faults.measures_union ? lengths - whole : way_out, -1};
+      back ? Vector3<Real>(-unit) : unit, faults.measures_union ? lengths - whole : mtv_length, -1};
 }
 
 /// The least of them; nothing where one is negative or, by X13, zero, or where the balls around the
@@ -122,8 +123,8 @@ template <class Real>
 std::optional<LeastOverlap<Real>>
 least_as_published(const Obb<Real>& a, const Obb<Real>& b, const PublishedFaults& faults = {})
 {
-  const Real reach = a.half_extents.norm() + b.half_extents.norm();
-  if ((b.center - a.center).squaredNorm() > reach * reach)
+  const Real radius = a.half_extents.norm() + b.half_extents.norm();
+  if ((b.center - a.center).squaredNorm() > radius * radius)
   {
     return std::nullopt;
   }

@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief Pairs of boxes with their truth, to judge the published code by.
+/// \brief Pairs of boxes with their truth, to test the published code against.
 
 #include "04_obb_manifolds/box_as_published/trial/box_as_published.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_overlap_truth.hpp"
@@ -14,7 +14,7 @@ namespace cookbook
 {
 
 /// A pair with its truth.
-struct JudgedPair
+struct CheckedPair
 {
   Obb<double> a, b;                    ///< axes orthonormal to double's rounding
   double depth;                        ///< [m], less than zero where apart
@@ -23,9 +23,9 @@ struct JudgedPair
 };
 
 /// The pair with the points of the mended code, or without points.
-inline JudgedPair judged(const Obb<double>& a, const Obb<double>& b, double depth, bool asked)
+inline CheckedPair judged(const Obb<double>& a, const Obb<double>& b, double depth, bool asked)
 {
-  JudgedPair pair{a, b, depth, Vector3<double>::Zero(), {}};
+  CheckedPair pair{a, b, depth, Vector3<double>::Zero(), {}};
   if (asked)
   {
     const auto mended = box_as_published(a, b, no_faults).value();
@@ -40,9 +40,9 @@ inline JudgedPair judged(const Obb<double>& a, const Obb<double>& b, double dept
 
 /// Boxes of metres, boxes that rest, and boxes of millimetres, a third each, without pairs that
 /// rounding could decide; points are asked for of every eighth.
-inline std::vector<JudgedPair> judged_pairs(std::size_t count)
+inline std::vector<CheckedPair> checked_pairs(std::size_t count)
 {
-  std::vector<JudgedPair> pairs;
+  std::vector<CheckedPair> pairs;
   for (const char* const name : {"random", "resting", "millimetres"})
   {
     for (const auto& [float_a, float_b] : box_workload(name, count / 3).pairs)
@@ -60,15 +60,15 @@ inline std::vector<JudgedPair> judged_pairs(std::size_t count)
 
 /// Whether a mended point has none within a fiftieth of the boxes' size, seen along the normal.
 inline bool
-lacks_point(const JudgedPair& pair, const Manifold<double, most_published_points>& found)
+lacks_point(const CheckedPair& pair, const Manifold<double, most_published_points>& found)
 {
-  const double near = pair_size(pair.a, pair.b) / 50;
+  const double close_by = pair_size(pair.a, pair.b) / 50;
   const auto has = [&](const Vector3<double>& point)
   {
     return std::any_of(
         found.points.begin(), found.points.end(),
         [&](const ContactPoint<double>& other)
-        { return (other.position - point).cross(pair.normal).norm() <= near; });
+        { return (other.position - point).cross(pair.normal).norm() <= close_by; });
   };
   return !std::all_of(pair.points.begin(), pair.points.end(), has);
 }

@@ -62,7 +62,7 @@ struct FaultCounts
 
 /// Counts what is wrong about the overlap of a pair that overlaps.
 inline void
-count_overlap(const JudgedPair& pair, const PublishedFaults& faults, FaultCounts& counts)
+count_overlap(const CheckedPair& pair, const PublishedFaults& faults, FaultCounts& counts)
 {
   const auto found = least_as_published(pair.a, pair.b, faults);
   ++counts.overlapping;
@@ -82,11 +82,12 @@ count_overlap(const JudgedPair& pair, const PublishedFaults& faults, FaultCounts
 }
 
 /// Counts what a variant gets wrong; X10 is a fault of the yes-or-no test and counts there alone.
-inline FaultCounts count_faults(const std::vector<JudgedPair>& pairs, const PublishedFaults& faults)
+inline FaultCounts
+count_faults(const std::vector<CheckedPair>& pairs, const PublishedFaults& faults)
 {
   FaultCounts counts;
   const bool yes_or_no = faults.casts_a_twice && !faults.drops_touching;
-  for (const JudgedPair& pair : pairs)
+  for (const CheckedPair& pair : pairs)
   {
     if (pair.depth >= 0)
     {

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Times and checks every method on the reader's own pairs of boxes.
 
-#include "04_obb_manifolds/box_judges/trial/method_times.hpp"
+#include "04_obb_manifolds/box_oracles/trial/method_times.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
 #include "tools/files/whole_file.hpp"
 

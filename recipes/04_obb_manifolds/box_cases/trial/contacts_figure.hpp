@@ -55,11 +55,11 @@ plot::Figure3d contacts_figure(
   {
     // To the right of both boxes, as the camera sees them.
     const Vector3<double> right(std::cos(camera.yaw), 0, -std::sin(camera.yaw));
-    const auto reach = [&right](const Obb<double>& box) {
+    const auto half_width = [&right](const Obb<double>& box) {
       return box.center.dot(right) +
              box.half_extents.dot((box.axes.transpose() * right).cwiseAbs());
     };
-    const double beside = std::max(reach(scene.a), reach(scene.b)) + 0.2;
+    const double beside = std::max(half_width(scene.a), half_width(scene.b)) + 0.2;
     const Vector3<double> half = manifold.normal * deepest->depth / 2;
     const Vector3<double> out = (beside - deepest->position.dot(right)) * right;
     for (const Vector3<double>& end : {half, Vector3<double>(-half)})

@@ -4,7 +4,7 @@
 /// \brief Contenders of the chart that are more than a function of two boxes: the batch, and the
 /// recipe with a memory.
 
-#include "04_obb_manifolds/box_judges/trial/timed_methods.hpp"
+#include "04_obb_manifolds/box_oracles/trial/timed_methods.hpp"
 #include "04_obb_manifolds/box_pairs/box_pairs.hpp"
 #include "04_obb_manifolds/feature_memory/feature_memory.hpp"
 #include "common/simd/registers.hpp"

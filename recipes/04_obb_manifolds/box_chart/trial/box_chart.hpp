@@ -3,7 +3,7 @@
 /// \file
 /// \brief What the chart of methods for two boxes says in words and tables.
 
-#include "04_obb_manifolds/box_judges/trial/method_times.hpp"
+#include "04_obb_manifolds/box_oracles/trial/method_times.hpp"
 
 #include <cmath>
 #include <string>
@@ -59,7 +59,7 @@ struct MeasuredShare
   double peak_ns; ///< [ns], of one operation at the peak
 };
 
-/// Operations a second, and as a share of the peak.
+/// Operations a second, and as a fraction of the peak.
 inline std::string shares_html(const std::vector<MeasuredShare>& shares)
 {
   Cells cells{

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Other libraries as contenders: those that are installed.
 
-#include "04_obb_manifolds/box_judges/trial/timed_methods.hpp"
+#include "04_obb_manifolds/box_oracles/trial/timed_methods.hpp"
 #if defined(COOKBOOK_HAS_ODE)
 #include "04_obb_manifolds/box_chart/trial/box_peer_ode.hpp"
 #endif

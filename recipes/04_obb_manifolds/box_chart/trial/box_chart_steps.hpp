@@ -24,7 +24,8 @@ inline float depth_in_rows(const Obb<float>& a, const Obb<float>& b)
   const LeastFace<float> face = least_face(
       face_overlaps(boxes.half_a, boxes.columns, boxes.half_b, boxes.offset_a),
       face_overlaps(boxes.half_b, boxes.rows, boxes.half_a, boxes.offset_b));
-  const LeastEdge<float> edge = least_edge(edges, edge_bar(boxes, face.depth, tolerances_of(a, b)));
+  const LeastEdge<float> edge =
+      least_edge(edges, edge_threshold(boxes, face.depth, tolerances_of(a, b)));
   return edge.found() ? std::sqrt(edge.squared_depth) : face.depth;
 }
 

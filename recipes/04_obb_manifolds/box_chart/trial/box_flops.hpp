@@ -123,7 +123,7 @@ inline BoxFlops box_flops(const Obb<float>& in_float, const Obb<float>& other_in
   }
   const Tolerances<Counted> tolerances = tolerances_of(a, b);
   const LeastFace<Counted> face = least_face(face_a, face_b);
-  const LeastEdge<Counted> edge = least_edge(edges, edge_bar(boxes, face.depth, tolerances));
+  const LeastEdge<Counted> edge = least_edge(edges, edge_threshold(boxes, face.depth, tolerances));
   // Either contact takes as many operations on one axis as on any other.
   const auto first = which(Counted(0));
   if (any(edge.found()))
@@ -134,7 +134,8 @@ inline BoxFlops box_flops(const Obb<float>& in_float, const Obb<float>& other_in
   else
   {
     face_contact(
-        a, b, boxes.rows, boxes.offset_a, first, kept_gap(face, tolerances), tolerances.hair);
+        a, b, boxes.rows, boxes.offset_a, first, kept_separation(face, tolerances),
+        tolerances.length);
   }
   return {overlaps, Counted::flops};
 }

@@ -6,7 +6,7 @@
 #include "04_obb_manifolds/box_as_published/trial/box_as_published.hpp"
 #include "04_obb_manifolds/box_box/box_box.hpp"
 #include "04_obb_manifolds/box_failures/trial/box_pitfalls.hpp"
-#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
+#include "04_obb_manifolds/box_oracles/trial/box_instances.hpp"
 #include "04_obb_manifolds/box_pairs/box_pairs.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_overlap_truth.hpp"
 #include "04_obb_manifolds/face_clipping/face_clipping.hpp"
@@ -31,7 +31,8 @@ std::vector<BoxMethod> axis_methods()
           "unnormalized_axes",
           [](const auto& a, const auto& b) { return unnormalized_axes(a, b); }),
       box_method(
-          "short_reach_axes", [](const auto& a, const auto& b) { return short_reach_axes(a, b); }),
+          "short_radius_axes",
+          [](const auto& a, const auto& b) { return short_radius_axes(a, b); }),
       box_method("union_depth", [](const auto& a, const auto& b) { return union_depth(a, b); })};
 }
 
@@ -52,7 +53,7 @@ BoxMethod batch_method()
   return method;
 }
 
-/// The methods that are judged by their depth and by their points, compiled once for both.
+/// The methods that are checked by their depth and by their points, compiled once for both.
 struct WholeAnswers
 {
   BoxMethod as_published = box_method(
@@ -110,15 +111,15 @@ std::vector<BoxMethod> point_methods(const WholeAnswers& whole)
       whole.batch};
 }
 
-/// A row of the verdicts that `judge` passes on each method.
-template <class Judge>
-VerdictRow
-row_of(const VerdictPart& part, const std::string& id, const std::string& scene, const Judge& judge)
+/// A row of the verdicts that `oracle` gives for each method.
+template <class Oracle>
+VerdictRow row_of(
+    const VerdictPart& part, const std::string& id, const std::string& scene, const Oracle& oracle)
 {
   VerdictRow row{id, scene, {}};
   for (const BoxMethod& method : part.methods)
   {
-    row.verdicts.push_back(judge(method));
+    row.verdicts.push_back(oracle(method));
   }
   return row;
 }

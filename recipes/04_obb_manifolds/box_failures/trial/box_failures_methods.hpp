@@ -11,7 +11,7 @@
 namespace cookbook
 {
 
-/// One part of the table: methods that are judged in the same way.
+/// One part of the table: methods that are checked in the same way.
 struct VerdictPart
 {
   std::string name;                                                    ///< of its figure
@@ -46,10 +46,10 @@ inline Verdict verdict_on_decisions(const BoxMethod& method, bool needs_points)
   {
     BoxCase pair{"K4", "", draw.next(), draw.next(), 0, {0, 0, 0}, {}};
     pair.numbers = BoxNumbers::in_float;
-    const double gap = largest_gap(pair.a, pair.b);
+    const double separation = largest_separation(pair.a, pair.b);
     const std::optional<BoxAnswer> answer = method.answer(pair);
     const bool touching = answer && (!needs_points || !answer->points.empty());
-    wrong += std::abs(gap) > 1e-4 && touching != (gap < 0) ? 1 : 0;
+    wrong += std::abs(separation) > 1e-4 && touching != (separation < 0) ? 1 : 0;
   }
   return {wrong == 0, wrong == 0 ? "none wrong" : std::to_string(wrong) + " wrong"};
 }

@@ -68,18 +68,19 @@ std::optional<LeastOverlap<Real>> unnormalized_axes(const Obb<Real>& a, const Ob
 }
 // [unnormalized_axes]
 
-// [short_reach]
-/// B's reach along a_i × b_j as two entries of |C|, the short form of O3, right in exact numbers.
+// [short_radius]
+/// B's projected radius along a_i × b_j as two entries of |C|, the short form of O3, right in exact
+/// numbers.
 template <class Real>
-Real short_reach_of_b(const RelativeBoxes<Real>& boxes, int i, int j)
+Real short_radius_of_b(const RelativeBoxes<Real>& boxes, int i, int j)
 {
   const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
   return boxes.half_b[j1] * boxes.absolute(i, j2) + boxes.half_b[j2] * boxes.absolute(i, j1);
 }
 
-/// The same fifteen axes with B's reach in the short form.
+/// The same fifteen axes with B's projected radius in the short form.
 template <class Real>
-std::optional<LeastOverlap<Real>> short_reach_axes(const Obb<Real>& a, const Obb<Real>& b)
+std::optional<LeastOverlap<Real>> short_radius_axes(const Obb<Real>& a, const Obb<Real>& b)
 {
   return least_depth(
       a, b,
@@ -92,15 +93,16 @@ std::optional<LeastOverlap<Real>> short_reach_axes(const Obb<Real>& a, const Obb
           return {towards_b(along), along.overlap, axis};
         }
         const int i = (axis - 6) / 3, j = (axis - 6) % 3;
-        const Real reach = along.axis.cwiseAbs().dot(boxes.half_a) + short_reach_of_b(boxes, i, j);
-        return {towards_b(along), (reach - std::abs(along.offset)) / length, axis};
+        const Real radius =
+            along.axis.cwiseAbs().dot(boxes.half_a) + short_radius_of_b(boxes, i, j);
+        return {towards_b(along), (radius - std::abs(along.offset)) / length, axis};
       });
 }
-// [short_reach]
+// [short_radius]
 
 // [union_depth]
-/// Takes for the overlap of two shadows the sum of their lengths less that of the whole they cover,
-/// turns the normal to where the shadow begins later, and does not count touching.
+/// Takes for the overlap of two projections the sum of their lengths less that of the whole they
+/// cover, turns the normal to where the projection begins later, and does not count touching.
 template <class Real>
 std::optional<LeastOverlap<Real>> union_depth(const Obb<Real>& a, const Obb<Real>& b)
 {
@@ -110,13 +112,13 @@ std::optional<LeastOverlap<Real>> union_depth(const Obb<Real>& a, const Obb<Real
       {
         const AxisOverlap<Real> along = axis_overlap(boxes, axis);
         const Vector3<Real> unit = along.axis / std::sqrt(along.squared_length);
-        const Real reach_a = unit.cwiseAbs().dot(boxes.half_a);
-        const Real reach_b = (boxes.rotation.transpose() * unit).cwiseAbs().dot(boxes.half_b);
+        const Real radius_a = unit.cwiseAbs().dot(boxes.half_a);
+        const Real radius_b = (boxes.rotation.transpose() * unit).cwiseAbs().dot(boxes.half_b);
         const Real middle_b = boxes.offset.dot(unit);
-        const Real begin = std::min(-reach_a, middle_b - reach_b);
-        const Real end = std::max(reach_a, middle_b + reach_b);
-        const Real depth = Real(2) * reach_a + Real(2) * reach_b - (end - begin);
-        const Real sign = middle_b - reach_b < -reach_a ? Real(-1) : Real(1);
+        const Real begin = std::min(-radius_a, middle_b - radius_b);
+        const Real end = std::max(radius_a, middle_b + radius_b);
+        const Real depth = Real(2) * radius_a + Real(2) * radius_b - (end - begin);
+        const Real sign = middle_b - radius_b < -radius_a ? Real(-1) : Real(1);
         return {sign * unit, depth > Real(0) ? depth : Real(-1), axis};
       });
 }

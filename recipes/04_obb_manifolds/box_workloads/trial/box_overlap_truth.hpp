@@ -22,7 +22,7 @@ using Truer = std::conditional_t<std::is_same_v<Real, float>, double, long doubl
 ///
 /// Axes of float are at right angles and of length one only to about 1e-7. The truth takes them as
 /// they are: a box is all points c + Σ xᵢ aᵢ with |xᵢ| ≤ hᵢ, skewed by that little. Its edges run
-/// along its axes; its faces are square to the cross products of two of them.
+/// along its axes; its faces are perpendicular to the cross products of two of them.
 template <class To, class From>
 Obb<To> box_in(const Obb<From>& box)
 {
@@ -56,9 +56,9 @@ Real pair_size(const Obb<Real>& a, const Obb<Real>& b)
 template <class Real>
 Real overlap_along(const Obb<Real>& a, const Obb<Real>& b, const Vector3<Real>& normal)
 {
-  const Real reach_a = (a.axes.transpose() * normal).cwiseAbs().dot(a.half_extents);
-  const Real reach_b = (b.axes.transpose() * normal).cwiseAbs().dot(b.half_extents);
-  return reach_a + reach_b - normal.dot(b.center - a.center);
+  const Real radius_a = (a.axes.transpose() * normal).cwiseAbs().dot(a.half_extents);
+  const Real radius_b = (b.axes.transpose() * normal).cwiseAbs().dot(b.half_extents);
+  return radius_a + radius_b - normal.dot(b.center - a.center);
 }
 // [overlap_along]
 

@@ -49,8 +49,8 @@ inline BoxContents contents(const BoxWorkload& workload)
     if (depth >= 0)
     {
       contents.depths.push_back(depth / pair_size(a, b));
-      const double hair = 1e-6 * pair_size(a, b);
-      contents.edges += depth < least_along_faces(a, b) - hair ? 1 : 0;
+      const double tolerance = 1e-6 * pair_size(a, b);
+      contents.edges += depth < least_along_faces(a, b) - tolerance ? 1 : 0;
     }
   }
   return contents;

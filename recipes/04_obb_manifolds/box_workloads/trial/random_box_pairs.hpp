@@ -10,13 +10,13 @@
 namespace cookbook
 {
 
-/// Two boxes of any size within a factor of four, turned anyhow, centres up to `reach` [m] apart
+/// Two boxes of any size within a factor of four, turned anyhow, centres up to `range` [m] apart
 /// along each axis of the world.
-inline BoxPair<double> random_boxes(BoxDraw& draw, double reach)
+inline BoxPair<double> random_boxes(BoxDraw& draw, double range)
 {
   const Matrix3<double> axes_a = draw.rotation(), axes_b = draw.rotation();
   const Vector3<double> half_a = draw.vector(0.25, 1), half_b = draw.vector(0.25, 1);
-  return {{{0, 0, 0}, axes_a, half_a}, {draw.vector(-reach, reach), axes_b, half_b}};
+  return {{{0, 0, 0}, axes_a, half_a}, {draw.vector(-range, range), axes_b, half_b}};
 }
 
 /// The same with axes that differ by a turn of 2⁻²⁶ to 2⁻⁷ rad, and by their labels.
@@ -30,7 +30,7 @@ inline BoxPair<double> near_parallel_boxes(BoxDraw& draw)
 
 // [resting]
 /// B's face on A's, turned about the height anyhow, tilted by up to 1e-4 rad, its middle above A's
-/// face; `flat` is the largest share of the longest half extent that the height has.
+/// face; `flat` is the largest fraction of the longest half extent that the height has.
 inline BoxPair<double> resting_boxes(BoxDraw& draw, double flat, double deepest)
 {
   Vector3<double> half_a = draw.vector(0.35, 1), half_b = draw.vector(0.35, 1);
@@ -69,8 +69,8 @@ inline BoxPair<double> crossed_edges(BoxDraw& draw)
   Obb<double> b = ridge(draw.side() * draw.between(0.3, 1));
   const auto edge = [&](const Obb<double>& box, double up) -> Vector3<double>
   {
-    const Vector3<double> share(draw.between(-0.8, 0.8), up, -up);
-    return box.axes * share.cwiseProduct(box.half_extents);
+    const Vector3<double> fraction(draw.between(-0.8, 0.8), up, -up);
+    return box.axes * fraction.cwiseProduct(box.half_extents);
   };
   const double size = std::max(a.half_extents.maxCoeff(), b.half_extents.maxCoeff());
   const Vector3<double> sunk(0, draw.between(0.001, 0.01) * size, 0);

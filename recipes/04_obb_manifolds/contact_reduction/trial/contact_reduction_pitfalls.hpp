@@ -16,7 +16,7 @@ Manifold<Real, most_kept> four_deepest(const Manifold<Real, Capacity>& manifold)
   Keeping<Real, Capacity> few = keeping(manifold);
   for (std::size_t i = most_kept; i > 0 && manifold.points.size() > most_kept; --i)
   {
-    few.keep(few.slack, [](const ContactPoint<Real>& point) { return point.depth; });
+    few.keep(few.tolerance, [](const ContactPoint<Real>& point) { return point.depth; });
   }
   return few.result();
 }

@@ -53,7 +53,7 @@ inline std::vector<Corner> convex_hull(std::vector<Corner> corners)
   return hull;
 }
 
-/// A point as seen along the normal: its coordinates along two directions square to it.
+/// A point as seen along the normal: its coordinates along two directions perpendicular to it.
 inline Corner seen_along(const Vector3<double>& normal, const Vector3<double>& point)
 {
   int least = 0;
@@ -132,7 +132,8 @@ inline Manifold<double> turned_squares(double yaw, double leaning)
   Manifold<double> manifold{{0, 1, 0}, 0, {}};
   for (int side = 0; side < 8; ++side)
   {
-    // Sides lie square to 0, yaw, 90°, 90° + yaw, …: a corner is halfway from one to the next.
+    // Sides lie perpendicular to 0, yaw, 90°, 90° + yaw, …: a corner is halfway from one to the
+    // next.
     const double turn = side % 2 == 0 ? yaw : quarter - yaw;
     const double middle = quarter * (side / 2) + (side % 2 == 0 ? yaw / 2 : (yaw + quarter) / 2);
     const double out = 1 / std::cos(turn / 2);

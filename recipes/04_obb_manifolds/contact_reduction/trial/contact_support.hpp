@@ -40,7 +40,7 @@ widest_over(const Keeping<Real, Capacity>& few, const Vector3<Real>& p, const Ve
     for (std::size_t j = i + 1; j < points.size(); ++j)
     {
       const Vector3<Real>&q = points[i].position, &r = points[j].position;
-      const Real tie = few.slack * (q - p).norm();
+      const Real tie = few.tolerance * (q - p).norm();
       const Real now = abs(doubled_area(normal, p, q, r));
       if (now > most + tie && is_over(center, normal, p, q, r))
       {
@@ -67,7 +67,7 @@ reduced_over(const Manifold<Real, Capacity>& manifold, const Vector3<Real>& cent
     return few.result();
   }
   const Vector3<Real> p =
-      few.keep(few.slack, [](const ContactPoint<Real>& point) { return point.depth; });
+      few.keep(few.tolerance, [](const ContactPoint<Real>& point) { return point.depth; });
   const auto widest = widest_over(few, p, center);
   if (!widest)
   {

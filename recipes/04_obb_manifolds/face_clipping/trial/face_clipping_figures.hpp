@@ -76,7 +76,7 @@ inline plot::Figure2d cut_figure(
 
 /// What is left, with its depths; corners with a gap too wide are not marked as contact points.
 inline plot::Figure2d depths_figure(
-    const FacePolygon<double>& polygon, const BoxFace<double>& reference, double widest_gap)
+    const FacePolygon<double>& polygon, const BoxFace<double>& reference, double widest_separation)
 {
   plot::Figure2d figure = reference_figure(reference, "depths at the corners [m]");
   figure.polygon(flat(polygon), plot::Ink::b);
@@ -85,7 +85,7 @@ inline plot::Figure2d depths_figure(
   {
     const Eigen::Vector2d at = corner.point.head<2>();
     const std::string text = number(std::round(corner.point.z() * -1e3) * 1e-3);
-    corner.point.z() <= widest_gap
+    corner.point.z() <= widest_separation
         ? figure.point(at).label(at, text, plot::Side::automatic, plot::Ink::overlap)
         : figure.dot(at, plot::Ink::muted, text);
   }
@@ -106,11 +106,11 @@ inline std::string clip_figure(const BoxScene& scene)
   grid.add(start.polygon(flat(polygon), plot::Ink::b));
   for (int side = 0; side < 4; ++side)
   {
-    const FacePolygon<double> inside = cut_at_side(polygon, reference, side, boxes.slack);
+    const FacePolygon<double> inside = cut_at_side(polygon, reference, side, boxes.tolerance);
     grid.add(cut_figure(polygon, inside, reference, side));
     polygon = inside;
   }
-  return grid.add(depths_figure(polygon, reference, boxes.widest_gap)).svg();
+  return grid.add(depths_figure(polygon, reference, boxes.widest_separation)).svg();
 }
 
 /// The three scenes, with normal, depth and points.

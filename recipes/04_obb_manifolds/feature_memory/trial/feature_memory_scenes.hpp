@@ -143,10 +143,10 @@ inline void count(
 {
   for (std::size_t i = 0; i < now.points.size(); ++i)
   {
-    const bool near = was[i] && (*was[i] - now.points[i].position).norm() < 0.01;
+    const bool close_by = was[i] && (*was[i] - now.points[i].position).norm() < 0.01;
     all.points += 1;
-    all.right += near ? 1 : 0;
-    all.wrong += was[i] && !near ? 1 : 0;
+    all.right += close_by ? 1 : 0;
+    all.wrong += was[i] && !close_by ? 1 : 0;
   }
 }
 

@@ -44,10 +44,10 @@ Persistence known_by_feature(const Frames& frames, const Answer& answer)
           before.begin(), before.end(),
           [&](const ContactPoint<double>& old) { return old.feature == point.feature; });
       const bool known = same != before.end();
-      const bool near = known && (same->position - point.position).norm() < 0.01;
+      const bool close_by = known && (same->position - point.position).norm() < 0.01;
       all.points += first ? 0 : 1;
-      all.right += near ? 1 : 0;
-      all.wrong += known && !near ? 1 : 0;
+      all.right += close_by ? 1 : 0;
+      all.wrong += known && !close_by ? 1 : 0;
     }
     before = now;
   }

@@ -21,14 +21,14 @@ namespace cookbook
 template <class Real>
 struct ConvexPair
 {
-  std::function<SupportPoint<Real>(const Vector3<Real>&)> support; ///< farthest point of A ⊖ B
+  std::function<SupportPoint<Real>(const Vector3<Real>&)> support; ///< support point of A ⊖ B
   Vector3<Real> start;                                             ///< a direction, of any length
   Real size; ///< [m], no point of A or B is farther from its centre; the two added up
 };
 
 /// What rounding may make of lengths as large as a pair [m].
 template <class Real>
-Real slack_of(const ConvexPair<Real>& pair)
+Real tolerance_of(const ConvexPair<Real>& pair)
 {
   return Real(32) * std::numeric_limits<Real>::epsilon() * pair.size;
 }
@@ -38,34 +38,34 @@ template <class Real>
 ConvexPair<Real> convex_pair(const Obb<Real>& a, const Obb<Real>& b)
 {
   const RelativeBoxes<Real> boxes = relative_boxes(a, b);
-  return {BoxDifference<Real>{boxes}, boxes.offset, boxes.half_a.sum() + boxes.half_b.sum()};
+  return {MinkowskiDifference<Real>{boxes}, boxes.offset, boxes.half_a.sum() + boxes.half_b.sum()};
 }
 
 /// The point of a box farthest along a direction; world.
 template <class Real>
-Vector3<Real> farthest_of(const Obb<Real>& box, const Vector3<Real>& direction)
+Vector3<Real> support_of(const Obb<Real>& box, const Vector3<Real>& direction)
 {
   const Vector3<Real> in_box = box.axes.transpose() * direction;
-  return box.center + box.axes * farthest_corner(in_box, box.half_extents);
+  return box.center + box.axes * support_corner(in_box, box.half_extents);
 }
 
 /// The point of a capsule farthest along a direction; world.
 template <class Real>
-Vector3<Real> farthest_of(const Capsule<Real>& capsule, const Vector3<Real>& direction)
+Vector3<Real> support_of(const Capsule<Real>& capsule, const Vector3<Real>& direction)
 {
   const Vector3<Real>&p = capsule.segment.start, &q = capsule.segment.end;
   const Vector3<Real> round = capsule.radius * normalize(direction).unit;
   return round + (direction.dot(p) < direction.dot(q) ? q : p);
 }
 
-/// Any two shapes whose farthest points are known, in the world; `size` as in ConvexPair.
+/// Any two shapes whose support functions are known, in the world; `size` as in ConvexPair.
 template <class Real, class A, class B>
 ConvexPair<Real> convex_pair(const A& a, const B& b, Real size)
 {
   const auto support = [=](const Vector3<Real>& direction) -> SupportPoint<Real>
   {
-    const Vector3<Real> on_a = farthest_of(a, direction);
-    return {on_a - farthest_of<Real>(b, -direction), on_a};
+    const Vector3<Real> on_a = support_of(a, direction);
+    return {on_a - support_of<Real>(b, -direction), on_a};
   };
   return {support, Vector3<Real>::UnitX(), size};
 }
@@ -141,19 +141,19 @@ private:
 };
 
 /// The largest gap of the fifteen axes [m]; negative where boxes overlap, and then less the depth.
-inline double largest_gap(const Obb<double>& a, const Obb<double>& b)
+inline double largest_separation(const Obb<double>& a, const Obb<double>& b)
 {
   const RelativeBoxes<double> boxes = relative_boxes(a, b);
-  double gap = -std::numeric_limits<double>::max();
+  double separation = -std::numeric_limits<double>::max();
   for (int axis = 0; axis < box_axes; ++axis)
   {
     const AxisOverlap<double> along = axis_overlap(boxes, axis);
     if (!from_parallel_edges(along))
     {
-      gap = std::max(gap, -along.overlap / std::sqrt(along.squared_length));
+      separation = std::max(separation, -along.overlap / std::sqrt(along.squared_length));
     }
   }
-  return gap;
+  return separation;
 }
 
 } // namespace cookbook

@@ -22,7 +22,7 @@ namespace cookbook
 {
 
 /// Draws two boxes seen along z, and beside them their solid A ⊖ B about the origin.
-inline void add_difference(
+inline void add_minkowski_difference(
     plot::Grid& grid, const Obb<double>& a, const Obb<double>& b, double turn_b,
     const std::string& title, const std::string& solid_title)
 {
@@ -33,7 +33,7 @@ inline void add_difference(
       .dot(plane(a.center), plot::Ink::a, "A")
       .dot(plane(b.center), plot::Ink::b, "B");
   // Midway between two neighbouring edge normals the farthest point is a corner.
-  const BoxDifference<double> support{relative_boxes(a, b)};
+  const MinkowskiDifference<double> support{relative_boxes(a, b)};
   std::vector<Eigen::Vector2d> corners;
   for (int eighth = 0; eighth < 8; ++eighth)
   {
@@ -52,17 +52,17 @@ inline void add_difference(
 }
 
 /// Two boxes apart and overlapping: their solid holds the origin only where they overlap; O18.
-inline plot::Grid difference_grid()
+inline plot::Grid minkowski_grid()
 {
   const Obb<double> a = upright({0, 0, 0}, {0.7, 0.5, 2});
   const double turn = 0.6;
   const auto b = [turn](double x, double y) {
     return Obb<double>{{x, y, 0}, turned(turn, {0, 0, 1}), {0.6, 0.4, 2}};
   };
-  plot::Grid grid("gjk_epa_difference", "", 2);
+  plot::Grid grid("gjk_epa_minkowski_difference", "", 2);
   grid.describe("Two boxes and the solid of their differences, apart and overlapping.");
-  add_difference(grid, a, b(1.7, 0.3), turn, "Apart", "0 is outside");
-  add_difference(grid, a, b(0.7, 0.3), turn, "Overlapping", "0 is inside");
+  add_minkowski_difference(grid, a, b(1.7, 0.3), turn, "Apart", "0 is outside");
+  add_minkowski_difference(grid, a, b(0.7, 0.3), turn, "Overlapping", "0 is inside");
   return grid;
 }
 
@@ -75,7 +75,7 @@ inline void draw_solid(plot::Figure3d& figure, const RelativeBoxes<double>& boxe
     edges.push_back(boxes.half_a[i] * Vector3<double>::Unit(i));
     edges.push_back(boxes.half_b[i] * boxes.rotation.col(i));
   }
-  const BoxDifference<double> support{boxes};
+  const MinkowskiDifference<double> support{boxes};
   for (std::size_t j = 0; j < edges.size(); ++j)
   {
     for (std::size_t i = 0; i < j; ++i)
@@ -124,10 +124,10 @@ inline plot::Figure3d polytope_figure(
 inline plot::Grid polytope_steps(const Obb<double>& a, const Obb<double>& b)
 {
   const RelativeBoxes<double> boxes = relative_boxes(a, b);
-  const BoxDifference<double> support{boxes};
-  const double slack = rounding_slack(boxes);
+  const MinkowskiDifference<double> support{boxes};
+  const double tolerance = rounding_tolerance(boxes);
   Expansion<double> expansion =
-      start_expansion(support, gjk(support, boxes.offset, slack).simplex, slack);
+      start_expansion(support, gjk(support, boxes.offset, tolerance).simplex, tolerance);
   plot::Grid grid("gjk_epa", "", 2);
   grid.describe("A tetrahedron in the solid of differences grows towards the closest face.");
   for (bool more = true; more; more = expand(expansion, support))
@@ -141,9 +141,9 @@ inline plot::Grid polytope_steps(const Obb<double>& a, const Obb<double>& b)
 /// How far the best depth [m] is above the right one after each direction that EPA tries.
 inline std::vector<double> excess_by_step(const ConvexPair<double>& pair, double depth)
 {
-  const double slack = slack_of(pair);
+  const double tolerance = tolerance_of(pair);
   Expansion<double> expansion =
-      start_expansion(pair.support, gjk(pair.support, pair.start, slack).simplex, slack);
+      start_expansion(pair.support, gjk(pair.support, pair.start, tolerance).simplex, tolerance);
   std::vector<double> excess;
   bool more = true;
   while (static_cast<int>(excess.size()) < epa_limit)
@@ -151,7 +151,7 @@ inline std::vector<double> excess_by_step(const ConvexPair<double>& pair, double
     more = more && expand(expansion, pair.support);
     // What is below a few roundings is drawn as none.
     const double above = expansion.depth - depth;
-    excess.push_back(above < slack ? 0 : above);
+    excess.push_back(above < tolerance ? 0 : above);
   }
   return excess;
 }
@@ -169,10 +169,10 @@ inline plot::Chart excess_chart(int pairs)
   for (int i = 0; i < pairs; ++i)
   {
     const Obb<double> a = draw.next(), b = draw.next();
-    const double gap = largest_gap(a, b);
-    if (gap < 0)
+    const double separation = largest_separation(a, b);
+    if (separation < 0)
     {
-      const std::vector<double> excess = excess_by_step(convex_pair(a, b), -gap);
+      const std::vector<double> excess = excess_by_step(convex_pair(a, b), -separation);
       for (std::size_t step = 0; step < excess.size(); ++step)
       {
         by_step[step].push_back(excess[step]);

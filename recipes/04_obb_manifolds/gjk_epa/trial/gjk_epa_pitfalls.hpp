@@ -12,24 +12,24 @@ namespace cookbook
 
 /// The depth of two convex shapes as gjk_epa() finds it; nothing where they are apart.
 ///
-/// `slack` [m] is what rounding may make of lengths as large as the shapes.
+/// `tolerance` [m] is what rounding may make of lengths as large as the shapes.
 template <class Real, class Support>
-std::optional<Real> convex_depth(const Support& support, const Vector3<Real>& start, Real slack)
+std::optional<Real> convex_depth(const Support& support, const Vector3<Real>& start, Real tolerance)
 {
-  const GjkAnswer<Real> decision = gjk(support, start, slack);
+  const GjkAnswer<Real> decision = gjk(support, start, tolerance);
   if (decision.apart)
   {
     return std::nullopt;
   }
-  const Real depth = epa(support, decision.simplex, slack).depth;
+  const Real depth = epa(support, decision.simplex, tolerance).depth;
   return depth < Real(0) ? std::nullopt : std::optional(depth);
 }
 
-// [absolute_gap]
+// [absolute_tolerance]
 /// Stops when the gap is a micrometre, whatever the size of the shapes, and has no answer where it
 /// does not get there.
 template <class Real, class Support>
-std::optional<Real> absolute_gap(const Support& support, const Vector3<Real>& start, Real)
+std::optional<Real> absolute_tolerance(const Support& support, const Vector3<Real>& start, Real)
 {
   const Real micrometre = Real(1e-6);
   const GjkAnswer<Real> decision = gjk(support, start, micrometre);
@@ -40,42 +40,42 @@ std::optional<Real> absolute_gap(const Support& support, const Vector3<Real>& st
   const Expansion<Real> expansion = epa(support, decision.simplex, micrometre);
   return expansion.closed ? std::optional(expansion.depth) : std::nullopt;
 }
-// [absolute_gap]
+// [absolute_tolerance]
 
 // [no_rebuild]
 /// Takes for a contact only what GJK leaves as a tetrahedron.
 template <class Real, class Support>
-std::optional<Real> no_rebuild(const Support& support, const Vector3<Real>& start, Real slack)
+std::optional<Real> no_rebuild(const Support& support, const Vector3<Real>& start, Real tolerance)
 {
-  const GjkAnswer<Real> decision = gjk(support, start, slack);
+  const GjkAnswer<Real> decision = gjk(support, start, tolerance);
   if (decision.apart || decision.simplex.size < 4)
   {
     return std::nullopt;
   }
-  return epa(support, decision.simplex, slack).depth;
+  return epa(support, decision.simplex, tolerance).depth;
 }
 // [no_rebuild]
 
-// [two_judges]
+// [two_oracles]
 /// GJK calls touching what is within a micrometre; EPA then has the distance of the closest face,
 /// which has no sign.
 template <class Real, class Support>
-std::optional<Real> two_judges(const Support& support, const Vector3<Real>& start, Real slack)
+std::optional<Real> two_oracles(const Support& support, const Vector3<Real>& start, Real tolerance)
 {
   const Real micrometre = Real(1e-6);
   const auto grown = [&](const Vector3<Real>& direction) -> SupportPoint<Real>
   {
-    SupportPoint<Real> farthest = support(direction);
-    farthest.point += micrometre * normalize(direction).unit;
-    return farthest;
+    SupportPoint<Real> found = support(direction);
+    found.point += micrometre * normalize(direction).unit;
+    return found;
   };
-  if (gjk(grown, start, slack).apart)
+  if (gjk(grown, start, tolerance).apart)
   {
     return std::nullopt;
   }
   using std::abs;
-  return abs(epa(support, gjk(support, start, slack).simplex, slack).depth);
+  return abs(epa(support, gjk(support, start, tolerance).simplex, tolerance).depth);
 }
-// [two_judges]
+// [two_oracles]
 
 } // namespace cookbook

@@ -20,12 +20,12 @@ struct ConvexMethod
   std::function<std::optional<double>(const ConvexPair<double>&)> in_double; ///< in double
 };
 
-/// A method from a function object that is called with a support, a direction and a slack.
+/// A method from a function object that is called with a support, a direction and a tolerance.
 template <class Method>
 ConvexMethod convex_method(const std::string& name, const Method& method)
 {
   const auto on_pair = [method](const auto& pair)
-  { return method(pair.support, pair.start, slack_of(pair)); };
+  { return method(pair.support, pair.start, tolerance_of(pair)); };
   return {name, on_pair, on_pair};
 }
 
@@ -34,9 +34,10 @@ inline std::vector<ConvexMethod> convex_methods()
 {
   return {
       convex_method("gjk_epa", [](const auto&... given) { return convex_depth(given...); }),
-      convex_method("absolute_gap", [](const auto&... given) { return absolute_gap(given...); }),
+      convex_method(
+          "absolute_tolerance", [](const auto&... given) { return absolute_tolerance(given...); }),
       convex_method("no_rebuild", [](const auto&... given) { return no_rebuild(given...); }),
-      convex_method("two_judges", [](const auto&... given) { return two_judges(given...); })};
+      convex_method("two_oracles", [](const auto&... given) { return two_oracles(given...); })};
 }
 
 /// Right if the shapes are found apart, where `depth` [m] is negative, or as deep as that.
@@ -50,7 +51,7 @@ inline Verdict verdict_on_depth(const std::optional<double>& answer, double dept
 /// How many random pairs of cubes [1] a method is asked about for the table.
 inline constexpr int random_cubes = 50'000;
 
-/// Right if no pair of random cubes whose gap or depth is more than 0.1 mm is judged wrongly, or
+/// Right if no pair of random cubes whose gap or depth is more than 0.1 mm is decided wrongly, or
 /// has a depth that is off by as much, in float.
 inline Verdict verdict_on_cubes(const ConvexMethod& method, int pairs)
 {
@@ -59,10 +60,11 @@ inline Verdict verdict_on_cubes(const ConvexMethod& method, int pairs)
   for (int i = 0; i < pairs; ++i)
   {
     const Obb<double> a = draw.next(), b = draw.next();
-    const double gap = largest_gap(a, b);
+    const double separation = largest_separation(a, b);
     const auto answer = method.in_float(convex_pair(to_float(a), to_float(b)));
-    const bool right = gap > 0 ? !answer : answer && std::abs(double(*answer) + gap) <= 1e-4;
-    wrong += !right && std::abs(gap) > 1e-4 ? 1 : 0;
+    const bool right =
+        separation > 0 ? !answer : answer && std::abs(double(*answer) + separation) <= 1e-4;
+    wrong += !right && std::abs(separation) > 1e-4 ? 1 : 0;
   }
   const std::string of = " of " + std::to_string(pairs) + " wrong";
   return {wrong == 0, wrong == 0 ? "none wrong" : std::to_string(wrong) + of};

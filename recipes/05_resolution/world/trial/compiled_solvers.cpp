@@ -1,7 +1,7 @@
 /// \file
 /// \brief The solvers of the world, compiled once for programs and tests.
 
-#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
+#include "04_obb_manifolds/box_oracles/trial/box_instances.hpp"
 #include "05_resolution/wide_solver/wide_solver.hpp"
 #include "05_resolution/world/trial/world_runs.hpp"
 #include "05_resolution/world/world.hpp"

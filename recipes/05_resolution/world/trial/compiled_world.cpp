@@ -1,7 +1,7 @@
 /// \file
 /// \brief The world, compiled once for programs and tests.
 
-#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
+#include "04_obb_manifolds/box_oracles/trial/box_instances.hpp"
 
 // [compiled_once]
 #define COOKBOOK_WORLD_SOURCE

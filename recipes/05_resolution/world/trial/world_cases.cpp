@@ -2,7 +2,7 @@
 /// \brief Scenes on which solvers fail, run with each of them.
 
 #include "05_resolution/world/trial/world_cases.hpp"
-#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
+#include "04_obb_manifolds/box_oracles/trial/box_instances.hpp"
 #include "05_resolution/scenes/trial/world_scenes.hpp"
 #include "05_resolution/world/solver_names.hpp"
 #include "05_resolution/world/trial/world_runs.hpp"

@@ -2,7 +2,7 @@
 
 /// \file
 /// \brief The methods for two boxes, in float and in double, are compiled once, in
-/// box_instances.cpp; who includes this does not compile them again.
+/// box_instances.cpp; a file that includes this does not compile them again.
 
 #include "04_obb_manifolds/box_as_published/trial/box_as_published.hpp"
 #include "04_obb_manifolds/box_box/box_box_in_registers.hpp"

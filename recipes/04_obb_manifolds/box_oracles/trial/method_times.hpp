@@ -3,7 +3,7 @@
 /// \file
 /// \brief Times of methods for two boxes, side by side, and the chart of cost against error.
 
-#include "04_obb_manifolds/box_judges/trial/timed_methods.hpp"
+#include "04_obb_manifolds/box_oracles/trial/timed_methods.hpp"
 #include "tools/measure/pareto.hpp"
 #include "tools/measure/statistics.hpp"
 #include "tools/plot/charts/chart.hpp"

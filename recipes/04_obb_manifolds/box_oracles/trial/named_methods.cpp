@@ -2,9 +2,9 @@
 /// \brief Every method for two boxes, in float and in double, compiled once for programs, charts
 /// and tests.
 
-#include "04_obb_manifolds/box_judges/trial/named_methods.hpp"
-#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
-#include "04_obb_manifolds/box_judges/trial/timed_methods.hpp"
+#include "04_obb_manifolds/box_oracles/trial/named_methods.hpp"
+#include "04_obb_manifolds/box_oracles/trial/box_instances.hpp"
+#include "04_obb_manifolds/box_oracles/trial/timed_methods.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
 
 namespace cookbook

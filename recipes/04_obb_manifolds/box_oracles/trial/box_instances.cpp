@@ -1,7 +1,7 @@
 /// \file
 /// \brief The methods for two boxes in float and in double, compiled here and nowhere else.
 
-#include "04_obb_manifolds/box_judges/trial/box_instances.hpp"
+#include "04_obb_manifolds/box_oracles/trial/box_instances.hpp"
 
 namespace cookbook
 {

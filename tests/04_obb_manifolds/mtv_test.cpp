@@ -12,8 +12,8 @@
 #include "04_obb_manifolds/edge_clipping/edge_clipping.hpp"
 #include "04_obb_manifolds/face_clipping/face_clipping.hpp"
 #include "04_obb_manifolds/gjk_epa/gjk_epa.hpp"
-#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
@@ -72,8 +72,8 @@ public:
   /// A point of a segment, as well as it can be written down.
   Vector3<double> on(const Segment<double>& segment)
   {
-    const double share = std::clamp(draw_.between(-0.25, 1.25), 0.0, 1.0);
-    return segment.start + share * (segment.end - segment.start);
+    const double t = std::clamp(draw_.between(-0.25, 1.25), 0.0, 1.0);
+    return segment.start + t * (segment.end - segment.start);
   }
   bool one_in(int n) { return draw_.whole(n) == 0; }
 
@@ -98,14 +98,16 @@ private:
 /// How far [m] two shapes are apart once B has moved by a vector [m], in a hundred digits;
 /// negative: they overlap.
 template <class Real>
-Reference gap_after(const Sphere<Real>& a, const Sphere<Real>& b, const Vector3<Reference>& move)
+Reference
+separation_after(const Sphere<Real>& a, const Sphere<Real>& b, const Vector3<Reference>& move)
 {
   const Vector3<Reference> way = exact<Reference>(b.center) + move - exact<Reference>(a.center);
   return way.norm() - Reference(a.radius) - Reference(b.radius);
 }
 
 template <class Real>
-Reference gap_after(const Sphere<Real>& a, const Plane<Real>& b, const Vector3<Reference>& move)
+Reference
+separation_after(const Sphere<Real>& a, const Plane<Real>& b, const Vector3<Reference>& move)
 {
   const Vector3<Reference> normal = exact<Reference>(b.normal);
   return normal.dot(exact<Reference>(a.center) - move) - Reference(b.distance) -
@@ -113,18 +115,21 @@ Reference gap_after(const Sphere<Real>& a, const Plane<Real>& b, const Vector3<R
 }
 
 template <class Real>
-Reference gap_after(const Sphere<Real>& a, const Capsule<Real>& b, const Vector3<Reference>& move)
+Reference
+separation_after(const Sphere<Real>& a, const Capsule<Real>& b, const Vector3<Reference>& move)
 {
   const Vector3<Reference> start = exact<Reference>(b.segment.start) + move;
   const Vector3<Reference> along = exact<Reference>(b.segment.end) + move - start;
   const Vector3<Reference> from_start = exact<Reference>(a.center) - start;
-  const Reference squared = along.squaredNorm(), shadow = from_start.dot(along);
-  const Reference t = squared == 0 ? Reference(0) : std::clamp<Reference>(shadow / squared, 0, 1);
+  const Reference squared = along.squaredNorm(), projection = from_start.dot(along);
+  const Reference t =
+      squared == 0 ? Reference(0) : std::clamp<Reference>(projection / squared, 0, 1);
   return (from_start - t * along).norm() - Reference(a.radius) - Reference(b.radius);
 }
 
 template <class Real>
-Reference gap_after(const Sphere<Real>& a, const Obb<Real>& b, const Vector3<Reference>& move)
+Reference
+separation_after(const Sphere<Real>& a, const Obb<Real>& b, const Vector3<Reference>& move)
 {
   const Vector3<Reference> from = exact<Reference>(a.center) - exact<Reference>(b.center) - move;
   const Vector3<Reference> local = b.axes.template cast<Reference>().transpose() * from;
@@ -135,14 +140,14 @@ Reference gap_after(const Sphere<Real>& a, const Obb<Real>& b, const Vector3<Ref
 }
 
 template <class Real>
-Reference gap_after(const Obb<Real>& a, const Obb<Real>& b, const Vector3<Reference>& move)
+Reference separation_after(const Obb<Real>& a, const Obb<Real>& b, const Vector3<Reference>& move)
 {
   Obb<Reference> from = box_in<Reference>(a), to = box_in<Reference>(b);
   to.center += move;
   return -true_depth(true_least_overlap(from, to));
 }
 
-/// The largest number of a pair [m], of which rounding takes its share.
+/// The largest number of a pair [m], of which rounding takes its part.
 template <class Real, class B>
 Real size_of(const Sphere<Real>& a, const B& b)
 {
@@ -177,7 +182,7 @@ struct Partings
     not_unit += std::abs(manifold->normal.norm() - 1) < 8 * epsilon ? 0 : 1;
     const Real unit = epsilon * size_of(a, b);
     const Vector3<Reference> normal = exact<Reference>(manifold->normal);
-    const Reference left = -gap_after(a, b, normal * Reference(manifold->depth));
+    const Reference left = -separation_after(a, b, normal * Reference(manifold->depth));
     deepest = std::max(deepest, left > 0 ? double(left / Reference(unit)) : 0);
   }
 
@@ -255,7 +260,7 @@ TEMPLATE_TEST_CASE(
   boxes.check(16);
 }
 
-// [parting_boxes]
+// [separating_boxes]
 TEMPLATE_TEST_CASE(
     "20,000 boxes, equal, contained and flat ones among them, part by their depth", "[O5][case:G5]",
     float, double)
@@ -283,7 +288,7 @@ TEMPLATE_TEST_CASE(
   faces.check(16);
   gjk.check(64);
 }
-// [parting_boxes]
+// [separating_boxes]
 
 namespace
 {

@@ -30,10 +30,10 @@ Manifold<double, Capacity> in_double(const Manifold<Real, Capacity>& manifold)
 
 /// The distance [m] of a point from the nearest point of a manifold, or of a line between two.
 ///
-/// Lines are tried only where no point is nearer than `near` [m].
+/// Lines are tried only where no point is nearer than `close_by` [m].
 template <std::size_t Capacity>
 double distance_to_points(
-    const Vector3<double>& p, const Manifold<double, Capacity>& manifold, double near)
+    const Vector3<double>& p, const Manifold<double, Capacity>& manifold, double close_by)
 {
   const auto& points = manifold.points;
   double least = std::numeric_limits<double>::infinity();
@@ -41,7 +41,7 @@ double distance_to_points(
   {
     least = std::min(least, (p - points[i].position).norm());
   }
-  for (std::size_t k = 0; least > near && k < points.size() * points.size(); ++k)
+  for (std::size_t k = 0; least > close_by && k < points.size() * points.size(); ++k)
   {
     const Vector3<double>& start = points[k / points.size()].position;
     const Vector3<double> way = points[k % points.size()].position - start;

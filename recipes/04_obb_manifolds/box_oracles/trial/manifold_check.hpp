@@ -3,7 +3,7 @@
 /// \file
 /// \brief Checks a method's manifold of two boxes against the truth, and sums checks up.
 
-#include "04_obb_manifolds/box_judges/trial/resting_steadiness.hpp"
+#include "04_obb_manifolds/box_oracles/trial/resting_steadiness.hpp"
 #include "04_obb_manifolds/separating_axes/separating_axes.hpp"
 
 #include <algorithm>
@@ -87,7 +87,8 @@ manifold_check(const BoxPair<Real>& pair, const std::optional<Manifold<Real, Cap
   const Obb<double> a = box_in<double>(pair.first), b = box_in<double>(pair.second);
   check.rests = rests(a, b);
   const bool has_points = answer && error.finite;
-  check.points_lost = check.rests && !(has_points && area_share(a, b, in_double(*answer)) >= 0.99);
+  check.points_lost =
+      check.rests && !(has_points && area_fraction(a, b, in_double(*answer)) >= 0.99);
   return check;
 }
 // [manifold_check]

@@ -4,9 +4,9 @@
 /// \brief How steady a method's manifolds of resting boxes are, and how much of the contact they
 /// span.
 
-#include "04_obb_manifolds/box_judges/trial/face_overlap_truth.hpp"
-#include "04_obb_manifolds/box_judges/trial/manifold_distance.hpp"
-#include "04_obb_manifolds/box_judges/trial/workload_quality.hpp"
+#include "04_obb_manifolds/box_oracles/trial/face_overlap_truth.hpp"
+#include "04_obb_manifolds/box_oracles/trial/manifold_distance.hpp"
+#include "04_obb_manifolds/box_oracles/trial/workload_quality.hpp"
 
 #include <cmath>
 #include <vector>
@@ -17,8 +17,8 @@ namespace cookbook
 /// The area that a manifold's points span, as part of what the two faces along its normal have in
 /// common; zero where these have nothing.
 template <std::size_t Capacity>
-double
-area_share(const Obb<double>& a, const Obb<double>& b, const Manifold<double, Capacity>& manifold)
+double area_fraction(
+    const Obb<double>& a, const Obb<double>& b, const Manifold<double, Capacity>& manifold)
 {
   const double faces = std::abs(area(true_face_overlap(a, b, manifold.normal)));
   return faces > 0 ? area(support(manifold)) / faces : 0;
@@ -56,7 +56,7 @@ struct RestingSteadiness
   std::size_t lost = 0;     ///< pairs that it says overlap before or after, not both
   double area = 0;          ///< [1], hull of the points over the faces' overlap; 1st percentile
   double jump = 0;          ///< [1], of the points' centroid, of the pair's size; 99th percentile
-  double recounted = 0;     ///< [1], share of pairs whose number of points changes
+  double recounted = 0;     ///< [1], fraction of pairs whose number of points changes
 };
 
 /// Nudges B of each pair once, by 1e-4, and compares what `method(a, b)` says before and after.
@@ -77,7 +77,7 @@ RestingSteadiness resting_steadiness(const BoxWorkload& workload, const Method& 
       steadiness.lost += before || after ? 1 : 0;
       continue;
     }
-    areas.push_back(area_share(box_in<double>(a), box_in<double>(b), in_double(*before)));
+    areas.push_back(area_fraction(box_in<double>(a), box_in<double>(b), in_double(*before)));
     jumps.push_back((centroid(in_double(*after)) - centroid(in_double(*before))).norm() / size);
     recounted += before->points.size() != after->points.size() ? 1 : 0;
   }

@@ -3,7 +3,7 @@
 /// \file
 /// \brief How good a method's manifolds are on a workload: percentiles and counts of their errors.
 
-#include "04_obb_manifolds/box_judges/trial/manifold_error.hpp"
+#include "04_obb_manifolds/box_oracles/trial/manifold_error.hpp"
 #include "04_obb_manifolds/box_workloads/trial/box_workloads.hpp"
 #include "tools/measure/statistics.hpp"
 

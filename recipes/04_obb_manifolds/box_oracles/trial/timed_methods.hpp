@@ -3,7 +3,7 @@
 /// \file
 /// \brief The methods that give a whole manifold of two boxes, made ready to be checked and timed.
 
-#include "04_obb_manifolds/box_judges/trial/manifold_check.hpp"
+#include "04_obb_manifolds/box_oracles/trial/manifold_check.hpp"
 #include "tools/measure/timing.hpp"
 #include "tools/program/program.hpp"
 
