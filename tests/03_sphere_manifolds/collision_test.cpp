@@ -25,7 +25,7 @@ TEST_CASE(
     "1 kg and 3 kg that overlap by 2 part by 1.5 and 0.5, their centre of mass at rest", "[S6]")
 {
   const Manifold<double> manifold = sphere_sphere(four_at_origin, five_seven_away).value();
-  const PartingMoves<double> moves = parting_moves(manifold, 1.0, 1.0 / 3);
+  const SeparatingMoves<double> moves = separating_moves(manifold, 1.0, 1.0 / 3);
   const Vector3<double> normal = Vector3<double>(2, 3, 6) / 7;
   CHECK((moves.a + 1.5 * normal).norm() <= 2 * rounding);
   CHECK((moves.b - 0.5 * normal).norm() <= 2 * rounding);
@@ -35,9 +35,9 @@ TEST_CASE(
 TEST_CASE("a body without inverse mass stands still, and two of them both do", "[S6]")
 {
   const Manifold<double> manifold = sphere_sphere(four_at_origin, five_seven_away).value();
-  CHECK(parting_moves(manifold, 0.0, 1.0).a.norm() == 0);
-  CHECK(parting_moves(manifold, 0.0, 1.0).b.norm() == Catch::Approx(2).epsilon(rounding));
-  CHECK(parting_moves(manifold, 0.0, 0.0).b.norm() == 0);
+  CHECK(separating_moves(manifold, 0.0, 1.0).a.norm() == 0);
+  CHECK(separating_moves(manifold, 0.0, 1.0).b.norm() == Catch::Approx(2).epsilon(rounding));
+  CHECK(separating_moves(manifold, 0.0, 0.0).b.norm() == 0);
 }
 // [S6]
 
@@ -74,9 +74,9 @@ TEST_CASE("a speed of exactly the resting speed rests, whichever way", "[S11]")
 
 TEST_CASE("no manifold is separated, touching collides, half a radius deep penetrates", "[S11]")
 {
-  const Sphere<double> ball{{0, 0, 0}, 1};
+  const Sphere<double> sphere{{0, 0, 0}, 1};
   const auto nature_at = [&](double distance) {
-    return nature(sphere_sphere(ball, {{distance, 0, 0}, 1}), 0.125);
+    return nature(sphere_sphere(sphere, {{distance, 0, 0}, 1}), 0.125);
   };
   CHECK(nature_at(2.5) == Nature::separated);
   CHECK(nature_at(2) == Nature::colliding);

@@ -36,8 +36,8 @@ TEST_CASE(
 {
   const Vector3<double> corner(1, 1, 1);
   const Vector3<double> away(2, 2, 1); // of length 3
-  const Sphere<double> ball{corner + away, 3.5};
-  const Manifold<double> manifold = sphere_box(ball, cube).value();
+  const Sphere<double> sphere{corner + away, 3.5};
+  const Manifold<double> manifold = sphere_box(sphere, cube).value();
   CHECK(manifold.depth == Catch::Approx(0.5).epsilon(rounding));
   CHECK((manifold.normal + away / 3).norm() <= rounding);
   // Midway between the corner and the ball's point 0.5 beyond it.

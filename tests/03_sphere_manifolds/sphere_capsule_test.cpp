@@ -58,11 +58,11 @@ TEST_CASE("a ball 5 off a capsule's axis, radii 4.5 and 1, is 0.5 deep", "[P2][S
 
 TEST_CASE("beyond a capsule's end a ball meets the ball at that end", "[S1]")
 {
-  const Sphere<double> ball{{9, 12, 0}, 4.5}; // 5 beyond the end, along the axis
-  const Manifold<double> capsule = sphere_capsule(ball, slanted).value();
-  const Manifold<double> sphere = sphere_sphere<double>(ball, {{6, 8, 0}, 1}).value();
+  const Sphere<double> sphere{{9, 12, 0}, 4.5}; // 5 beyond the end, along the axis
+  const Manifold<double> capsule = sphere_capsule(sphere, slanted).value();
+  const Manifold<double> end = sphere_sphere<double>(sphere, {{6, 8, 0}, 1}).value();
   CHECK(capsule.depth == Catch::Approx(0.5).epsilon(rounding));
-  CHECK((capsule.normal - sphere.normal).norm() <= rounding);
+  CHECK((capsule.normal - end.normal).norm() <= rounding);
 }
 // [sphere_capsule]
 
@@ -157,8 +157,8 @@ TEST_CASE("a float ball 1e-6 from touching a 1 km capsule gets that gap right", 
 {
   // In float the closest point would be rounded to 6e-5 m; the wider type keeps the distance.
   const Capsule<float> beam{{{0, 0, 0}, {1000, 0, 0}}, 0.5f};
-  const Sphere<float> ball{{777.7f, 1.0f - 0x1p-20f, 0}, 0.5f};
-  const Manifold<float> manifold = sphere_capsule(ball, beam).value();
+  const Sphere<float> sphere{{777.7f, 1.0f - 0x1p-20f, 0}, 0.5f};
+  const Manifold<float> manifold = sphere_capsule(sphere, beam).value();
   CHECK(manifold.depth == 0x1p-20f);
   CHECK(manifold.normal == Vector3<float>(0, -1, 0));
 }

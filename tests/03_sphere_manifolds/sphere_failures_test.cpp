@@ -152,10 +152,10 @@ TEST_CASE(
 // [unsigned]
 TEST_CASE("an unsigned distance to the ground makes a sunken ball shallower", "[case:C10]")
 {
-  const Sphere<double> ball{{0, -0.3, 0}, 0.5};
+  const Sphere<double> sphere{{0, -0.3, 0}, 0.5};
   const Plane<double> ground{{0, 1, 0}, 0};
-  const double unsigned_depth = ball.radius - std::abs(signed_distance(ground, ball.center));
+  const double unsigned_depth = sphere.radius - std::abs(signed_distance(ground, sphere.center));
   CHECK(unsigned_depth == Catch::Approx(0.2));
-  CHECK(sphere_plane(ball, ground)->depth == Catch::Approx(0.8));
+  CHECK(sphere_plane(sphere, ground)->depth == Catch::Approx(0.8));
 }
 // [unsigned]

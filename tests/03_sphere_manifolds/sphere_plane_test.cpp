@@ -63,10 +63,10 @@ namespace
 double change_of_depth(double x)
 {
   constexpr double planet_radius = 6.371e6; // [m], the Earth's mean radius
-  const Sphere<double> ball{{x, 0.25, 0}, 0.5};
+  const Sphere<double> sphere{{x, 0.25, 0}, 0.5};
   const Sphere<double> planet{{0, -planet_radius, 0}, planet_radius};
-  const double flat = sphere_plane<double>(ball, {{0, 1, 0}, 0})->depth;
-  const std::optional<Manifold<double>> round = sphere_sphere(ball, planet);
+  const double flat = sphere_plane<double>(sphere, {{0, 1, 0}, 0})->depth;
+  const std::optional<Manifold<double>> round = sphere_sphere(sphere, planet);
   return flat - (round ? round->depth : 0);
 }
 

@@ -244,7 +244,7 @@ TEMPLATE_TEST_CASE(
   // A quarter of either would lose its last digit.
   for (const TestType radius : {Limits::denorm_min(), Limits::min() / 8 + Limits::denorm_min()})
   {
-    const Sphere<TestType> ball{{0, 0, 0}, radius};
-    CHECK(sphere_sphere(ball, ball)->depth == 2 * radius);
+    const Sphere<TestType> sphere{{0, 0, 0}, radius};
+    CHECK(sphere_sphere(sphere, sphere)->depth == 2 * radius);
   }
 }

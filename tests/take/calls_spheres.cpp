@@ -19,7 +19,7 @@ int main()
         bits(velocity, approach(velocity, manifold.normal, 0.1));
         bits(nature<double>(manifold, 0.1), nature<double>(std::nullopt, 0.1));
         const double inverse_a = draw.number(0, 1), inverse_b = draw.number(0, 1);
-        const PartingMoves<double> moves = parting_moves(manifold, inverse_a, inverse_b);
+        const SeparatingMoves<double> moves = separating_moves(manifold, inverse_a, inverse_b);
         bits(moves.a, moves.b);
       });
 #endif

@@ -19,7 +19,7 @@ constexpr double resting_speed = 0.01; // [m/s]
 constexpr double inverse_mass_a = 1;   // [1/kg]
 constexpr double inverse_mass_b = 0.5; // [1/kg], twice as heavy
 
-const Sphere<double> ball_a{{0, 0, 0}, 1};
+const Sphere<double> sphere_a{{0, 0, 0}, 1};
 
 /// B at a distance from A along x, moving along x.
 struct Meeting
@@ -50,16 +50,17 @@ void print_meetings()
   for (const Meeting& meeting : meetings)
   {
     const Vector3<double> center_b(meeting.distance, 0, 0);
-    const Motion<double> a{ball_a.center, {0, 0, 0}, {0, 0, 0}};
+    const Motion<double> a{sphere_a.center, {0, 0, 0}, {0, 0, 0}};
     const Motion<double> b{center_b, {meeting.speed, 0, 0}, {0, 0, 0}};
-    const std::optional<Manifold<double>> manifold = sphere_sphere(ball_a, {center_b, 1});
+    const std::optional<Manifold<double>> manifold = sphere_sphere(sphere_a, {center_b, 1});
     if (!manifold)
     {
       table.row({meeting.name, "apart", name_of(nature(manifold, tolerance)), "", "", ""});
       continue;
     }
     const Vector3<double> velocity = relative_velocity(a, b, manifold->points[0].position);
-    const PartingMoves<double> moves = parting_moves(*manifold, inverse_mass_a, inverse_mass_b);
+    const SeparatingMoves<double> moves =
+        separating_moves(*manifold, inverse_mass_a, inverse_mass_b);
     table.row(
         {meeting.name, number(manifold->depth), name_of(nature(manifold, tolerance)),
          name_of(approach(velocity, manifold->normal, resting_speed)), number(moves.a.x()),
@@ -69,7 +70,7 @@ void print_meetings()
 }
 
 /// Draws a ball with its velocity and the sense in which it turns.
-void draw_ball(
+void draw_sphere(
     plot::Figure2d& figure, const Motion<double>& motion, double angle, plot::Ink ink,
     const std::string& name)
 {
@@ -88,13 +89,13 @@ void draw(const Arguments& arguments)
 {
   const Motion<double> a{{0, 0, 0}, {0.6, 0.1, 0}, {0, 0, 0.6}};
   const Motion<double> b{{1.7, 0, 0}, {-0.5, -0.35, 0}, {0, 0, -0.7}};
-  const Manifold<double> manifold = sphere_sphere(ball_a, {b.center, 1}).value();
+  const Manifold<double> manifold = sphere_sphere(sphere_a, {b.center, 1}).value();
   const Vector3<double> contact = manifold.points[0].position;
   const Eigen::Vector2d point = contact.head<2>();
   plot::Figure2d figure("collision", "", {{-1.1, -1.1}, {2.8, 1.1}, 400});
   figure.describe("Velocities of two turning balls at their contact point, and the difference.");
-  draw_ball(figure, a, 2, plot::Ink::a, "A");
-  draw_ball(figure, b, 1.2, plot::Ink::b, "B");
+  draw_sphere(figure, a, 2, plot::Ink::a, "A");
+  draw_sphere(figure, b, 1.2, plot::Ink::b, "B");
   figure.arrow(point, point + 0.5 * manifold.normal.head<2>(), plot::Ink::ink, "n")
       .arrow(point, point + velocity_at(a, contact).head<2>(), plot::Ink::a, "A's at the point")
       .arrow(point, point + velocity_at(b, contact).head<2>(), plot::Ink::b, "B's at the point")

@@ -2,7 +2,7 @@
 
 /// \file
 /// \brief Approach and nature of a collision, from a manifold and two moving bodies, and how they
-/// part.
+/// are separated.
 
 #include "03_sphere_manifolds/collision/motion.hpp"
 #include "03_sphere_manifolds/manifold/manifold.hpp"
@@ -60,10 +60,10 @@ Nature nature(const std::optional<Manifold<Real>>& manifold, Real tolerance)
 }
 // [nature]
 
-// [parting_moves]
-/// How far each of two bodies moves to part.
+// [separating_moves]
+/// How far each of two bodies moves to end the overlap.
 template <class Real>
-struct PartingMoves
+struct SeparatingMoves
 {
   Vector3<Real> a; ///< [m], world
   Vector3<Real> b; ///< [m], world
@@ -74,8 +74,8 @@ struct PartingMoves
 ///
 /// A body of inverse mass zero stands still; two such bodies both do.
 template <class Real, std::size_t Capacity>
-PartingMoves<Real>
-parting_moves(const Manifold<Real, Capacity>& manifold, Real inverse_mass_a, Real inverse_mass_b)
+SeparatingMoves<Real>
+separating_moves(const Manifold<Real, Capacity>& manifold, Real inverse_mass_a, Real inverse_mass_b)
 {
   const Real sum = inverse_mass_a + inverse_mass_b;
   if (sum == Real(0))
@@ -85,6 +85,6 @@ parting_moves(const Manifold<Real, Capacity>& manifold, Real inverse_mass_a, Rea
   const Vector3<Real> whole = manifold.depth * manifold.normal;
   return {whole * -(inverse_mass_a / sum), whole * (inverse_mass_b / sum)};
 }
-// [parting_moves]
+// [separating_moves]
 
 } // namespace cookbook

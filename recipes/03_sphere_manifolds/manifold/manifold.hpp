@@ -38,7 +38,7 @@ struct Manifold
   ContactPoints<Real, Capacity> points; ///< at least one
 };
 
-/// Half the depth [m]: how far each of the two bodies moves to part them.
+/// Half the depth [m]: how far each of the two bodies moves to separate them.
 template <class Real, std::size_t Capacity>
 Real penetration_distance(const Manifold<Real, Capacity>& manifold)
 {

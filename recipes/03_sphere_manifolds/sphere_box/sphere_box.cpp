@@ -16,20 +16,20 @@ using namespace cookbook;
 
 const Obb<double> box{{0, 0, 0}, Matrix3<double>::Identity(), {2, 1, 1}};
 
-/// The ball on its way: down through the top, along the inside, near the right face.
-const Sphere<double> way[] = {{{-2.3, 1.2, 0}, 0.5},   {{-1.2, 1.25, 0}, 0.5},
-                              {{-0.5, 0.75, 0}, 0.5},  {{0.4, 0.25, 0}, 0.5},
-                              {{1.25, 0.125, 0}, 0.5}, {{2.25, 0, 0}, 0.5}};
+/// The path of the ball: down through the top, along the inside, near the right face.
+const Sphere<double> path[] = {{{-2.3, 1.2, 0}, 0.5},   {{-1.2, 1.25, 0}, 0.5},
+                               {{-0.5, 0.75, 0}, 0.5},  {{0.4, 0.25, 0}, 0.5},
+                               {{1.25, 0.125, 0}, 0.5}, {{2.25, 0, 0}, 0.5}};
 
-void print_way()
+void print_path()
 {
   Table table({"ball x", "ball y", "depth", "normal x", "normal y", "contact x", "contact y"});
-  for (const Sphere<double>& ball : way)
+  for (const Sphere<double>& sphere : path)
   {
-    const Manifold<double> manifold = sphere_box(ball, box).value();
+    const Manifold<double> manifold = sphere_box(sphere, box).value();
     const Vector3<double>& contact = manifold.points[0].position;
     table.row(
-        {number(ball.center.x()), number(ball.center.y()), number(manifold.depth),
+        {number(sphere.center.x()), number(sphere.center.y()), number(manifold.depth),
          number(manifold.normal.x()), number(manifold.normal.y()), number(contact.x()),
          number(contact.y())});
   }
@@ -37,16 +37,16 @@ void print_way()
 }
 
 /// Draws a ball, and where and by which move it leaves the box.
-void draw_ball(plot::Figure2d& figure, const Sphere<double>& ball, const std::string& move)
+void draw_sphere(plot::Figure2d& figure, const Sphere<double>& sphere, const std::string& move)
 {
-  const Manifold<double> manifold = sphere_box(ball, box).value();
-  const Eigen::Vector2d center = ball.center.head<2>();
+  const Manifold<double> manifold = sphere_box(sphere, box).value();
+  const Eigen::Vector2d center = sphere.center.head<2>();
   const Eigen::Vector2d out = -manifold.normal.head<2>();
   figure
       .circle(
-          center + manifold.depth * out, ball.radius, plot::Ink::faint, plot::Fill::none,
+          center + manifold.depth * out, sphere.radius, plot::Ink::faint, plot::Fill::none,
           plot::Stroke::dotted)
-      .circle(center, ball.radius, plot::Ink::a)
+      .circle(center, sphere.radius, plot::Ink::a)
       .arrow(center, center + manifold.depth * out, plot::Ink::overlap, move)
       .dot(center, plot::Ink::a)
       .point(manifold.points[0].position.head<2>());
@@ -59,11 +59,11 @@ void draw(const Arguments& arguments)
       .box(box.center.head<2>(), 0, box.half_extents.head<2>(), plot::Ink::b)
       .label({-1.7, -0.75}, "B", plot::Side::centre, plot::Ink::b)
       .label(
-          way[0].center.head<2>() + Eigen::Vector2d(-0.2, 0.1), "A", plot::Side::left,
+          path[0].center.head<2>() + Eigen::Vector2d(-0.2, 0.1), "A", plot::Side::left,
           plot::Ink::a);
-  for (const Sphere<double>& ball : way)
+  for (const Sphere<double>& sphere : path)
   {
-    draw_ball(figure, ball, &ball == &way[3] ? "−p n" : "");
+    draw_sphere(figure, sphere, &sphere == &path[3] ? "−d n" : "");
   }
   save_figure(arguments, "sphere_box.svg", figure.svg());
 }
@@ -84,7 +84,7 @@ int main(int argc, char** argv)
       },
       [](const Arguments& given)
       {
-        print_way();
+        print_path();
         draw(given);
       });
 }

@@ -15,7 +15,7 @@ using namespace cookbook;
 
 const Capsule<double> capsule{{{-1, 0, 0}, {1, 0, 0}}, 0.5};
 
-Sphere<double> ball_at(double x)
+Sphere<double> sphere_at(double x)
 {
   return {{x, 0.75, 0}, 0.5};
 }
@@ -25,8 +25,8 @@ void print_flight()
   Table table({"ball x", "closest x", "depth", "normal x", "normal y"});
   for (const double x : {-2.0, -1.5, -1.0, 0.0, 0.5, 1.25, 1.75})
   {
-    const Vector3<double> closest = closest_point(capsule.segment, ball_at(x).center);
-    const std::optional<Manifold<double>> manifold = sphere_capsule(ball_at(x), capsule);
+    const Vector3<double> closest = closest_point(capsule.segment, sphere_at(x).center);
+    const std::optional<Manifold<double>> manifold = sphere_capsule(sphere_at(x), capsule);
     if (!manifold)
     {
       table.row({number(x), number(closest.x()), "apart", "", ""});
@@ -39,21 +39,21 @@ void print_flight()
   std::cout << table.text();
 }
 
-void draw_ball(plot::Figure2d& figure, double x)
+void draw_sphere(plot::Figure2d& figure, double x)
 {
-  const Sphere<double> ball = ball_at(x);
-  const Manifold<double> manifold = sphere_capsule(ball, capsule).value();
-  const Eigen::Vector2d closest = closest_point(capsule.segment, ball.center).head<2>();
+  const Sphere<double> sphere = sphere_at(x);
+  const Manifold<double> manifold = sphere_capsule(sphere, capsule).value();
+  const Eigen::Vector2d closest = closest_point(capsule.segment, sphere.center).head<2>();
   const Eigen::Vector2d contact = manifold.points[0].position.head<2>();
-  const Eigen::Vector2d center = ball.center.head<2>();
+  const Eigen::Vector2d center = sphere.center.head<2>();
   const Eigen::Vector2d normal = manifold.normal.head<2>();
   const double half = penetration_distance(manifold);
   figure.circle(closest, capsule.radius, plot::Ink::b, plot::Fill::none, plot::Stroke::dashed)
-      .circle(center, ball.radius, plot::Ink::a)
-      .lens(center, ball.radius, closest, capsule.radius)
+      .circle(center, sphere.radius, plot::Ink::a)
+      .lens(center, sphere.radius, closest, capsule.radius)
       .segment(center, closest, plot::Ink::muted, plot::Stroke::dotted)
       .arrow(closest, closest + 0.4 * normal, plot::Ink::ink, "n", plot::Side::right)
-      .dimension(contact - half * normal, contact + half * normal, "p", -55)
+      .dimension(contact - half * normal, contact + half * normal, "d", -55)
       .dot(center, plot::Ink::a, "c", plot::Side::right)
       .dot(closest, plot::Ink::b, "q", plot::Side::left)
       .point(contact);
@@ -69,8 +69,8 @@ void draw(const Arguments& arguments)
       .segment(
           capsule.segment.start.head<2>(), capsule.segment.end.head<2>(), plot::Ink::b,
           plot::Stroke::dashed);
-  draw_ball(figure, -0.5);
-  draw_ball(figure, 1.25);
+  draw_sphere(figure, -0.5);
+  draw_sphere(figure, 1.25);
   figure.label({-0.5, 1.05}, "A", plot::Side::centre, plot::Ink::a)
       .label({1.25, 1.05}, "A", plot::Side::centre, plot::Ink::a)
       .label({0.25, -0.3}, "B", plot::Side::centre, plot::Ink::b);

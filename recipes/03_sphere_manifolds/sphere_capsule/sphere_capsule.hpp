@@ -16,7 +16,7 @@ namespace cookbook
 /// How far along a segment, 0 to 1, it comes closest to `point` [m], world; 0 if it has no length;
 /// P2.
 template <class Real>
-Wide<Real> closest_share(const Segment<Real>& segment, const Vector3<Real>& point)
+Wide<Real> closest_fraction(const Segment<Real>& segment, const Vector3<Real>& point)
 {
   const Vector3<Wide<Real>> start = widen(segment.start);
   const Vector3<Wide<Real>> along = widen(segment.end) - start;
@@ -29,50 +29,50 @@ Wide<Real> closest_share(const Segment<Real>& segment, const Vector3<Real>& poin
   return std::clamp(t, Wide<Real>(0), Wide<Real>(1));
 }
 
-/// The point of a segment [m], world, at a share of the way from its start; the end itself at 1.
+/// The point of a segment [m], world, at a fraction of the way from its start; the end itself at 1.
 template <class Real>
-Vector3<Wide<Real>> point_at(const Segment<Real>& segment, const Wide<Real>& share)
+Vector3<Wide<Real>> point_at(const Segment<Real>& segment, const Wide<Real>& fraction)
 {
   const Vector3<Wide<Real>> start = widen(segment.start), end = widen(segment.end);
-  return share == Wide<Real>(1) ? end : Vector3<Wide<Real>>(start + share * (end - start));
+  return fraction == Wide<Real>(1) ? end : Vector3<Wide<Real>>(start + fraction * (end - start));
 }
 
 /// The point of a segment closest to `point`, both [m], world.
 template <class Real>
 Vector3<Wide<Real>> closest_point(const Segment<Real>& segment, const Vector3<Real>& point)
 {
-  return point_at(segment, closest_share(segment, point));
+  return point_at(segment, closest_fraction(segment, point));
 }
 // [closest_point_segment]
 
 // [direction_to_segment]
-/// The direction square to `along`, of length one, that is closest to +y; to +x where `along` is
-/// ±y.
+/// The direction perpendicular to `along`, of length one, that is closest to +y; to +x where
+/// `along` is ±y.
 template <class Real>
-Vector3<Real> sideways(const Vector3<Real>& along)
+Vector3<Real> perpendicular_to(const Vector3<Real>& along)
 {
   const Vector3<Real> up = along.cross(Vector3<Real>::UnitY()).cross(along);
   return normalize<Real>(up, Vector3<Real>::UnitX()).unit;
 }
 
-/// Direction and distance [m] from a point to a segment; sideways() from a point on it.
+/// Direction and distance [m] from a point to a segment; perpendicular_to() from a point on it.
 ///
-/// From beside the segment the direction is square to it. A point that is on the segment but for
-/// rounding has a way to it that is nothing but rounding, and may lead along the segment.
+/// From beside the segment the direction is perpendicular to it. A point that is on the segment but
+/// for rounding has a way to it that is nothing but rounding, and may lead along the segment.
 template <class Real>
 Direction<Real> direction_to(const Segment<Real>& segment, const Vector3<Real>& point)
 {
   using Vector = Vector3<Wide<Real>>;
   const Vector ends = widen(segment.end) - widen(segment.start);
   const Vector along = normalize<Wide<Real>>(ends, Vector::UnitX()).unit;
-  const Wide<Real> share = closest_share(segment, point);
-  const Vector way = point_at(segment, share) - widen(point);
-  Direction<Wide<Real>> to = normalize<Wide<Real>>(way, sideways<Wide<Real>>(along));
-  if (Wide<Real>(0) < share && share < Wide<Real>(1))
+  const Wide<Real> fraction = closest_fraction(segment, point);
+  const Vector way = point_at(segment, fraction) - widen(point);
+  Direction<Wide<Real>> to = normalize<Wide<Real>>(way, perpendicular_to<Wide<Real>>(along));
+  if (Wide<Real>(0) < fraction && fraction < Wide<Real>(1))
   {
-    const Vector square = to.unit - to.unit.dot(along) * along;
-    const bool certain = square.squaredNorm() > Wide<Real>(0.25);
-    to.unit = certain ? square.normalized() : sideways<Wide<Real>>(along);
+    const Vector perpendicular = to.unit - to.unit.dot(along) * along;
+    const bool certain = perpendicular.squaredNorm() > Wide<Real>(0.25);
+    to.unit = certain ? perpendicular.normalized() : perpendicular_to<Wide<Real>>(along);
   }
   return {to.unit.template cast<Real>(), static_cast<Real>(to.length)};
 }
@@ -82,7 +82,7 @@ Direction<Real> direction_to(const Segment<Real>& segment, const Vector3<Real>& 
 /// The manifold of a sphere A and a capsule B: the sphere against the one ball of the capsule whose
 /// centre is closest.
 ///
-/// A sphere centred on the capsule's own segment parts from it sideways(), by both radii.
+/// A sphere centred on the capsule's own segment leaves along perpendicular_to(), by both radii.
 template <class Real>
 std::optional<Manifold<Real>>
 sphere_capsule(const Sphere<Real>& sphere, const Capsule<Real>& capsule)

@@ -56,7 +56,7 @@ InstructionSet widest_instruction_set();
 
 /// The overlaps of all pairs; each equals `sphere_sphere` of the pair to the last bit.
 ///
-/// Any finite centres and radii; concentric spheres part along +y. Lists need no alignment. All
+/// Any finite centres and radii; concentric spheres separate along +y. Lists need no alignment. All
 /// instruction sets give the same bits.
 void sphere_pairs(
     const SpherePairs& pairs, const SphereOverlaps& overlaps,

@@ -17,7 +17,7 @@ namespace cookbook
 {
 
 // [depth_at]
-/// The depth rA + rB − |d| of two spheres; S1.
+/// The depth rA + rB − |t| of two spheres; S1.
 ///
 /// In this order the first difference is exact wherever it matters, for the larger radius and the
 /// distance are then within a factor of two of each other: rA + rB would be rounded.
@@ -28,11 +28,11 @@ Real depth_at(const Real& distance, const Real& radius_a, const Real& radius_b)
   return (max(radius_a, radius_b) - distance) + min(radius_a, radius_b);
 }
 
-/// The way from A's centre to the contact point, rA − p/2 = (rA − rB + |d|) / 2; S4.
+/// How far the contact point is from A's centre, rA − d/2 = (rA − rB + |t|) / 2; S4.
 ///
 /// Halves are added, not the whole halved: they stay finite where the depth does not.
 template <class Real>
-Real way_to_contact(const Real& distance, const Real& radius_a, const Real& radius_b)
+Real contact_offset(const Real& distance, const Real& radius_a, const Real& radius_b)
 {
   return (radius_a - radius_b) * Real(0.5) + distance * Real(0.5);
 }
@@ -57,7 +57,7 @@ SphereOverlap<Real>
 sphere_overlap(const Direction<Real>& a_to_b, const Real& radius_a, const Real& radius_b)
 {
   const Real depth = depth_at(a_to_b.length, radius_a, radius_b);
-  return {a_to_b.unit, depth, a_to_b.unit * way_to_contact(a_to_b.length, radius_a, radius_b)};
+  return {a_to_b.unit, depth, a_to_b.unit * contact_offset(a_to_b.length, radius_a, radius_b)};
 }
 // [sphere_overlap]
 
@@ -86,7 +86,7 @@ overlap_manifold(const SphereOverlap<Real>& overlap, const Vector3<Real>& center
 /// The manifold of two spheres in A's frame, where A's centre is the origin.
 ///
 /// For worlds far from the origin: keep positions in double, subtract them there, and pass the
-/// difference [m] as float. Concentric spheres part along +y.
+/// difference [m] as float. Concentric spheres separate along +y.
 template <class Real>
 std::optional<Manifold<Real>>
 sphere_sphere_relative(const Vector3<Real>& a_to_b, Real radius_a, Real radius_b)
@@ -118,7 +118,7 @@ world_overlap(const Sphere<Real>& a, const Sphere<Real>& b)
 // [sphere_sphere]
 /// The manifold of two spheres: nothing where they are apart; touching is contact of depth zero.
 ///
-/// Any finite centres and radii; concentric spheres part along +y.
+/// Any finite centres and radii; concentric spheres separate along +y.
 template <class Real>
 std::optional<Manifold<Real>> sphere_sphere(const Sphere<Real>& a, const Sphere<Real>& b)
 {

@@ -66,7 +66,7 @@ inline void project(SunkCube& cube)
   Manifold<double> found{Vector3<double>::UnitY(), std::max(0.0, -cube.bottom), {}};
   for (std::size_t tile = 0; tile < cube.impulses.size(); ++tile)
   {
-    cube.bottom += parting_moves(found, 0.0, 1 / cube.mass).b.y();
+    cube.bottom += separating_moves(found, 0.0, 1 / cube.mass).b.y();
   }
 }
 
