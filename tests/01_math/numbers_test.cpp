@@ -9,8 +9,8 @@
 #include "01_math/numbers/trial/whole_numbers.hpp"
 #include "01_math/numbers/trial/wrap_cases.hpp"
 #include "01_math/truth/trial/whole_range.hpp"
-#include "tools/exact/exact.hpp"
 #include "common/math/ulp.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
@@ -229,9 +229,9 @@ TEMPLATE_TEST_CASE(
   {
     const TestType a = draw.number(), b = draw.number(), c = draw.number();
     // Every other time the products are nearly equal, and nearly all digits cancel.
-    const TestType near = static_cast<TestType>(static_cast<long double>(b) * c / a);
-    const bool cancel = i % 2 == 0 && std::isfinite(near);
-    const TestType d = cancel ? near : draw.number();
+    const TestType close = static_cast<TestType>(static_cast<long double>(b) * c / a);
+    const bool cancel = i % 2 == 0 && std::isfinite(close);
+    const TestType d = cancel ? close : draw.number();
     const TestType answer = difference_of_products(a, d, b, c);
     const Whole truth = whole(a) * whole(d) - whole(b) * whole(c);
     if (std::isinf(answer))

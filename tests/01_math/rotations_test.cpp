@@ -464,10 +464,10 @@ TEMPLATE_TEST_CASE("slerp and nlerp are within 4 ulp of one for t from 0 to 1", 
     if (kind == 1) // the same, or nearly, or its opposite
     {
       const Vector3<Long> step = Vector3<Long>(draw.share(), draw.share(), draw.share());
-      Quaternion<Long> near = long_unit(a);
-      near.vec() += std::ldexp(Long(1), -draw.drawn(1, 80)) * step;
+      Quaternion<Long> close = long_unit(a);
+      close.vec() += std::ldexp(Long(1), -draw.drawn(1, 80)) * step;
       const Long sign = draw.drawn(0, 1) == 0 ? -1 : 1;
-      b = rounded<TestType>(Quaternion<Long>(sign * near.coeffs()));
+      b = rounded<TestType>(Quaternion<Long>(sign * close.coeffs()));
     }
     const TestType t = draw.drawn(0, 7) == 0 ? TestType(draw.drawn(0, 1)) : std::abs(draw.share());
     // The weights that textbooks give, with the angle between the lines by its halves' tangent.
@@ -618,14 +618,14 @@ TEMPLATE_TEST_CASE(
     if (draw.drawn(0, 1) == 0) // nose up or down, or nearly
     {
       const Long pitch = draw.drawn(0, 1) == 0 ? 1 : -1;
-      const Long near = pitch * (std::numbers::pi_v<Long> / 2 -
-                                 std::ldexp(Long(draw.share()), -draw.drawn(0, 70)));
+      const Long close = pitch * (std::numbers::pi_v<Long> / 2 -
+                                  std::ldexp(Long(draw.share()), -draw.drawn(0, 70)));
       const Quaternion<Long> heading(q.w(), 0, q.y(), 0), roll(q.x(), 0, 0, q.z());
       if (heading.squaredNorm() == 0 || roll.squaredNorm() == 0)
       {
         continue;
       }
-      const Quaternion<Long> up(std::cos(near / 2), std::sin(near / 2), 0, 0);
+      const Quaternion<Long> up(std::cos(close / 2), std::sin(close / 2), 0, 0);
       q = long_unit(heading) * up * long_unit(roll);
     }
     const Matrix3<TestType> r = long_matrix(q).template cast<TestType>();

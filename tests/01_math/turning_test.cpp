@@ -135,14 +135,14 @@ TEMPLATE_TEST_CASE(
   {
     const Vector3<TestType> v = draw.even_vector(), spin = draw.vector();
     Quaternion<TestType> start(v.cwiseAbs().maxCoeff() * draw.share(), v.x(), v.y(), v.z());
-    const bool near = draw.drawn(0, 1) == 0;
-    start = near
+    const bool moderate = draw.drawn(0, 1) == 0;
+    start = moderate
                 ? Quaternion<TestType>(
                       unit_quaternion(start).coeffs() * (1 + draw.share() * 4 * std::sqrt(epsilon)))
                 : start;
     const Quaternion<Long> end = unit_quaternion(start).template cast<Long>();
     worst = std::max(worst, static_cast<double>(std::abs(end.norm() - 1) / Long(epsilon)));
-    const TestType step = near ? TestType(1) / 60 : draw.number();
+    const TestType step = moderate ? TestType(1) / 60 : draw.number();
     const Quaternion<Long> turned =
         turned_by(unit_quaternion(start), spin, step).template cast<Long>();
     worst = std::max(worst, static_cast<double>(std::abs(turned.norm() - 1) / Long(epsilon)));

@@ -121,14 +121,14 @@ TEMPLATE_TEST_CASE(
     {
       continue;
     }
-    const double far = inside.norm();
+    const double distance = inside.norm();
     const auto back = unproject(camera, *seen);
     REQUIRE(back.has_value());
-    worst = std::max(worst, static_cast<double>((*back - point).norm()) / (far * far));
+    worst = std::max(worst, static_cast<double>((*back - point).norm()) / (distance * distance));
     const Ray<TestType> ray = picking_ray(camera, seen->pixel);
     const V way = (point - ray.origin).template cast<double>();
     const V direction = ray.direction.template cast<double>();
-    off_ray = std::max(off_ray, way.cross(direction).norm() / far);
+    off_ray = std::max(off_ray, way.cross(direction).norm() / distance);
     REQUIRE(way.dot(direction) > 0);
   }
   // The depth is rounded once, which moves a point by about u · distance² / near.
@@ -163,14 +163,14 @@ TEST_CASE("the middle of the picture, its corners, and what is behind", "[camera
 TEST_CASE("4,000 km away a pixel of a float camera is where it would be near by", "[camera]")
 {
   const Matrix4<float> lens = *perspective(1.0f, 1.5f, 0.5f, 20.0f);
-  const Vector3<float> far(4'194'304, 0, 0), up(0, 1, 0);
+  const Vector3<float> shift(4'194'304, 0, 0), up(0, 1, 0);
   const Camera<float> near_by{look_at<float>({0, 3, 4}, {0, 0, 0}, up), lens, {600, 400}};
   const Camera<float> away{
-      look_at<float>(far + Vector3<float>(0, 3, 4), far, up), lens, {600, 400}};
+      look_at<float>(shift + Vector3<float>(0, 3, 4), shift, up), lens, {600, 400}};
   const Vector3<float> point(1, 0.5f, 0);
-  CHECK(to_pixel<float>(near_by, point)->pixel == to_pixel<float>(away, far + point)->pixel);
+  CHECK(to_pixel<float>(near_by, point)->pixel == to_pixel<float>(away, shift + point)->pixel);
   // The same through one matrix is off by whole pixels, for its move is rounded to a quarter metre.
-  const Vector<float, 4> clip = clip_from_world(away) * Vector3<float>(far + point).homogeneous();
+  const Vector<float, 4> clip = clip_from_world(away) * Vector3<float>(shift + point).homogeneous();
   const float x = 300 + 300 * clip[0] / clip[3];
   CHECK(std::abs(x - to_pixel<float>(near_by, point)->pixel.x()) > 1);
 }

@@ -53,11 +53,11 @@ TEST_CASE("a point is behind all six planes exactly where its pixel and depth sa
   for (int i = 0; i < random_inputs; ++i)
   {
     const bool flat = i % 2 == 0, reversed = i % 3 == 0;
-    const double near = draw.between(0.1, 2), far = near + draw.between(1, 20);
+    const double near_plane = draw.between(0.1, 2), far_plane = near_plane + draw.between(1, 20);
     const Matrix4<double> lens =
-        flat       ? *orthographic(draw.between(1, 9), draw.between(1, 9), near, far)
-        : reversed ? *perspective_reversed(draw.between(0.2, 2), 1.5, near)
-                   : *perspective(draw.between(0.2, 2), 1.5, near, far);
+        flat       ? *orthographic(draw.between(1, 9), draw.between(1, 9), near_plane, far_plane)
+        : reversed ? *perspective_reversed(draw.between(0.2, 2), 1.5, near_plane)
+                   : *perspective(draw.between(0.2, 2), 1.5, near_plane, far_plane);
     const Camera<double> camera{
         look_at<double>(draw.in_cube(5), draw.in_cube(5), draw.in_cube(1)), lens, {640, 480}};
     const bool whole = flat || !reversed;

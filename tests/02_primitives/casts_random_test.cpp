@@ -86,14 +86,14 @@ struct Known
 /// Casts a path, and checks the verdict and whatever holds for a hit.
 template <class Real, class Shape>
 Lie check_cast(
-    const whole::Path& path, const Known<Shape>& known, const Vec& far, int size, int speed)
+    const whole::Path& path, const Known<Shape>& known, const Vec& distant, int size, int speed)
 {
   const auto scaled_by = [](const Vec& v, int exponent) -> Vector3<Real>
   { return times_power_of_two<double>(v, exponent).template cast<Real>(); };
   const Vec o = real(path.origin), d = real(path.direction);
-  const Vector3<Real> origin = scaled_by(o + far, size);
+  const Vector3<Real> origin = scaled_by(o + distant, size);
   const std::optional<Hit<Real, 3>> hit =
-      path.ends ? cast(Segment<Real>{origin, scaled_by(o + d + far, size)}, known.shape)
+      path.ends ? cast(Segment<Real>{origin, scaled_by(o + d + distant, size)}, known.shape)
                 : cast(Ray<Real>{origin, scaled_by(d, speed)}, known.shape);
   const Lie lie = known.lie(path);
   const auto must = [&](bool right, const char* what)
@@ -119,9 +119,9 @@ Lie check_cast(
     return lie;
   }
   const double unit = std::is_same_v<Real, float> ? 1e-6 : 1e-13,
-               tolerance = (32 + far.norm()) * unit;
+               tolerance = (32 + distant.norm()) * unit;
   const Vec n = hit->normal.template cast<double>();
-  const Vec point = times_power_of_two<double>(hit->point.template cast<double>(), -size) - far;
+  const Vec point = times_power_of_two<double>(hit->point.template cast<double>(), -size) - distant;
   const double t = std::ldexp(static_cast<double>(hit->t), path.ends ? 0 : speed - size);
   // Such a t is larger than the largest number, or less than the smallest: the point is not.
   const bool fits =
@@ -197,14 +197,14 @@ void cast_at_all_sizes(const Make& make, bool anywhere = true)
     const bool small = std::is_same_v<Real, float>;
     const int more = !small && numbers.up_to(1) == 0 ? 9 : 1;
     const int size = more * sizes[which], speed = more * speeds[other];
-    const Vec far =
+    const Vec distant =
         anywhere && numbers.up_to(3) == 0 ? Vec(small ? 0x1p18 : 0x1p40, -0x1p12, 3) : Vec(0, 0, 0);
     const whole::Path path = numbers.path();
     const auto scale = [&](const whole::V& v) -> Vector3<Real>
-    { return times_power_of_two<double>(real(v) + far, size).template cast<Real>(); };
+    { return times_power_of_two<double>(real(v) + distant, size).template cast<Real>(); };
     const auto length = [&](whole::Int x)
     { return static_cast<Real>(std::ldexp(static_cast<double>(x), size)); };
-    const Lie lie = check_cast<Real>(path, make(numbers, scale, length), far, size, speed);
+    const Lie lie = check_cast<Real>(path, make(numbers, scale, length), distant, size, speed);
     ++seen[static_cast<int>(lie) + 1];
   }
   for (const int times : seen)

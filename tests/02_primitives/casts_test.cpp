@@ -3,8 +3,8 @@
 
 #include "02_primitives/casts/casts.hpp"
 #include "02_primitives/casts/trial/casts_cases.hpp"
-#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
@@ -280,13 +280,13 @@ TEMPLATE_TEST_CASE("radius 0, flat and empty boxes, mixed sizes", "[P9][P10]", f
   CHECK(cast(along, Aabb<TestType>(V(1, -1, -1), V(1, 1, 1)))->t == 2);
   CHECK_FALSE(cast(along, Aabb<TestType>()));
   // A speck, far away, and dead ahead.
-  const TestType far = TestType(1e30), tiny = TestType(1e-30);
+  const TestType large = TestType(1e30), tiny = TestType(1e-30);
   const auto speck =
-      cast(Ray<TestType>{{-far, 0, 0}, {tiny, 0, 0}}, Sphere<TestType>{{0, 0, 0}, tiny});
+      cast(Ray<TestType>{{-large, 0, 0}, {tiny, 0, 0}}, Sphere<TestType>{{0, 0, 0}, tiny});
   REQUIRE(speck);
   CHECK(speck->point.norm() <= tiny * 2);
   CHECK(speck->normal == V(-1, 0, 0));
-  CHECK_FALSE(cast(Ray<TestType>{{-far, 1, 0}, {tiny, 0, 0}}, Sphere<TestType>{{0, 0, 0}, tiny}));
+  CHECK_FALSE(cast(Ray<TestType>{{-large, 1, 0}, {tiny, 0, 0}}, Sphere<TestType>{{0, 0, 0}, tiny}));
 }
 // [cast_degenerate]
 

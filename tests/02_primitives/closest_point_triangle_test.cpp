@@ -249,17 +249,17 @@ TEST_CASE("which way to find the closest point of a triangle holds in which case
 
 TEST_CASE("of segments parallel to 3e-8, each of the four ends may be the closest", "[P14]")
 {
-  const double near = 1 - 0x1p-24; // the other end is at 1: a sine of 2^-25
-  const Eigen::Vector3d low(4, near, 0), high(6, 1, 0);
+  const double almost = 1 - 0x1p-24; // the other end is at 1: a sine of 2^-25
+  const Eigen::Vector3d low(4, almost, 0), high(6, 1, 0);
   const Segment<double> whole{{0, 0, 0}, {8, 0, 0}}, up{low, high}, down{high, low};
   for (const ClosestShares<double>& at : {closest_shares(up, whole), closest_shares(down, whole)})
   {
-    CHECK(at.way == Eigen::Vector3d(0, near, 0));
+    CHECK(at.way == Eigen::Vector3d(0, almost, 0));
     CHECK(at.on_b == 0.5);
   }
   for (const ClosestShares<double>& at : {closest_shares(whole, up), closest_shares(whole, down)})
   {
-    CHECK(at.way == Eigen::Vector3d(0, -near, 0));
+    CHECK(at.way == Eigen::Vector3d(0, -almost, 0));
     CHECK(at.on_a == 0.5);
   }
 }

@@ -209,7 +209,7 @@ TEST_CASE(
     {
       const Sphere<double> sphere{draw.point(1.5), draw(0, 0.5)};
       const Box box(sphere.center, V(sphere.center + draw.point(0.5).cwiseAbs()));
-      std::vector<int> touching, near;
+      std::vector<int> touching, expected;
       for (int k = 0; k < static_cast<int>(mesh.triangles.size()); ++k)
       {
         if (way_to_triangle<double>(triangle_of(mesh, k), sphere.center).norm() <= sphere.radius)
@@ -218,11 +218,11 @@ TEST_CASE(
         }
         if (box.intersects(box_of_triangle(mesh, k)))
         {
-          near.push_back(k);
+          expected.push_back(k);
         }
       }
       wrong += triangles_touching(mesh, tree, sphere) != touching;
-      wrong += triangles_near(mesh, tree, box) != near;
+      wrong += triangles_near(mesh, tree, box) != expected;
     }
     CHECK(wrong == 0);
   }

@@ -84,10 +84,10 @@ Wrong casts_on_the_grid(unsigned seed)
     wrong.verdicts += decided && hit.has_value() != truth.overlap;
     wrong.misses += !hit;
     // The ray goes on; thirty times as far it is out of the grid.
-    GridShape far = on_path;
+    GridShape longer = on_path;
     const GridPoint along = on_path.corners[1] - on_path.corners[0];
-    far.corners[1] = {far.corners[0].x + 30 * along.x, far.corners[0].y + 30 * along.y};
-    const GridTruth of_ray = truth_of(far, on_shape);
+    longer.corners[1] = {longer.corners[0].x + 30 * along.x, longer.corners[0].y + 30 * along.y};
+    const GridTruth of_ray = truth_of(longer, on_shape);
     const Ray2<Real> scaled{times_power(ray.origin, k), times_power(ray.direction, k / 2)};
     const auto hit_of_ray = cast<Real>(scaled, times_power(shape, k));
     wrong.verdicts += (!turned || !of_ray.touching) && hit_of_ray.has_value() != of_ray.overlap;

@@ -20,7 +20,7 @@ enum class Draws
   thin,    ///< corners a hair from a line or a plane, or on it
   tiny,    ///< any, times 1e-30
   huge,    ///< any, times 1e30
-  far,     ///< any, 10,000 away from the origin
+  distant, ///< any, 10,000 away from the origin
   unlike,  ///< sizes from 1e-6 to 1
 };
 
@@ -35,7 +35,7 @@ public:
   {
     draws_ = draws;
     scale_ = draws == Draws::tiny ? 1e-30 : draws == Draws::huge ? 1e30 : 1;
-    away_ = draws == Draws::far ? 1e4 : 0;
+    away_ = draws == Draws::distant ? 1e4 : 0;
   }
 
   /// Before each shape: its size and its place.

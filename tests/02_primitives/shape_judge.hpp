@@ -46,39 +46,39 @@ inline Long from_triangle(const Long3& p, const Long3& a, const Long3& b, const 
 inline Long outside(const Judged& shape, const Long3& p)
 {
   const std::vector<Long3>& c = shape.corners;
-  Long far = 0;
+  Long distance = 0;
   if (!shape.sides.empty())
   {
     for (const auto& [x, y, z, offset] : shape.sides)
     {
-      far = std::max(far, p.dot(Long3(x, y, z)) - offset);
+      distance = std::max(distance, p.dot(Long3(x, y, z)) - offset);
     }
-    return far;
+    return distance;
   }
   switch (c.size())
   {
   case 1:
-    far = (p - c[0]).norm();
+    distance = (p - c[0]).norm();
     break;
   case 2:
-    far = way_from_segment(p, c[0], c[1]).norm();
+    distance = way_from_segment(p, c[0], c[1]).norm();
     break;
   case 3:
-    far = from_triangle(p, c[0], c[1], c[2]);
+    distance = from_triangle(p, c[0], c[1], c[2]);
     break;
   default:
     bool inside = true;
-    far = from_triangle(p, c[1], c[2], c[3]);
+    distance = from_triangle(p, c[1], c[2], c[3]);
     for (std::size_t i = 0; i < 4; ++i)
     {
       const Long3 &q = c[(i + 1) % 4], &r = c[(i + 2) % 4], &s = c[(i + 3) % 4];
-      far = std::min(far, from_triangle(p, q, r, s));
+      distance = std::min(distance, from_triangle(p, q, r, s));
       const Long3 n = (r - q).cross(s - q);
       inside = inside && n.dot(p - q) * n.dot(c[i] - q) > 0;
     }
-    far = inside ? Long(0) : far;
+    distance = inside ? Long(0) : distance;
   }
-  return std::max(Long(0), far - shape.radius);
+  return std::max(Long(0), distance - shape.radius);
 }
 
 /// The least of n·x over a shape, for a unit vector n.
@@ -123,8 +123,8 @@ inline Long fault(const Judged& a, const Judged& b, const ClosestPoints<Long, 3>
     return std::numeric_limits<Long>::infinity();
   }
   // Planes that are nearly parallel meet far away.
-  const Long far = a.is_plane && b.is_plane ? points.a.norm() : Long(0);
-  const Long size = std::max(size_of_numbers(a, b), far);
+  const Long distance = a.is_plane && b.is_plane ? points.a.norm() : Long(0);
+  const Long size = std::max(size_of_numbers(a, b), distance);
   Long wrong = std::max(outside(a, points.a), outside(b, points.b));
   wrong = std::max(wrong, std::abs((points.a - points.b).norm() - points.distance));
   if (points.distance == Long(0))

@@ -86,7 +86,7 @@ std::vector<Kinds<Real>> all_kinds()
 }
 
 constexpr Draws all_draws[] = {Draws::any,  Draws::lattice, Draws::thin,  Draws::tiny,
-                               Draws::huge, Draws::far,     Draws::unlike};
+                               Draws::huge, Draws::distant, Draws::unlike};
 
 /// What was wrong with any of many pairs of two kinds.
 struct Wrongs

@@ -38,7 +38,7 @@ TEST_CASE("the side of a plane is that of exact fractions, also a hair from the 
 {
   ShapeDraw<double> from(3);
   int on_plane = 0;
-  for (const Draws draws : {Draws::lattice, Draws::thin, Draws::far})
+  for (const Draws draws : {Draws::lattice, Draws::thin, Draws::distant})
   {
     from.use(draws);
     for (int i = 0; i < random_inputs / 10; ++i)

@@ -4,9 +4,9 @@
 
 #include "02_primitives/shapes/shapes.hpp"
 #include "03_sphere_manifolds/manifold/manifold.hpp"
-#include "tools/exact/exact.hpp"
 #include "common/math/norm.hpp"
 #include "common/math/ulp.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/random_numbers.hpp"
@@ -118,14 +118,14 @@ private:
   }
 
   void check_truth(
-      const TrueOverlap<double>& near, const TrueOverlap<Reference>& exact, float larger_radius)
+      const TrueOverlap<double>& rounded, const TrueOverlap<Reference>& exact, float larger_radius)
   {
-    const Reference depth = abs(near.depth - exact.depth) / Reference(ulp(larger_radius));
+    const Reference depth = abs(rounded.depth - exact.depth) / Reference(ulp(larger_radius));
     truth_error = std::max(truth_error, static_cast<double>(depth));
-    if (near.distance >= 1e-3 * larger_radius)
+    if (rounded.distance >= 1e-3 * larger_radius)
     {
       const Vector3<double> difference =
-          (near.normal.cast<Reference>() - exact.normal).cast<double>();
+          (rounded.normal.cast<Reference>() - exact.normal).cast<double>();
       truth_error = std::max(truth_error, difference.cwiseAbs().maxCoeff() / ulp(1.0f));
     }
   }

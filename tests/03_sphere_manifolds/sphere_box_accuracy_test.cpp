@@ -141,12 +141,12 @@ TEST_CASE(
 {
   Random random(2);
   Accuracy accuracy;
-  const Vector3<double> far(1e6, 1e6, 1e6);
+  const Vector3<double> distant(1e6, 1e6, 1e6);
   for (int i = 0; i < pairs_per_world; ++i)
   {
     SphereAndBox pair = random_pair(random, 1);
-    pair.sphere.center += far;
-    pair.box.center += far;
+    pair.sphere.center += distant;
+    pair.box.center += distant;
     const float radius = rounded(pair.sphere.radius);
     const Obb<float> box = rounded(pair.box, 1);
     accuracy.compare(

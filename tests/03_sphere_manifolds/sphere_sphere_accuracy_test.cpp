@@ -72,12 +72,12 @@ TEST_CASE("relative to A, float answers within 4 ulp a million metres away", "[S
 {
   Random random(1);
   Accuracy accuracy;
-  const Vector3<double> far(1e6, 1e6, 1e6);
+  const Vector3<double> distant(1e6, 1e6, 1e6);
   for (int i = 0; i < pairs_per_world; ++i)
   {
     const std::pair<Sphere<double>, Sphere<double>> pair = random_pair(random, 1);
-    const Sphere<double> a{pair.first.center + far, pair.first.radius};
-    const Sphere<double> b{pair.second.center + far, pair.second.radius};
+    const Sphere<double> a{pair.first.center + distant, pair.first.radius};
+    const Sphere<double> b{pair.second.center + distant, pair.second.radius};
     const float radius_a = rounded(a.radius);
     const float radius_b = rounded(b.radius);
     const Vector3<double> a_to_b = b.center - a.center;

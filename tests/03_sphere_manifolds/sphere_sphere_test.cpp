@@ -209,10 +209,10 @@ TEMPLATE_TEST_CASE(
 {
   const TestType most = std::numeric_limits<TestType>::max();
   const Sphere<TestType> one{{0, 0, 0}, 1};
-  const Sphere<TestType> far{{-most, -most, 0}, 1}; // further than the largest number
+  const Sphere<TestType> distant{{-most, -most, 0}, 1}; // further than the largest number
   const Vector3<TestType> midway(-most / 2, -most / 2, 0);
   const TestType few_roundings = 4 * std::numeric_limits<TestType>::epsilon();
-  for (const auto& [a, b] : {std::pair(one, far), std::pair(far, one)})
+  for (const auto& [a, b] : {std::pair(one, distant), std::pair(distant, one)})
   {
     const Vector3<TestType> position = world_overlap(a, b).position;
     CHECK((position / most - midway / most).norm() <= few_roundings);

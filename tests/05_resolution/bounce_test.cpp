@@ -8,8 +8,8 @@
 #include "05_resolution/impulse/trial/impulse_cases.hpp"
 #include "05_resolution/impulse/trial/impulse_pitfalls.hpp"
 #include "05_resolution/impulse/trial/impulse_scenes.hpp"
-#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/05_resolution/meetings.hpp"
 #include "tests/catch.hpp"
@@ -25,23 +25,23 @@ using namespace cookbook;
 TEST_CASE("a cube of 1 kg lands flat, on an edge, on a corner, with e = 0.5", "[R2]")
 {
   // The manifold is a nanometre deep: its points are off by up to two, each worth 9 rad/s a metre.
-  const double near = 2e-8;
+  const double tolerance = 2e-8;
   const auto after = [](const Landing& landing)
   { return bounce(landing.bodies, landing.manifold, 0.5, 40).a.motion; };
   const std::vector<Landing> all = landings();
   CHECK(all[0].manifold.points.size() == 4);
-  CHECK(std::abs(after(all[0]).velocity.y() - 0.5) <= near);
-  CHECK(after(all[0]).angular_velocity.norm() <= near);
+  CHECK(std::abs(after(all[0]).velocity.y() - 0.5) <= tolerance);
+  CHECK(after(all[0]).angular_velocity.norm() <= tolerance);
   // The edge is 0.1 m beside the centre: K = 1 + 6 · 0.01.
   CHECK(all[1].manifold.points.size() == 2);
-  CHECK(std::abs(after(all[1]).velocity.y() - (1.5 / 1.06 - 1)) <= near);
-  CHECK(std::abs(after(all[1]).angular_velocity.norm() - 0.6 * 1.5 / 1.06) <= near);
+  CHECK(std::abs(after(all[1]).velocity.y() - (1.5 / 1.06 - 1)) <= tolerance);
+  CHECK(std::abs(after(all[1]).angular_velocity.norm() - 0.6 * 1.5 / 1.06) <= tolerance);
   // The corner is (-1/22, 1/22) m beside the centre: K = 1 + 6 · 2/22² = 124/121.
   CHECK(all[2].manifold.points.size() == 1);
-  CHECK(std::abs(after(all[2]).velocity.y() - (1.5 * 121 / 124 - 1)) <= near);
+  CHECK(std::abs(after(all[2]).velocity.y() - (1.5 * 121 / 124 - 1)) <= tolerance);
   CHECK(
       std::abs(after(all[2]).angular_velocity.norm() - 9 * 121 / 124.0 * std::sqrt(2) / 22) <=
-      near);
+      tolerance);
 }
 // [landings]
 

@@ -35,8 +35,8 @@ std::vector<Bounds> random_bounds(BoxDraw& draw)
   }
   if (draw.whole(2) == 0)
   {
-    const Vector3<double> far = Vector3<double>::Constant(infinity);
-    bounds.push_back({{-far, far}, count});
+    const Vector3<double> infinite = Vector3<double>::Constant(infinity);
+    bounds.push_back({{-infinite, infinite}, count});
   }
   return bounds;
 }
@@ -86,14 +86,14 @@ struct MetPairs
     const std::vector<bool> falls(ends.size(), false), gone(ends.size(), false);
     std::vector<Course> courses;
     std::vector<double> ways;
-    BroadPhase near;
+    BroadPhase broad_phase;
     for (int asked = 0; asked < 3; ++asked) // then all that stay have room
     {
-      pairs_by(near, bounds);
+      pairs_by(broad_phase, bounds);
     }
     std::vector<bool> deep(ends.size(), false);
-    StepCourses step{scene, {}, {}, falls, gone, near.near(), courses, ways, deep};
-    step.tree = &near.tree(bounds);
+    StepCourses step{scene, {}, {}, falls, gone, broad_phase.close_pairs(), courses, ways, deep};
+    step.tree = &broad_phase.tree(bounds);
     set_out(step, ends);
     compare(step, ends);
   }

@@ -271,11 +271,11 @@ TEST_CASE("a body is swept that a step leaves deeper than 7.5 %, and not by grav
     ends[1].motion.center = {along, 0.1 + to, 0};
     ends[0].motion.center.x() += slab == Slab::moves ? 1e-6 : 0;
     const std::vector<bool> none(2, false);
-    const std::vector<std::pair<int, int>> near{{0, 1}};
+    const std::vector<std::pair<int, int>> close_pairs{{0, 1}};
     std::vector<Course> courses;
     std::vector<double> ways;
     std::vector<bool> marked;
-    StepCourses step{scene, {}, {}, none, none, near, courses, ways, marked};
+    StepCourses step{scene, {}, {}, none, none, close_pairs, courses, ways, marked};
     const bool any = has_boxes_to_sweep(step, ahead, ends);
     CHECK(any == (marked[0] || marked[1]));
     return std::pair<bool, bool>(marked[0], marked[1]);

@@ -99,21 +99,21 @@ TEST_CASE("who leaned on it falls, whoever sleeps where it is put wakes, and oth
 
 TEST_CASE("a scene that is moved by a kilometre goes on as it would have, a kilometre away")
 {
-  const Vector3<double> far(1000, 0, -500);
+  const Vector3<double> shift(1000, 0, -500);
   World moved(named_scene("domino_20"), solver_named("wide_steps"));
   World left = moved;
   on(moved, 1);
   on(left, 1);
   for (std::size_t i = 1; i < moved.bodies().size(); ++i)
   {
-    moved.set_pose(i, moved.body(i).motion.center + far, moved.body(i).orientation);
+    moved.set_pose(i, moved.body(i).motion.center + shift, moved.body(i).orientation);
   }
   on(moved, 1);
   on(left, 1);
   for (std::size_t i = 1; i < moved.bodies().size(); ++i)
   {
     const Vector3<double> apart = moved.body(i).motion.center - left.body(i).motion.center;
-    CHECK((apart - far).norm() <= 1e-6);
+    CHECK((apart - shift).norm() <= 1e-6);
   }
 }
 

@@ -218,9 +218,10 @@ TEST_CASE("from a thousand kilometres a ball hits a 2 cm wall to 1e-8 m")
   REQUIRE(hit);
   CHECK(std::abs(hit->time * 2e6 - (1e6 - 0.06)) <= 1e-8);
   CHECK(!swept_sphere_box<double>(ball_at(-1e6, 0, 0, 0.05), {0.9e6, 0, 0}, wall));
-  const Vector3<double> far(1e6, -1e6, 1e6);
+  const Vector3<double> distant(1e6, -1e6, 1e6);
   const auto there = swept_sphere_box<double>(
-      {far + Vector3<double>(-3, 0, 0), 0.5}, {6, 0, 0}, {far, cube.axes, cube.half_extents});
+      {distant + Vector3<double>(-3, 0, 0), 0.5}, {6, 0, 0},
+      {distant, cube.axes, cube.half_extents});
   CHECK(there->time == Catch::Approx(0.25).epsilon(rounding));
 }
 

@@ -200,20 +200,20 @@ TEST_CASE("a ball of 1/16 at 50 to 5,000 units a step stops in front of a wall o
 TEST_CASE("swept, none passes a wall of a tenth of a millimetre, turned, a hundred kilometres out")
 {
   const Matrix3<double> axes = rational_rotation<double>(1, 2, 3, 4);
-  const Vector3<double> far(1e5, -1e5, 1e5);
-  const Obb<double> wall{far, axes, {5e-5, 500, 500}};
+  const Vector3<double> distant(1e5, -1e5, 1e5);
+  const Obb<double> wall{distant, axes, {5e-5, 500, 500}};
   const Vector3<double> normal = axes.col(0);
   for (int i = 0; i < 200; ++i)
   {
     const Vector3<double> velocity = 1000 * normal + (i - 100) * axes.col(1);
-    const Vector3<double> start = far - (0.05 + 5e-5 + 0.01 + 0.08 * i) * normal;
+    const Vector3<double> start = distant - (0.05 + 5e-5 + 0.01 + 0.08 * i) * normal;
     FlyingBall<double> flight{{start, 0.05}, velocity};
     for (int step = 0; step < 3; ++step)
     {
       flight = swept_step<double>(flight, {&wall, 1}, 1, 1.0 / 60);
     }
     // Coordinates of 1e5 m are rounded at 1.5e-11.
-    REQUIRE(normal.dot(flight.ball.center - far) <= -0.05);
+    REQUIRE(normal.dot(flight.ball.center - distant) <= -0.05);
     REQUIRE(normal.dot(flight.velocity) == Catch::Approx(-1000).epsilon(1e-12));
   }
 }

@@ -482,13 +482,13 @@ TEST_CASE(
     "a million metres from the origin a tower stands as at the origin, to half a millimetre",
     "[long]")
 {
-  Scene near = named_scene("tower_3"), far = near;
+  Scene at_origin = named_scene("tower_3"), distant = at_origin;
   const Vector3<double> away(1 << 20, 0, -(1 << 20));
-  for (SceneBody& body : far.bodies)
+  for (SceneBody& body : distant.bodies)
   {
     body.position += body.mass > 0 ? away : Vector3<double>(0, 0, 0);
   }
-  World a = wide_world(near), b = wide_world(far);
+  World a = wide_world(at_origin), b = wide_world(distant);
   for (int i = 0; i < 300; ++i)
   {
     a.step();

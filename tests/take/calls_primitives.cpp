@@ -104,11 +104,11 @@ int main()
       "camera",
       [](Draw& draw, Bits& bits)
       {
-        const double stretch = draw.scale(), near = draw.number(0.1, 1);
+        const double stretch = draw.scale(), near_plane = draw.number(0.1, 1);
         const Eigen::Vector3d eye = draw.vector(5) * stretch, target = draw.vector(5) * stretch;
-        const Matrix4<double> lens = draw.one_in(2)
-                                         ? *perspective(draw.number(0.5, 2), 1.5, near, near + 9)
-                                         : *orthographic(draw.number(1, 9), 5.0, near, near + 9);
+        const Matrix4<double> lens =
+            draw.one_in(2) ? *perspective(draw.number(0.5, 2), 1.5, near_plane, near_plane + 9)
+                           : *orthographic(draw.number(1, 9), 5.0, near_plane, near_plane + 9);
         const Camera<double> camera{look_at<double>(eye, target, draw.unit()), lens, {640, 480}};
         const Eigen::Vector3d point = draw.vector(9) * stretch;
         const Eigen::Vector2d pixel(draw.number(0, 640), draw.number(0, 480));
@@ -128,7 +128,7 @@ int main()
         const double radius = draw.number(0, 2);
         const Eigen::AlignedBox3d box(point, Eigen::Vector3d(point + draw.half_extents()));
         bits(may_see(f, Sphere<double>{point, radius}), may_see(f, box));
-        bits(perspective_reversed(1.0, 1.5, near));
+        bits(perspective_reversed(1.0, 1.5, near_plane));
         if (const auto corners = view_corners<double>(camera, -1, 1))
         {
           bits(may_see(f, *corners, box), (*corners)[7]);

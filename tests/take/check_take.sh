@@ -39,10 +39,11 @@ two_at_a_time() { # every other line each
   wait "$other"
 }
 
+# `near` and `far` are empty macros in windows.h, so no header may call anything so.
 compile() { # compile NAME WHAT OPTIONS...: one sentence, and the compiler's, where it fails
   log="$work/$1.log" what="$1: $2"
   shift 2
-  "$compiler" -std=c++20 -isystem "$eigen" -x c++ "$@" >"$log" 2>&1 && return
+  "$compiler" -std=c++20 -Dnear= -Dfar= -isystem "$eigen" -x c++ "$@" >"$log" 2>&1 && return
   echo "$what cannot be compiled"
   sed -n 1,15p "$log"
   return 1

@@ -56,17 +56,19 @@ bool is_lens(Real angle, Real aspect)
 // [lens]
 
 // [perspective]
-/// The perspective of a lens that keeps what is from `near` to `far` [m] ahead; depths −1…1.
+/// The perspective of a lens that keeps what is from `near_plane` to `far_plane` [m] ahead; depths
+/// −1…1.
 ///
-/// Nothing unless 0 < near < far, all finite, and the angle is between 0 and π.
+/// Nothing unless 0 < near_plane < far_plane, all finite, and the angle is between 0 and π.
 template <class Real>
-std::optional<Matrix4<Real>> perspective(Real angle, Real aspect, Real near, Real far)
+std::optional<Matrix4<Real>> perspective(Real angle, Real aspect, Real near_plane, Real far_plane)
 {
-  if (!is_lens(angle, aspect) || !(near > Real(0)) || !(far > near) || !std::isfinite(far))
+  if (!is_lens(angle, aspect) || !(near_plane > Real(0)) || !(far_plane > near_plane) ||
+      !std::isfinite(far_plane))
   {
     return std::nullopt;
   }
-  const double n = static_cast<double>(near), f = static_cast<double>(far);
+  const double n = static_cast<double>(near_plane), f = static_cast<double>(far_plane);
   Matrix4<double> m = lens(angle, aspect);
   m(2, 2) = (f + n) / (n - f);
   m(2, 3) = 2 * n * (f / (n - f));
@@ -74,36 +76,37 @@ std::optional<Matrix4<Real>> perspective(Real angle, Real aspect, Real near, Rea
 }
 // [perspective]
 
-/// The perspective that is best in floats: depth is near / distance, from 1 at `near` [m] to 0 at
-/// infinity; depths 0…1.
+/// The perspective that is best in floats: depth is near_plane / distance, from 1 at `near_plane`
+/// [m] to 0 at infinity; depths 0…1.
 ///
-/// Nothing unless near > 0 is finite and the angle is between 0 and π.
+/// Nothing unless near_plane > 0 is finite and the angle is between 0 and π.
 template <class Real>
-std::optional<Matrix4<Real>> perspective_reversed(Real angle, Real aspect, Real near)
+std::optional<Matrix4<Real>> perspective_reversed(Real angle, Real aspect, Real near_plane)
 {
-  if (!is_lens(angle, aspect) || !(near > Real(0)) || !std::isfinite(near))
+  if (!is_lens(angle, aspect) || !(near_plane > Real(0)) || !std::isfinite(near_plane))
   {
     return std::nullopt;
   }
   Matrix4<double> m = lens(angle, aspect);
-  m(2, 3) = static_cast<double>(near);
+  m(2, 3) = static_cast<double>(near_plane);
   return kept_projection<Real>(m);
 }
 
 // [orthographic]
-/// A projection without perspective: a block `width` by `height` [m], from `near` to `far` [m]
-/// ahead, either of which may be behind; depths −1…1.
+/// A projection without perspective: a block `width` by `height` [m], from `near_plane` to
+/// `far_plane` [m] ahead, either of which may be behind; depths −1…1.
 ///
-/// Nothing unless width and height are above zero, near < far, all finite.
+/// Nothing unless width and height are above zero, near_plane < far_plane, all finite.
 template <class Real>
-std::optional<Matrix4<Real>> orthographic(Real width, Real height, Real near, Real far)
+std::optional<Matrix4<Real>> orthographic(Real width, Real height, Real near_plane, Real far_plane)
 {
   const bool sized = width > Real(0) && height > Real(0);
-  if (!sized || !(near < far) || !std::isfinite(near) || !std::isfinite(far))
+  if (!sized || !(near_plane < far_plane) || !std::isfinite(near_plane) ||
+      !std::isfinite(far_plane))
   {
     return std::nullopt;
   }
-  const double n = static_cast<double>(near), f = static_cast<double>(far);
+  const double n = static_cast<double>(near_plane), f = static_cast<double>(far_plane);
   Matrix4<double> m = Matrix4<double>::Identity();
   m(0, 0) = 2 / static_cast<double>(width);
   m(1, 1) = 2 / static_cast<double>(height);

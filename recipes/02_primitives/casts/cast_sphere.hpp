@@ -16,18 +16,18 @@ std::optional<Hit<Real, 3>> hit_around(
     const CastPath<Real>& path, const Real& t, const Vector3<Real>& center, const Real& radius)
 {
   const Vector3<Real> out = point_at(path, t) - center;
-  const Real far = out.norm(), along = out.dot(path.direction);
-  if (!(radius > Real(0)) || !(far > Real(0)))
+  const Real distance = out.norm(), along = out.dot(path.direction);
+  if (!(radius > Real(0)) || !(distance > Real(0)))
   {
     return hit_at<Real>(path, t, hit_from_inside(path).normal, center);
   }
-  const Vector3<Real> point = center + (radius / far) * out;
+  const Vector3<Real> point = center + (radius / distance) * out;
   if (along > Real(0)) // a path that grazes, rounded to one that is on its way out
   {
     const Vector3<Real> across = out - along / path.direction.squaredNorm() * path.direction;
     return hit_at<Real>(path, t, normalize<Real>(across, hit_from_inside(path).normal).unit, point);
   }
-  return hit_at<Real>(path, t, out / far, point);
+  return hit_at<Real>(path, t, out / distance, point);
 }
 // [hit_around]
 

@@ -86,15 +86,15 @@ meet_rectangle(const Vector<Real, 2>& o, const Vector<Real, 2>& d, const PlaneFo
   int entered = 0;
   for (int i = 0; i < 2; ++i)
   {
-    const Real near = way[i] < Real(0) ? box.half[i] : -box.half[i];
+    const Real near_side = way[i] < Real(0) ? box.half[i] : -box.half[i];
     if (way[i] == Real(0) && std::abs(at[i]) > box.half[i])
     {
       return std::nullopt; // along the slab, outside
     }
     if (way[i] != Real(0))
     {
-      const Real entry_here = (near - at[i]) / way[i];
-      exit = std::min(exit, (-near - at[i]) / way[i]);
+      const Real entry_here = (near_side - at[i]) / way[i];
+      exit = std::min(exit, (-near_side - at[i]) / way[i]);
       entered = entry_here > entry ? i : entered;
       entry = std::max(entry, entry_here);
     }

@@ -155,7 +155,7 @@ std::vector<int> triangles_near(
     const Eigen::AlignedBox<Real, 3>& box)
 {
   using W = Wide<Real>;
-  std::vector<int> near;
+  std::vector<int> found;
   walk_volumes(
       tree,
       [&](const Eigen::AlignedBox<Real, 3>& other)
@@ -165,11 +165,11 @@ std::vector<int> triangles_near(
       {
         if (box.intersects(box_of_triangle(mesh, triangle)))
         {
-          near.push_back(triangle);
+          found.push_back(triangle);
         }
       });
-  std::sort(near.begin(), near.end());
-  return near;
+  std::sort(found.begin(), found.end());
+  return found;
 }
 // [triangles_touching]
 

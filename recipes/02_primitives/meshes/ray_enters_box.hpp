@@ -59,10 +59,10 @@ Real ray_enters_box(const RayForBoxes<Real>& ray, const Eigen::AlignedBox<Real, 
     const bool back = ray.back[static_cast<std::size_t>(i)];
     const Real near_side = back ? box.max()[i] : box.min()[i];
     const Real far_side = back ? box.min()[i] : box.max()[i];
-    const Real near = (near_side - ray.origin[i] - ray.little[i]) * ray.inverse[i];
-    const Real far = (far_side - ray.origin[i] + ray.little[i]) * ray.inverse[i];
-    enter = near > enter ? near : enter;
-    leave = far < leave ? far : leave;
+    const Real entry = (near_side - ray.origin[i] - ray.little[i]) * ray.inverse[i];
+    const Real exit = (far_side - ray.origin[i] + ray.little[i]) * ray.inverse[i];
+    enter = entry > enter ? entry : enter;
+    leave = exit < leave ? exit : leave;
   }
   return enter <= leave ? enter : std::numeric_limits<Real>::infinity();
 }

@@ -46,9 +46,9 @@ W walk_rounding(const Eigen::AlignedBox<Real, 3>& whole, const Vector3<Real>& po
 {
   const Vector3<W> low = whole.min().template cast<W>() - point.template cast<W>();
   const Vector3<W> high = whole.max().template cast<W>() - point.template cast<W>();
-  const W far = low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff();
+  const W largest = low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff();
   using Limits = std::numeric_limits<W>;
-  return W(16) * std::max(Limits::epsilon() * far, Limits::denorm_min());
+  return W(16) * std::max(Limits::epsilon() * largest, Limits::denorm_min());
 }
 // [walk_rounding]
 
@@ -68,8 +68,8 @@ void walk_volumes(const BoundingVolumes<Real>& tree, Key key, Bound bound, Visit
   };
   std::array<Waiting, 96> stack;
   std::size_t waiting = 0;
-  const auto matters = [&](W far)
-  { return far < std::numeric_limits<W>::infinity() && far <= bound(); };
+  const auto matters = [&](W least)
+  { return least < std::numeric_limits<W>::infinity() && least <= bound(); };
   if (tree.nodes.empty() || !matters(key(tree.nodes[0].box)))
   {
     return;
@@ -84,19 +84,19 @@ void walk_volumes(const BoundingVolumes<Real>& tree, Key key, Bound bound, Visit
     }
     if (node.count == 0)
     {
-      Waiting near{first, key(tree.nodes[first].box)};
-      Waiting far{first + 1, key(tree.nodes[first + 1].box)};
-      if (far.key < near.key)
+      Waiting closer{first, key(tree.nodes[first].box)};
+      Waiting farther{first + 1, key(tree.nodes[first + 1].box)};
+      if (farther.key < closer.key)
       {
-        std::swap(near, far);
+        std::swap(closer, farther);
       }
-      if (matters(far.key))
+      if (matters(farther.key))
       {
-        stack[waiting++] = far;
+        stack[waiting++] = farther;
       }
-      if (matters(near.key))
+      if (matters(closer.key))
       {
-        here = near.node;
+        here = closer.node;
         continue;
       }
     }

@@ -37,11 +37,11 @@ public:
     }
     const auto overlap = [&](const std::pair<int, int>& pair)
     { return boxes_intersect(bounds[place(pair.first)].box, bounds[place(pair.second)].box); };
-    if (near_.size() > 100 * bounds.size())
+    if (close_pairs_.size() > 100 * bounds.size())
     {
-      check(std::count_if(near_.begin(), near_.end(), overlap), 100);
+      check(std::count_if(close_pairs_.begin(), close_pairs_.end(), overlap), 100);
     }
-    for (const std::pair<int, int>& pair : near_)
+    for (const std::pair<int, int>& pair : close_pairs_)
     {
       if (overlap(pair))
       {
@@ -51,7 +51,7 @@ public:
   }
 
   /// Those pairs, and others that are nearly as near.
-  const std::vector<std::pair<int, int>>& near() const { return near_; }
+  const std::vector<std::pair<int, int>>& close_pairs() const { return close_pairs_; }
 
   /// A tree of the bounds that pairs were last found of, to be changed. While it is asked for,
   /// nobody is given room.
@@ -125,14 +125,14 @@ private:
       add_overlaps(tree_, leaf, found_);
     }
     const auto is_known = [&](const auto& pair)
-    { return std::binary_search(near_.begin(), near_.end(), pair); };
+    { return std::binary_search(close_pairs_.begin(), close_pairs_.end(), pair); };
     std::erase_if(found_, is_known);
     std::sort(found_.begin(), found_.end());
     found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
-    merge_in(near_, std::span(found_));
+    merge_in(close_pairs_, std::span(found_));
     const auto apart = [&](const auto& pair)
     { return !boxes_intersect(room_of(pair.first), room_of(pair.second)); };
-    std::erase_if(near_, apart);
+    std::erase_if(close_pairs_, apart);
     roomy_ = true;
   }
 
@@ -157,15 +157,15 @@ private:
     roomy_ = asked_ = false;
     moved_ = 0;
     find_places(bounds);
-    near_.clear();
+    close_pairs_.clear();
     each_overlap(
         tree_,
         [&](int a, int b)
         {
-          add_in_room(near_, std::pair(a, b));
-          check(std::ssize(near_), 200);
+          add_in_room(close_pairs_, std::pair(a, b));
+          check(std::ssize(close_pairs_), 200);
         });
-    order_.sort(near_, places_.size());
+    order_.sort(close_pairs_, places_.size());
     roomy_ = gives;
   }
 
@@ -189,10 +189,10 @@ private:
 
   BoundsTree tree_;
   PairOrder order_;
-  std::vector<std::pair<int, int>> near_, found_; // by their rooms
-  std::vector<std::uint32_t> places_, leaves_;    // of bodies in the list of bounds, in the tree
-  std::vector<std::uint32_t> left_;               // the leaves of those that left their room
-  std::size_t moved_ = 0;                         // rooms given since pairs were found
+  std::vector<std::pair<int, int>> close_pairs_, found_; // by their rooms
+  std::vector<std::uint32_t> places_, leaves_; // of bodies in the list of bounds, in the tree
+  std::vector<std::uint32_t> left_;            // the leaves of those that left their room
+  std::size_t moved_ = 0;                      // rooms given since pairs were found
   bool roomy_ = false, asked_ = false; // whether there are rooms; whether the tree was asked for
 };
 // [overlapping_pairs]

@@ -123,7 +123,7 @@ struct UpdateContact
   WorldContact& contact;
   const RigidBody& a;
   const RigidBody& b;
-  ContactReach near;
+  ContactReach margins;
 
   template <class ShapeA, class ShapeB>
   void operator()(const ShapeA& shape_a, const ShapeB& shape_b) const
@@ -131,8 +131,8 @@ struct UpdateContact
     const auto placed_a = placed(a, shape_a);
     const auto placed_b = placed(b, shape_b);
     const std::optional<Manifold<double>> met =
-        meet(axis_before(contact), placed_a, placed_b, near.reach);
-    if (!met || is_ghost(placed_a, placed_b, met->normal, -met->depth, near.ghost))
+        meet(axis_before(contact), placed_a, placed_b, margins.reach);
+    if (!met || is_ghost(placed_a, placed_b, met->normal, -met->depth, margins.ghost))
     {
       return contact.points.clear();
     }

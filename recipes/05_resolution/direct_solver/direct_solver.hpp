@@ -40,7 +40,7 @@ inline bool guess(DirectSystem& system, double speed)
 inline bool
 moved_bounds(DirectSystem& system, double largest, double missing, const DirectSettings& settings)
 {
-  bool far = false;
+  bool off = false;
   for (const DirectContact& contact : system.contacts)
   {
     const double tolerance = friction_slack(contact, largest, missing, settings);
@@ -57,7 +57,7 @@ moved_bounds(DirectSystem& system, double largest, double missing, const DirectS
       const auto off_by_more_than = [&](double most)
       { return above > most || (point.grip != Grip::stick && -above > most); };
       any = any || off_by_more_than(0) || (point.grip != Grip::none) != (bound > 0);
-      far = far || off_by_more_than(tolerance);
+      off = off || off_by_more_than(tolerance);
       point.bound = bound;
     }
     if (any)
@@ -67,7 +67,7 @@ moved_bounds(DirectSystem& system, double largest, double missing, const DirectS
       add_impulses(system, contact, 1);
     }
   }
-  return far;
+  return off;
 }
 
 /// Writes what was found into the world. Impulses that were missing are given, so that bodies have

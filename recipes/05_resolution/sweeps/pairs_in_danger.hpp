@@ -109,7 +109,7 @@ void each_that_may_have_met(StepCourses& step, std::span<const RigidBody> ends, 
     step.tree->refit(way_of);
     return each_overlap(*step.tree, ask);
   }
-  std::vector<std::pair<int, int>> pairs(step.near.begin(), step.near.end());
+  std::vector<std::pair<int, int>> pairs(step.close_pairs.begin(), step.close_pairs.end());
   for (const std::size_t leaf : astray)
   {
     step.tree->widen(leaf, way_of(step.tree->leaves()[leaf]));

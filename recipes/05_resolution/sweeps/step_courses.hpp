@@ -22,14 +22,14 @@ namespace cookbook
 /// A step of a world as solvers and free fall had it.
 struct StepCourses
 {
-  const Scene& scene;                        ///< the bodies as it began
-  std::span<const Pull> forces;              ///< on them, force_on()
-  std::span<const WorldContact> contacts;    ///< of this step
-  const std::vector<bool>& falls;            ///< whether no other body pushed it
-  const std::vector<bool>& gone;             ///< whether it is no more
-  std::span<const std::pair<int, int>> near; ///< who were near as it began
-  std::vector<Course>& courses;              ///< of all bodies
-  std::vector<double>& ways;                 ///< [m], how far any point of a body went
+  const Scene& scene;                               ///< the bodies as it began
+  std::span<const Pull> forces;                     ///< on them, force_on()
+  std::span<const WorldContact> contacts;           ///< of this step
+  const std::vector<bool>& falls;                   ///< whether no other body pushed it
+  const std::vector<bool>& gone;                    ///< whether it is no more
+  std::span<const std::pair<int, int>> close_pairs; ///< who were near as it began
+  std::vector<Course>& courses;                     ///< of all bodies
+  std::vector<double>& ways;                        ///< [m], how far any point of a body went
   std::vector<bool>& too_deep; ///< whom a solver left too deep, or who is swept by now
   BoundsTree* tree = nullptr;  ///< of all bodies that are there, once any is swept
 };

@@ -59,7 +59,7 @@ find_too_deep(StepCourses& step, std::span<const Ahead> ahead, std::span<const R
   bool any = false;
   step.too_deep.assign(ends.size(), false);
   const auto moved = [&](int i) { return step.ways[place_of(i)] > 0; };
-  for (const auto& [i, j] : step.near)
+  for (const auto& [i, j] : step.close_pairs)
   {
     const double harmless = std::min(ahead[place_of(i)].harmless, ahead[place_of(j)].harmless);
     const double ways = step.ways[place_of(i)] + step.ways[place_of(j)];

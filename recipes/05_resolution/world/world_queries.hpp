@@ -45,9 +45,9 @@ struct BallHit
 inline Eigen::AlignedBox<double, 3> sure_bounds(const RigidBody& body, const SceneBody& of)
 {
   const Eigen::AlignedBox<double, 3> box = bounds_of(body, of.shape, 0);
-  const double far = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+  const double largest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
   const Vector3<double> little =
-      Vector3<double>::Constant(8 * std::numeric_limits<double>::epsilon() * far);
+      Vector3<double>::Constant(8 * std::numeric_limits<double>::epsilon() * largest);
   return {box.min() - little, box.max() + little};
 }
 

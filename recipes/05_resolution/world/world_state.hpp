@@ -52,7 +52,7 @@ struct WorldState
   std::vector<SleepState<double>> sleep; ///< who rests; empty if none may sleep
   std::vector<Bounds> bounds;            ///< of all that are there
   std::vector<Ahead> ahead;              ///< where each goes if nothing pushes it
-  BroadPhase near;                       ///< who may touch
+  BroadPhase broad_phase;                ///< who may touch
   std::vector<WorldContact> contacts;    ///< of the last step
   std::vector<WorldContact> begun;       ///< those that began with it
   std::vector<Impact> impacts;           ///< of the last step

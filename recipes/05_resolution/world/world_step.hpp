@@ -34,7 +34,7 @@ inline void find_contacts(WorldState& world)
   }
   update_contacts(
       world.contacts, world.begun, scene, world.bodies,
-      [&](const auto& call) { world.near.each_pair(world.bounds, call); },
+      [&](const auto& call) { world.broad_phase.each_pair(world.bounds, call); },
       [&](int a, int b) { return foreseen_reach(step, a, b, margin); },
       [&](int body) { return is_still(world, body); });
 }
@@ -125,13 +125,14 @@ inline void advance(WorldState& world, const WorldSolver& solver)
 /// they hit.
 inline void sweep(WorldState& world)
 {
-  StepCourses step{world.scene,       world.forces,  world.contacts, world.falls,   world.gone,
-                   world.near.near(), world.courses, world.ways,     world.too_deep};
+  StepCourses step{world.scene,   world.forces, world.contacts,
+                   world.falls,   world.gone,   world.broad_phase.close_pairs(),
+                   world.courses, world.ways,   world.too_deep};
   if (!has_boxes_to_sweep(step, world.ahead, world.bodies) && world.balls == 0)
   {
     return world.courses.shrink_to_fit(); // as long as nothing is swept
   }
-  step.tree = &world.near.tree(world.bounds);
+  step.tree = &world.broad_phase.tree(world.bounds);
   set_out(step, world.bodies);
   std::vector<int> hit;
   StepSweeps(step, world.bodies, hit, world.impacts).run();

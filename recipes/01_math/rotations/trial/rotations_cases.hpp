@@ -150,9 +150,10 @@ inline RotationCase angles_case(const std::string& what, const Vector3<double>& 
 /// All questions, all of them in float.
 inline std::vector<RotationCase> rotation_cases()
 {
-  const double near = 5e-5 * std::numbers::pi / 180;
+  const double off_lock = 5e-5 * std::numbers::pi / 180;
   const Quaternion<double> almost(
-      std::sin(near), std::cos(near) / 3, 2 * std::cos(near) / 3, 2 * std::cos(near) / 3);
+      std::sin(off_lock), std::cos(off_lock) / 3, 2 * std::cos(off_lock) / 3,
+      2 * std::cos(off_lock) / 3);
   const float tiny = 1e-30f;
   const Quaternion<float> small(1, 5e-4f, 0, 0);
   const double thousand = 1000 * std::atan(double(small.x())), bend = std::atan(double(0.001f)) / 2;

@@ -50,17 +50,17 @@ struct LocalCase
 /// The transforms to try on the point.
 inline std::vector<LocalCase> local_cases()
 {
-  const Vector3<float> near(5, -1, 2), far(1e6f, -2e6f, 3e6f);
+  const Vector3<float> close(5, -1, 2), distant(1e6f, -2e6f, 3e6f);
   const Matrix3<float> drifted = turned_345() * 1.01f, tiny = turned_345() * 1e-15f;
   Matrix3<float> sheared = turned_345();
   sheared(0, 1) += 0.01f;
   return {
-      {"a pose near the origin", affine(turned_345(), near)},
-      {"a pose 4,000 km away", affine(turned_345(), far)},
-      {"a turn that has grown by 1 %", affine(drifted, near)},
-      {"a turn that has sheared by 1 %", affine(sheared, near)},
+      {"a pose near the origin", affine(turned_345(), close)},
+      {"a pose 4,000 km away", affine(turned_345(), distant)},
+      {"a turn that has grown by 1 %", affine(drifted, close)},
+      {"a turn that has sheared by 1 %", affine(sheared, close)},
       {"a turn and Scale(1e-15)", affine(tiny, Vector3<float>(0, 0, 0))},
-      {"grown by 1 %, 4,000 km away", affine(drifted, far)}};
+      {"grown by 1 %, 4,000 km away", affine(drifted, distant)}};
 }
 
 /// Local points are of the size 1: right within a tenth of a millimetre of a metre.

@@ -39,8 +39,8 @@ double plane_error(const Hyperplane3<float>& answer, const Affine3<float>& t)
     size += abs(unit[i]) * Reference(sizes[i]);
     off = std::max<Reference>(off, abs(Reference(answer.normal()[i]) - unit[i]));
   }
-  const Reference far = abs(Reference(-answer.offset()) - distance) / size;
-  return static_cast<double>(std::max<Reference>(off, far)) * 0x1p24;
+  const Reference offset_off = abs(Reference(-answer.offset()) - distance) / size;
+  return static_cast<double>(std::max<Reference>(off, offset_off)) * 0x1p24;
 }
 
 /// How far a local point is from the exact one [unit of the body].

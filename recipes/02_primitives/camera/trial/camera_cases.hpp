@@ -18,10 +18,10 @@ namespace cookbook
 /// Two points ahead that a depth buffer has to tell apart.
 struct DepthCase
 {
-  std::string what;       ///< in a few words
-  float nearer, farther;  ///< [m] ahead
-  float near = 0.1f;      ///< [m], of the near plane
-  float far = 100'000.0f; ///< [m], of the far plane, where there is one
+  std::string what;             ///< in a few words
+  float nearer, farther;        ///< [m] ahead
+  float near_plane = 0.1f;      ///< [m], of the near plane
+  float far_plane = 100'000.0f; ///< [m], of the far plane, where there is one
 };
 
 /// Pairs of points to tell apart.
@@ -43,11 +43,11 @@ struct DepthMethod
 };
 
 /// The perspective with depths 0…1, without any question whether there is one.
-inline std::optional<Matrix4<float>> perspective_zero_to_one(float near, float far)
+inline std::optional<Matrix4<float>> perspective_zero_to_one(float near_plane, float far_plane)
 {
   Matrix4<float> m = lens(1.0f, 1.0f).cast<float>();
-  m(2, 2) = far / (near - far);
-  m(2, 3) = near * far / (near - far);
+  m(2, 2) = far_plane / (near_plane - far_plane);
+  m(2, 3) = near_plane * far_plane / (near_plane - far_plane);
   return m;
 }
 
@@ -56,8 +56,10 @@ inline std::array<DepthMethod, 3> depth_methods()
 {
   return {
       {{"0…1, unasked", perspective_zero_to_one},
-       {"−1…1", [](float near, float far) { return perspective(1.0f, 1.0f, near, far); }},
-       {"reversed", [](float near, float) { return perspective_reversed(1.0f, 1.0f, near); }}}};
+       {"−1…1", [](float near_plane, float far_plane)
+        { return perspective(1.0f, 1.0f, near_plane, far_plane); }},
+       {"reversed",
+        [](float near_plane, float) { return perspective_reversed(1.0f, 1.0f, near_plane); }}}};
 }
 
 /// The verdicts on all ways to keep depths.
@@ -69,11 +71,11 @@ inline std::vector<VerdictRow> depth_verdicts()
     all.push_back({"", one.what, {}});
     for (const DepthMethod& method : depth_methods())
     {
-      const std::optional<Matrix4<float>> m = method.matrix(one.near, one.far);
+      const std::optional<Matrix4<float>> m = method.matrix(one.near_plane, one.far_plane);
       const auto depth = [&](float ahead) -> float
       { return ((*m)(2, 2) * -ahead + (*m)(2, 3)) / ahead; };
       const bool apart = m && depth(one.nearer) != depth(one.farther);
-      const bool refused = !m && one.near == 0;
+      const bool refused = !m && one.near_plane == 0;
       const std::string what = refused ? "refused" : apart ? "told apart" : "the same depth";
       all.back().verdicts.push_back({apart || refused, what});
     }

@@ -104,8 +104,8 @@ inline std::vector<KnownCast<Aabb<float>>> known_boxes(int count)
   {
     const Vector3<float> d = draw.unit(), origin = draw.in_cube(1);
     const Vector3<float> half = draw.in_cube(0.4f) + Vector3<float>::Constant(0.6f);
-    const float far = draw.distance();
-    const Vector3<float> center = origin + far * d + 0.9f * draw.in_cube(0.2f);
+    const float distance = draw.distance();
+    const Vector3<float> center = origin + distance * d + 0.9f * draw.in_cube(0.2f);
     const Aabb<float> box(Vector3<float>(center - half), Vector3<float>(center + half));
     all.push_back({{origin, d}, box, exact_t({origin, d}, box)});
   }

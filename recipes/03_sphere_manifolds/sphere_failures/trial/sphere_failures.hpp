@@ -31,7 +31,7 @@ inline std::vector<SphereCase> sphere_cases()
   const Vector3<double> x(1, 0, 0);
   const Vector3<double> y(0, 1, 0);
   const auto at = [](double distance) { return Vector3<double>(distance, 0, 0); };
-  const Vector3<double> far(1e6, 1e6, 1e6);
+  const Vector3<double> distant(1e6, 1e6, 1e6);
   const double tiny = 1e-23;
   return {
       {"C1", "unit spheres, 1.9 apart", {at(0), 1}, {at(1.9), 1}, {0.1, x, 1e-6}},
@@ -47,8 +47,8 @@ inline std::vector<SphereCase> sphere_cases()
        {-1e-5, x, 1e-6}},
       {"C7",
        "radii 0.5, 0.999 apart, 1e6 away on all axes",
-       {far, 0.5},
-       {far + at(0.999), 0.5},
+       {distant, 0.5},
+       {distant + at(0.999), 0.5},
        {0.001, x, 1e-6}},
       {"C8", "unit spheres that touch", {at(0), 1}, {at(2), 1}, {0, x, 1e-6}}};
 }

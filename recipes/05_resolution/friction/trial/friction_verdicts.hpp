@@ -19,7 +19,7 @@ inline std::string friction_number(double value)
 }
 
 /// Whether a value is what it should be, to a share of that.
-inline bool near(double value, double right, double share)
+inline bool is_about(double value, double right, double share)
 {
   return std::abs(value - right) <= share * right;
 }
@@ -37,7 +37,7 @@ inline Verdict
 on_slope_for_10_s(const OneContactScene& scene, const FrictionRule& rule, double right)
 {
   const double moved = way(advanced(scene, rule, 10));
-  const bool holds = right == 0 ? moved <= 1e-3 : near(moved, right, 0.01);
+  const bool holds = right == 0 ? moved <= 1e-3 : is_about(moved, right, 0.01);
   std::string text = moved <= 1e-3 ? "holds" : "slides ";
   return {holds, moved <= 1e-3 ? text : text.append(friction_number(moved)).append(" m")};
 }
@@ -48,7 +48,7 @@ inline Verdict accelerates(const FrictionRule& rule)
   const OneContactScene early = advanced(cube_on_slope(0.5, 30), rule, 0.5);
   const OneContactScene late = advanced(early, rule, 0.5);
   const double gained = 2 * (mover(late).velocity.norm() - mover(early).velocity.norm());
-  return {near(gained, 0.65715, 0.01), friction_number(gained) + " m/s²"};
+  return {is_about(gained, 0.65715, 0.01), friction_number(gained) + " m/s²"};
 }
 
 /// S12: box and balls.
@@ -57,7 +57,7 @@ inline Verdict carries_balls(const FrictionRule& rule)
   const auto [box, ball] = accelerations(rule);
   std::string text = friction_number(box);
   return {
-      near(box, 0.7385, 0.02) && near(ball, 0.211, 0.02),
+      is_about(box, 0.7385, 0.02) && is_about(ball, 0.211, 0.02),
       text.append(", ").append(friction_number(ball)).append(" m/s²")};
 }
 
@@ -67,7 +67,7 @@ inline Verdict stops(const FrictionRule& rule)
   const auto [shortest, longest] = stopping_ways(rule);
   std::string text = friction_number(shortest);
   return {
-      near(shortest, 3.1855, 0.01) && near(longest, 3.1855, 0.01),
+      is_about(shortest, 3.1855, 0.01) && is_about(longest, 3.1855, 0.01),
       text.append(" to ").append(friction_number(longest)).append(" m")};
 }
 
@@ -75,7 +75,7 @@ inline Verdict stops(const FrictionRule& rule)
 inline Verdict rolls(const OneContactScene& scene, const FrictionRule& rule)
 {
   const Rolling rolling = begins_to_roll(scene, rule, 5);
-  const bool holds = near(rolling.time, 1.0194, 0.01) && near(rolling.speed, 5, 0.01);
+  const bool holds = is_about(rolling.time, 1.0194, 0.01) && is_about(rolling.speed, 5, 0.01);
   if (rolling.slip > 1e-3)
   {
     std::string text = "still slips by ";

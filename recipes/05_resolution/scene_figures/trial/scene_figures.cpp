@@ -108,8 +108,8 @@ SceneView view_of(
     bounds = PictureBounds(Vector2d(-1, -1), Vector2d(1, 1));
   }
   const double side = bounds.sizes().maxCoeff();
-  const Vector2d far = Vector2d::Constant(std::max(side, followed));
-  const PictureBounds limit(bounds.min() - far, bounds.max() + far);
+  const Vector2d margin = Vector2d::Constant(std::max(side, followed));
+  const PictureBounds limit(bounds.min() - margin, bounds.max() + margin);
   bounds.extend(bounds_of(scene, frames.front(), axes, false).intersection(limit));
   for (const Frame& frame : frames)
   {

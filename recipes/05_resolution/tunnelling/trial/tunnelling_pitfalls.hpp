@@ -41,16 +41,16 @@ template <class Real>
 std::optional<Real>
 touch_by_halving(const SweptBox<Real>& a, const SweptBox<Real>& b, Real touching, int most)
 {
-  Real far(0), near(1);
+  Real clear(0), touches(1);
   for (int i = 0; i < most; ++i)
   {
-    const Real middle = (far + near) / Real(2);
+    const Real middle = (clear + touches) / Real(2);
     const Real gap = box_gap(box_at(a, middle), box_at(b, middle)).length;
     if (gap >= Real(0) && gap <= touching)
     {
       return middle;
     }
-    (gap > touching ? far : near) = middle;
+    (gap > touching ? clear : touches) = middle;
   }
   return std::nullopt;
 }
