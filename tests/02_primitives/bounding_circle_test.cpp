@@ -141,19 +141,19 @@ TEMPLATE_TEST_CASE(
 {
   using Real = TestType;
   std::mt19937 engine(9);
-  const auto share = [&] { return double(engine()) / 4294967296.0 * 2 - 1; };
+  const auto fraction = [&] { return double(engine()) / 4294967296.0 * 2 - 1; };
   int out = 0, order = 0;
   for (int i = 0; i < random_inputs / 10; ++i)
   {
     const double size = std::ldexp(1, int(engine() % 160) - 80);
-    const double place = i % 3 == 0 ? 0 : share() * size * std::ldexp(1, int(engine() % 40));
+    const double place = i % 3 == 0 ? 0 : fraction() * size * std::ldexp(1, int(engine() % 40));
     const double flat = i % 4 == 0 ? 0 : i % 4 == 1 ? 1e-12 : 1;
     std::vector<Vector<Real, 2>> points;
     for (int k = 0; k < 1 + i % 20; ++k)
     {
-      const double along = share();
+      const double along = fraction();
       points.push_back(
-          {Real(place + size * along), Real(place + size * (along / 3 + flat * share()))});
+          {Real(place + size * along), Real(place + size * (along / 3 + flat * fraction()))});
     }
     points.push_back(points[0]);
     const Circle<Real> least = minimal_circle<Real>(points);
@@ -165,10 +165,10 @@ TEMPLATE_TEST_CASE(
       out += contains(rectangle, point) ? 0 : 1;
     }
     // The centre is rounded to the last place of the coordinates.
-    const Real slack = 8 * std::numeric_limits<Real>::epsilon() * largest(rectangle);
-    order += least.radius <= centroid.radius + slack &&
-                     centroid.radius <= 2 * least.radius + slack &&
-                     rectangle.half_extents.maxCoeff() <= least.radius + slack
+    const Real tolerance = 8 * std::numeric_limits<Real>::epsilon() * largest(rectangle);
+    order += least.radius <= centroid.radius + tolerance &&
+                     centroid.radius <= 2 * least.radius + tolerance &&
+                     rectangle.half_extents.maxCoeff() <= least.radius + tolerance
                  ? 0
                  : 1;
   }
@@ -191,10 +191,10 @@ TEST_CASE("bounds of a segment, a circle, a rectangle and one turned by 3-4-5, b
   const Rectangle<double> rectangle{{1, 2}, {3, 4}};
   CHECK(bounding_circle(rectangle).radius == 5);
   CHECK(bounding_rectangle(rectangle).half_extents == Point(3, 4));
-  const TurnedRectangle<double> turned{{1, 2}, std::atan2(3, 4), {3, 4}};
-  CHECK(bounding_circle(turned).radius == Catch::Approx(5).epsilon(1e-15));
+  const OrientedRectangle<double> oriented{{1, 2}, std::atan2(3, 4), {3, 4}};
+  CHECK(bounding_circle(oriented).radius == Catch::Approx(5).epsilon(1e-15));
   // 3 × 4/5 + 4 × 3/5, and 3 × 3/5 + 4 × 4/5.
-  CHECK((bounding_rectangle(turned).half_extents - Point(4.8, 5)).norm() <= 1e-14);
+  CHECK((bounding_rectangle(oriented).half_extents - Point(4.8, 5)).norm() <= 1e-14);
 }
 // [bounds_of_shapes]
 

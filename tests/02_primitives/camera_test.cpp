@@ -126,10 +126,10 @@ TEMPLATE_TEST_CASE(
     REQUIRE(back.has_value());
     worst = std::max(worst, static_cast<double>((*back - point).norm()) / (distance * distance));
     const Ray<TestType> ray = picking_ray(camera, seen->pixel);
-    const V way = (point - ray.origin).template cast<double>();
+    const V difference = (point - ray.origin).template cast<double>();
     const V direction = ray.direction.template cast<double>();
-    off_ray = std::max(off_ray, way.cross(direction).norm() / distance);
-    REQUIRE(way.dot(direction) > 0);
+    off_ray = std::max(off_ray, difference.cross(direction).norm() / distance);
+    REQUIRE(difference.dot(direction) > 0);
   }
   // The depth is rounded once, which moves a point by about u · distance² / near.
   const double u = static_cast<double>(std::numeric_limits<TestType>::epsilon());

@@ -12,7 +12,7 @@
 #include <random>
 
 using namespace cookbook;
-using whole::Lie;
+using whole::Relation;
 
 namespace
 {
@@ -75,17 +75,17 @@ private:
 template <class Shape>
 struct Known
 {
-  Shape shape;                                ///< scaled
-  std::function<Lie(const whole::Path&)> lie; ///< exact
-  std::function<double(const Vec&)> support;  ///< the most of n·x in the shape
-  std::function<double(const Vec&)> outside;  ///< how far a point is from the shape, about
-  bool solid = true;                          ///< false for what has no inside
+  Shape shape;                                          ///< scaled
+  std::function<Relation(const whole::Path&)> relation; ///< exact
+  std::function<double(const Vec&)> support;            ///< the most of n·x in the shape
+  std::function<double(const Vec&)> outside; ///< how far a point is from the shape, about
+  bool solid = true;                         ///< false for what has no inside
 };
 
 // [check_cast]
 /// Casts a path, and checks the verdict and whatever holds for a hit.
 template <class Real, class Shape>
-Lie check_cast(
+Relation check_cast(
     const whole::Path& path, const Known<Shape>& known, const Vec& distant, int size, int speed)
 {
   const auto scaled_by = [](const Vec& v, int exponent) -> Vector3<Real>
@@ -95,13 +95,13 @@ Lie check_cast(
   const std::optional<Hit<Real, 3>> hit =
       path.ends ? cast(Segment<Real>{origin, scaled_by(o + d + distant, size)}, known.shape)
                 : cast(Ray<Real>{origin, scaled_by(d, speed)}, known.shape);
-  const Lie lie = known.lie(path);
+  const Relation relation = known.relation(path);
   const auto must = [&](bool right, const char* what)
   {
     if (!right)
     {
       INFO("origin " << o.transpose() << " direction " << d.transpose() << " ends " << path.ends);
-      INFO("size " << size << " speed " << speed << " lie " << static_cast<int>(lie));
+      INFO("size " << size << " speed " << speed << " lie " << static_cast<int>(relation));
       if (hit)
       {
         INFO("t " << hit->t << " point " << hit->point.transpose());
@@ -112,11 +112,11 @@ Lie check_cast(
       FAIL(what);
     }
   };
-  must(lie != Lie::overlapping || hit, "a hit");
-  must(lie != Lie::apart || !hit, "no hit");
+  must(relation != Relation::overlapping || hit, "a hit");
+  must(relation != Relation::separate || !hit, "no hit");
   if (!hit)
   {
-    return lie;
+    return relation;
   }
   const double unit = std::is_same_v<Real, float> ? 1e-6 : 1e-13,
                tolerance = (32 + distant.norm()) * unit;
@@ -132,31 +132,31 @@ Lie check_cast(
   must(known.outside(point) <= tolerance, "point in the shape");
   must(t >= 0 && (!path.ends || t <= 1), "t in its range");
   must(n.dot(d) <= tolerance, "normal against the direction");
-  const Lie start = known.lie({path.origin, {0, 0, 0}, true});
-  must(t == 0 || start != Lie::overlapping, "t = 0 from inside");
-  must(t > 0 || !fits || start != Lie::apart, "t > 0 from outside");
+  const Relation start = known.relation({path.origin, {0, 0, 0}, true});
+  must(t == 0 || start != Relation::overlapping, "t = 0 from inside");
+  must(t > 0 || !fits || start != Relation::separate, "t > 0 from outside");
   if (!fits)
   {
-    return lie;
+    return relation;
   }
-  if (start == Lie::overlapping)
+  if (start == Relation::overlapping)
   {
     must(hit->point == origin, "the origin, from inside");
     must((n + d.normalized()).norm() <= unit || d.isZero(0), "straight back, from inside");
   }
-  else if (lie == Lie::overlapping && t > 0)
+  else if (relation == Relation::overlapping && t > 0)
   {
     must(std::abs(known.support(n) - n.dot(point)) <= tolerance, "the first touch");
   }
-  return lie;
+  return relation;
 }
 // [check_cast]
 
 double segment_distance(const Vec& p, const Vec& a, const Vec& b)
 {
   const Vec u = b - a;
-  const double share = u.isZero(0) ? 0 : std::clamp((p - a).dot(u) / u.squaredNorm(), 0.0, 1.0);
-  return (p - a - share * u).norm();
+  const double fraction = u.isZero(0) ? 0 : std::clamp((p - a).dot(u) / u.squaredNorm(), 0.0, 1.0);
+  return (p - a - fraction * u).norm();
 }
 
 double triangle_distance(const Vec& p, const Vec& a, const Vec& b, const Vec& c)
@@ -204,8 +204,9 @@ void cast_at_all_sizes(const Make& make, bool anywhere = true)
     { return times_power_of_two<double>(real(v) + distant, size).template cast<Real>(); };
     const auto length = [&](whole::Int x)
     { return static_cast<Real>(std::ldexp(static_cast<double>(x), size)); };
-    const Lie lie = check_cast<Real>(path, make(numbers, scale, length), distant, size, speed);
-    ++seen[static_cast<int>(lie) + 1];
+    const Relation relation =
+        check_cast<Real>(path, make(numbers, scale, length), distant, size, speed);
+    ++seen[static_cast<int>(relation) + 1];
   }
   for (const int times : seen)
   {
@@ -312,13 +313,13 @@ TEMPLATE_TEST_CASE(
       [](Numbers& numbers, const auto& scale, const auto& length)
       {
         const whole::V half{numbers.up_to(3), numbers.up_to(3), numbers.up_to(3)};
-        const whole::V c = numbers.vector(6), turned{half.y, half.z, half.x};
-        const Vec min = real(c - turned), max = real(c + turned);
+        const whole::V c = numbers.vector(6), permuted{half.y, half.z, half.x};
+        const Vec min = real(c - permuted), max = real(c + permuted);
         Matrix3<TestType> axes;
         axes << 0, -1, 0, 0, 0, -1, 1, 0, 0;
         return Known<Obb<TestType>>{
             {scale(c), axes, {length(half.x), length(half.y), length(half.z)}},
-            [=](const whole::Path& path) { return whole::box(path, c - turned, c + turned); },
+            [=](const whole::Path& path) { return whole::box(path, c - permuted, c + permuted); },
             [=](const Vec& n) { return box_support(n, min, max); },
             [=](const Vec& p) { return box_outside(p, min, max); }};
       });

@@ -126,8 +126,8 @@ TEST_CASE(
   for (int i = 0; i < 10 * random_inputs; ++i)
   {
     const std::size_t p = random() % 6, q = (p / 2 * 2 + 2 + random() % 4) % 6;
-    const float share = random() % 16 == 0 ? 0 : static_cast<float>(random() % 65537) / 65536;
-    const Vector3<float> seam = corners[p] + share * (corners[q] - corners[p]);
+    const float fraction = random() % 16 == 0 ? 0 : static_cast<float>(random() % 65537) / 65536;
+    const Vector3<float> seam = corners[p] + fraction * (corners[q] - corners[p]);
     const auto drawn = [&] { return static_cast<float>(random() % 2001) / 1000 - 1; };
     const Vector3<float> origin(drawn(), drawn() / 2, drawn() / 2);
     const Ray<float> ray{origin, seam - origin};
@@ -281,11 +281,11 @@ TEMPLATE_TEST_CASE("radius 0, flat and empty boxes, mixed sizes", "[P9][P10]", f
   CHECK_FALSE(cast(along, Aabb<TestType>()));
   // A speck, far away, and dead ahead.
   const TestType large = TestType(1e30), tiny = TestType(1e-30);
-  const auto speck =
+  const auto tiny_sphere =
       cast(Ray<TestType>{{-large, 0, 0}, {tiny, 0, 0}}, Sphere<TestType>{{0, 0, 0}, tiny});
-  REQUIRE(speck);
-  CHECK(speck->point.norm() <= tiny * 2);
-  CHECK(speck->normal == V(-1, 0, 0));
+  REQUIRE(tiny_sphere);
+  CHECK(tiny_sphere->point.norm() <= tiny * 2);
+  CHECK(tiny_sphere->normal == V(-1, 0, 0));
   CHECK_FALSE(cast(Ray<TestType>{{-large, 1, 0}, {tiny, 0, 0}}, Sphere<TestType>{{0, 0, 0}, tiny}));
 }
 // [cast_degenerate]
@@ -304,14 +304,15 @@ TEST_CASE("two balls on their way touch where a ray meets one ball with both rad
 {
   // B is 3 ahead and 4 aside of where A passes; A moves by 10: they touch when 4 and 3 make 5.
   const Sphere<double> a{{-6, 0, 0}, 2}, b{{0, 4, 0}, 3};
-  const Vector3<double> way(10, 0, 0);
+  const Vector3<double> displacement(10, 0, 0);
   const auto hit = cast(
-      Segment<double>{a.center, a.center + way}, Sphere<double>{b.center, a.radius + b.radius});
+      Segment<double>{a.center, a.center + displacement},
+      Sphere<double>{b.center, a.radius + b.radius});
   REQUIRE(hit);
   CHECK(std::abs(hit->t - 0.3) <= 0x1p-52);
   CHECK((hit->point - b.center).norm() == Catch::Approx(a.radius + b.radius).epsilon(1e-15));
   // The smaller root: at the larger one, t = 0.9, they part.
-  const Vector3<double> later = a.center + 0.9 * way;
+  const Vector3<double> later = a.center + 0.9 * displacement;
   CHECK((later - b.center).norm() == Catch::Approx(5).epsilon(1e-15));
 }
 // [P19]

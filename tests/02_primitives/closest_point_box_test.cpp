@@ -4,8 +4,8 @@
 
 #include "02_primitives/closest_point_box/closest_point_box.hpp"
 #include "02_primitives/closest_point_box/trial/closest_point_box_cases.hpp"
-#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/verdicts.hpp"
@@ -19,7 +19,7 @@ using Exact3 = Vector3<Rational>;
 
 /// Turned about z by the 3-4-5 triangle, c = 4/5 and s = 3/5, away from the origin.
 template <class Real>
-Obb<Real> turned_box()
+Obb<Real> oriented_box()
 {
   return {{1, 2, 3}, rational_rotation<Real>(3, 0, 0, 1), {2, 1, Real(1) / Real(2)}};
 }
@@ -97,14 +97,14 @@ TEST_CASE(
   // 5 along the first axis (4,3,0)/5, 1/2 along the second (-3,4,0)/5, -3 along z.
   const Exact3 point(Rational(47, 10), Rational(54, 10), 0);
   const Exact3 closest(Rational(23, 10), Rational(36, 10), Rational(5, 2));
-  CHECK(box_coordinates(turned_box<Rational>(), point) == Exact3(5, Rational(1, 2), -3));
-  CHECK(closest_point(turned_box<Rational>(), point) == closest);
+  CHECK(box_coordinates(oriented_box<Rational>(), point) == Exact3(5, Rational(1, 2), -3));
+  CHECK(closest_point(oriented_box<Rational>(), point) == closest);
 }
 
 TEST_CASE(
     "seen from the closest point, no corner of the box is on the point's side", "[P4][case:D7]")
 {
-  for (const Obb<Rational>& box : {turned_box<Rational>(), skew_box})
+  for (const Obb<Rational>& box : {oriented_box<Rational>(), skew_box})
   {
     const std::vector<Exact3> corner = corners(box);
     for (const Exact3& p : lattice(box))
@@ -125,22 +125,22 @@ TEMPLATE_TEST_CASE("the closest point is the exact one to rounding", "[P4][case:
 {
   // Axes, coordinates and the result are rounded once each, at sizes up to 10.
   const Rational bound = Rational(30 * std::numeric_limits<TestType>::epsilon());
-  for (const Exact3& p : lattice(turned_box<Rational>()))
+  for (const Exact3& p : lattice(oriented_box<Rational>()))
   {
     const Vector3<TestType> rounded = p.cast<TestType>();
-    const Exact3 answer = exact<Rational>(closest_point(turned_box<TestType>(), rounded));
-    const Exact3 error = answer - closest_point(turned_box<Rational>(), p);
+    const Exact3 answer = exact<Rational>(closest_point(oriented_box<TestType>(), rounded));
+    const Exact3 error = answer - closest_point(oriented_box<Rational>(), p);
     CHECK(error.cwiseAbs().maxCoeff() <= bound);
   }
 }
 
 TEMPLATE_TEST_CASE("a point inside is its own closest point, to the bit", "[P4]", float, double)
 {
-  const Obb<TestType> box = turned_box<TestType>();
+  const Obb<TestType> box = oriented_box<TestType>();
   for (int tenths = 1; tenths <= 9; ++tenths)
   {
-    const TestType share = TestType(tenths) / TestType(10);
-    const Vector3<TestType> inside = box.center + box.axes * box.half_extents * share;
+    const TestType fraction = TestType(tenths) / TestType(10);
+    const Vector3<TestType> inside = box.center + box.axes * box.half_extents * fraction;
     CHECK(closest_point(box, inside) == inside);
   }
 }
@@ -159,7 +159,7 @@ TEST_CASE("(1.5,-0.25,0) leaves the box (2,1,1) along +x after 0.5, (-1.5,0.25,0
 
 TEST_CASE("inside, the distance is that of the nearest of six planes, exactly", "[P5]")
 {
-  for (const Obb<Rational>& box : {turned_box<Rational>(), skew_box})
+  for (const Obb<Rational>& box : {oriented_box<Rational>(), skew_box})
   {
     for (const Exact3& p : lattice(box))
     {
@@ -187,7 +187,7 @@ TEST_CASE("at the centre, and where faces tie, the first axis wins, on its posit
 // [P21]
 TEST_CASE("a box holds exactly the points that are behind all six of its planes", "[P21]")
 {
-  for (const Obb<Rational>& box : {turned_box<Rational>(), skew_box})
+  for (const Obb<Rational>& box : {oriented_box<Rational>(), skew_box})
   {
     int inside = 0;
     for (const Exact3& p : lattice(box))
@@ -202,7 +202,7 @@ TEST_CASE("a box holds exactly the points that are behind all six of its planes"
 
 TEST_CASE("a box holds its corners, and nothing a millimetre beyond them", "[P21]")
 {
-  const Obb<Rational> box = turned_box<Rational>();
+  const Obb<Rational> box = oriented_box<Rational>();
   for (const Exact3& corner : corners(box))
   {
     const Exact3 beyond = box.center + (corner - box.center) * Rational(1001, 1000);
@@ -286,11 +286,11 @@ TEST_CASE(
     "4 m above a beam, mixed bounds see contact and the clamp a distance of 4",
     "[case:X28][case:D8]")
 {
-  const Vector3<double> beam(10, 1, 1);
-  CHECK(distance_mixed_bounds<double>({0, 5, 0}, beam).length == 0);
-  CHECK(signed_distance_box<double>({0, 5, 0}, beam).length == 4);
+  const Vector3<double> long_box(10, 1, 1);
+  CHECK(distance_mixed_bounds<double>({0, 5, 0}, long_box).length == 0);
+  CHECK(signed_distance_box<double>({0, 5, 0}, long_box).length == 4);
   // Beyond the bounds of x, both agree.
-  CHECK(clamp_mixed_bounds<double>({11, -11, 11}, beam) == Vector3<double>(10, -1, 1));
+  CHECK(clamp_mixed_bounds<double>({11, -11, 11}, long_box) == Vector3<double>(10, -1, 1));
 }
 // [X28]
 

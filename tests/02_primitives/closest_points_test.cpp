@@ -19,7 +19,7 @@ TEST_CASE("45 pairs of shapes: closest points are in them, and no others are clo
   {
     for (const Draws draws : all_draws)
     {
-      const Wrongs wrongs = judge_pairs(kinds, draws, inputs(14'285, 70));
+      const Wrongs wrongs = check_pairs(kinds, draws, inputs(14'285, 70));
       INFO(kinds.names << ", draws " << int(draws) << ", overlapping " << wrongs.overlapping);
       CHECK(wrongs.fault < 4e-12L);
       CHECK(wrongs.contradictions == 0);
@@ -47,10 +47,10 @@ TEST_CASE(
 TEST_CASE("half-spaces are apart only if they look at each other across a gap", "[closest_points]")
 {
   const Plane<double> floor{{0, 1, 0}, 0}, ceiling{{0, -1, 0}, -3}, wall{{1, 0, 0}, -2};
-  const ClosestPoints<double, 3> gap = closest_points(floor, ceiling);
-  CHECK(gap.distance == 3);
-  CHECK(gap.a == Eigen::Vector3d(0, 0, 0));
-  CHECK(gap.b == Eigen::Vector3d(0, 3, 0));
+  const ClosestPoints<double, 3> between = closest_points(floor, ceiling);
+  CHECK(between.distance == 3);
+  CHECK(between.a == Eigen::Vector3d(0, 0, 0));
+  CHECK(between.b == Eigen::Vector3d(0, 3, 0));
   CHECK(closest_points(floor, Plane<double>{{0, -1, 0}, 0}).distance == 0);
   const ClosestPoints<double, 3> both = closest_points(floor, wall);
   CHECK(both.distance == 0);

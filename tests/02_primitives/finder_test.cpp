@@ -153,7 +153,7 @@ TEST_CASE("two shapes overlap where they are closest at distance 0, in either or
   {
     for (const std::string& b : finder_partners("closest", a))
     {
-      int apart = 0, together = 0, wrong = 0, uneven = 0;
+      int separate = 0, together = 0, wrong = 0, uneven = 0;
       for (int i = 0; i < inputs(400, 30); ++i)
       {
         const std::vector<double> of_a = draw.of(a), of_b = draw.of(b);
@@ -166,7 +166,7 @@ TEST_CASE("two shapes overlap where they are closest at distance 0, in either or
         {
           squared += std::pow(closest[k] - closest[k + size], 2);
         }
-        (hit ? together : apart) += 1;
+        (hit ? together : separate) += 1;
         wrong += hit ? closest[0] > 1e-9 : closest[0] == 0;
         uneven += std::abs(closest[0] - swapped[0]) > 1e-9 ||
                   std::abs(std::sqrt(squared) - closest[0]) > 1e-9;
@@ -176,7 +176,7 @@ TEST_CASE("two shapes overlap where they are closest at distance 0, in either or
       CHECK(uneven == 0);
       if (has_size(a) && has_size(b))
       {
-        CHECK(apart > 0);
+        CHECK(separate > 0);
         CHECK(together > 0);
       }
     }

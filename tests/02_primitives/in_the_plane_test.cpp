@@ -50,8 +50,8 @@ TEST_CASE("a circle 3 from a corner, a segment and a turned rectangle have dista
   CHECK((corner.a - Point(1.2, 1.6)).norm() <= 1e-15);
   CHECK((corner.b - Point(3, 4)).norm() <= 1e-15);
   // Turned by 3-4-5, a square's corner points along x: (1.4, -0.2) is one of its corners.
-  const TurnedRectangle<double> turned{{0, 0}, std::atan2(3, 4), {1, 1}};
-  const auto face = closest_points(Segment2<double>{{5, -1}, {5, 9}}, turned);
+  const OrientedRectangle<double> oriented{{0, 0}, std::atan2(3, 4), {1, 1}};
+  const auto face = closest_points(Segment2<double>{{5, -1}, {5, 9}}, oriented);
   CHECK(std::abs(face.distance - 3.6) <= 1e-14);
   CHECK((face.b - Point(1.4, -0.2)).norm() <= 1e-14);
 }
@@ -80,9 +80,9 @@ TEST_CASE("a shape holds its edge, and nothing a millionth beyond it")
   CHECK(contains(segment, Point(1, 2)));
   CHECK_FALSE(contains(segment, Point(1, 2 + 1e-6)));
   CHECK_FALSE(contains(segment, Point(3, 6)));
-  const TurnedRectangle<double> turned{{0, 0}, std::atan2(3, 4), {5, 1}};
-  CHECK(contains(turned, Point(3.9, 3)));
-  CHECK_FALSE(contains(turned, Point(4.1, 3.1)));
+  const OrientedRectangle<double> oriented{{0, 0}, std::atan2(3, 4), {5, 1}};
+  CHECK(contains(oriented, Point(3.9, 3)));
+  CHECK_FALSE(contains(oriented, Point(4.1, 3.1)));
 }
 // [holds]
 
@@ -91,7 +91,7 @@ TEST_CASE("the shadow of a unit square on (1, 1) is from 0 to 2, and of one at (
 {
   const std::array<Point, 4> a{Point(0, 0), Point(1, 0), Point(1, 1), Point(0, 1)};
   const std::array<Point, 4> b{Point(2, 1), Point(3, 1), Point(3, 2), Point(2, 2)};
-  const auto of_a = shadow_on<double>(a, {1, 1}), of_b = shadow_on<double>(b, {1, 1});
+  const auto of_a = projection_on<double>(a, {1, 1}), of_b = projection_on<double>(b, {1, 1});
   CHECK(of_a.least == 0);
   CHECK(of_a.most == 2);
   CHECK(of_b.least == 3);
@@ -122,13 +122,13 @@ TEST_CASE("two triangles that are apart on neither x nor y are apart square to a
 TEST_CASE("triangles of a grid, flat ones and points too: the verdict is the exact one")
 {
   GridDraw draw(3);
-  int wrong = 0, apart = 0;
+  int wrong = 0, separate = 0;
   for (int i = 0; i < random_inputs; ++i)
   {
     GridShape on_a, on_b;
     const std::array<Point, 3> a = draw_triangle(draw, on_a), b = draw_triangle(draw, on_b);
     const bool truth = truth_of(on_a, on_b).overlap;
-    apart += truth ? 0 : 1;
+    separate += truth ? 0 : 1;
     // At both ends of the range, too.
     const double scale = i % 3 == 0 ? 1 : i % 3 == 1 ? 0x1p-1060 : 0x1p1015;
     std::array<Point, 3> scaled_a = a, scaled_b = b;
@@ -140,17 +140,17 @@ TEST_CASE("triangles of a grid, flat ones and points too: the verdict is the exa
     wrong += overlaps<double>(scaled_a, scaled_b) == truth ? 0 : 1;
   }
   CHECK(wrong == 0);
-  CHECK(apart > 0);
+  CHECK(separate > 0);
 }
 // [polygons]
 
 TEST_CASE("circles 3-4-5 apart leave along (3, 4) / 5; about one centre, along +y", "[case:B5]")
 {
-  const auto way = way_apart<double>({{0, 0}, 4}, {{3, 4}, 2});
-  CHECK((way.normal - Point(0.6, 0.8)).norm() <= 1e-15);
-  CHECK(way.depth == 1);
-  CHECK(way_apart<double>({{0, 0}, 1}, {{3, 4}, 2}).depth == -2);
-  const auto same = way_apart<double>({{3, 3}, 1}, {{3, 3}, 1});
+  const auto translation = minimum_translation<double>({{0, 0}, 4}, {{3, 4}, 2});
+  CHECK((translation.normal - Point(0.6, 0.8)).norm() <= 1e-15);
+  CHECK(translation.depth == 1);
+  CHECK(minimum_translation<double>({{0, 0}, 1}, {{3, 4}, 2}).depth == -2);
+  const auto same = minimum_translation<double>({{3, 3}, 1}, {{3, 3}, 1});
   CHECK(same.normal == Point(0, 1));
   CHECK(same.depth == 2);
 }
@@ -161,9 +161,9 @@ TEST_CASE("circles that touch but for a rounding overlap if, and only if, none i
   const Circle<double> a{{0, 0}, 2}, beyond{{std::nextafter(3, 4), 4}, 3};
   CHECK_FALSE(overlaps(a, beyond));
   CHECK(closest_points(a, beyond).distance > 0);
-  CHECK(way_apart(a, beyond).depth < 0);
+  CHECK(minimum_translation(a, beyond).depth < 0);
   NumberDraw<double> draw(4);
-  int different = 0, apart = 0;
+  int different = 0, separate = 0;
   for (int i = 0; i < 10'000; ++i)
   {
     const Vector3<double> first = draw.in_box(0, 1), second = draw.in_box(0, 1);
@@ -173,13 +173,13 @@ TEST_CASE("circles that touch but for a rounding overlap if, and only if, none i
     if (other.radius >= 0)
     {
       const bool meet = overlaps(one, other);
-      apart += meet ? 0 : 1;
+      separate += meet ? 0 : 1;
       different += (closest_points(one, other).distance == 0) == meet ? 0 : 1;
-      different += (way_apart(one, other).depth >= 0) == meet ? 0 : 1;
+      different += (minimum_translation(one, other).depth >= 0) == meet ? 0 : 1;
     }
   }
   CHECK(different == 0);
-  CHECK(apart > 1000);
+  CHECK(separate > 1000);
 }
 
 // [plane_verdicts]
@@ -205,9 +205,9 @@ TEST_CASE(
 
 TEST_CASE("a circle of 1e-300 m leaves one of 1 m, 1e9 m away, as a point does")
 {
-  const auto way = way_apart<double>({{1e9, 0}, 1}, {{1e-300, 0}, 1e-300});
-  CHECK(way.normal == Point(-1, 0));
-  CHECK(way.depth == 1 - 1e9);
+  const auto translation = minimum_translation<double>({{1e9, 0}, 1}, {{1e-300, 0}, 1e-300});
+  CHECK(translation.normal == Point(-1, 0));
+  CHECK(translation.depth == 1 - 1e9);
 }
 
 TEST_CASE("two squares one above the other are parted along y")

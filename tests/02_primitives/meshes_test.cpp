@@ -212,7 +212,7 @@ TEST_CASE(
       std::vector<int> touching, expected;
       for (int k = 0; k < static_cast<int>(mesh.triangles.size()); ++k)
       {
-        if (way_to_triangle<double>(triangle_of(mesh, k), sphere.center).norm() <= sphere.radius)
+        if (vector_to_triangle<double>(triangle_of(mesh, k), sphere.center).norm() <= sphere.radius)
         {
           touching.push_back(k);
         }
@@ -251,8 +251,8 @@ TEMPLATE_TEST_CASE(
     else
     {
       // From outside, through a seam, to a point well inside.
-      const V inside = draw.point(0.5), way = 3 * (seam.template cast<double>() - inside);
-      ray.origin = (inside + way).template cast<TestType>();
+      const V inside = draw.point(0.5), difference = 3 * (seam.template cast<double>() - inside);
+      ray.origin = (inside + difference).template cast<TestType>();
       ray.direction = inside.template cast<TestType>() - ray.origin;
     }
     through += !cast(ray, ball, tree).has_value();
@@ -374,7 +374,7 @@ TEMPLATE_TEST_CASE("meshes of 1e-30 and 1e30 metres, near and far", "[meshes]", 
 TEST_CASE("seen from the closest point, no corner of a triangle is on the point's side", "[meshes]")
 {
   MeshDraw draw;
-  double worst = 0, apart = 0;
+  double worst = 0, off = 0;
   for (int i = 0; i < random_inputs; ++i)
   {
     const V a = draw.point(1);
@@ -384,16 +384,16 @@ TEST_CASE("seen from the closest point, no corner of a triangle is on the point'
     const Triangle<double> t{a, a + ab, i % 50 == 0 ? a : V(a + ac)};
     const V point = draw.point(i % 2 == 0 ? 1 : 3);
     const V closest = closest_point_of_triangle(t, point);
-    const V way = point - closest;
+    const V difference = point - closest;
     for (const V& corner : {t.a, t.b, t.c})
     {
       // How far the corner is on the point's side, as a length.
-      worst = std::max(worst, way.dot(corner - closest) / std::max(way.norm(), 1e-9));
+      worst = std::max(worst, difference.dot(corner - closest) / std::max(difference.norm(), 1e-9));
     }
-    apart = std::max(apart, way_to_triangle<double>(t, closest).norm());
+    off = std::max(off, vector_to_triangle<double>(t, closest).norm());
   }
   CHECK(worst <= 1e-7);
-  CHECK(apart <= 1e-15 * 8);
+  CHECK(off <= 1e-15 * 8);
 }
 
 TEST_CASE("the closest points of a triangle's seven regions, and of flat ones", "[meshes]")

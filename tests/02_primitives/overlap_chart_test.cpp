@@ -17,16 +17,16 @@ namespace
 {
 
 /// How far apart two boxes are as far as 15 axes tell, in double: negative where they overlap.
-double gap_of(const Obb<double>& a, const Obb<double>& b)
+double separation_of(const Obb<double>& a, const Obb<double>& b)
 {
-  double gap = -1e300;
+  double separation = -1e300;
   const auto ask = [&](const Vector3<double>& axis)
   {
     if (axis.norm() > 1e-3)
     {
       const Vector3<double> n = axis.normalized();
-      gap =
-          std::max(gap, std::abs(n.dot(b.center - a.center)) - box_radius(a, n) - box_radius(b, n));
+      separation = std::max(
+          separation, std::abs(n.dot(b.center - a.center)) - box_radius(a, n) - box_radius(b, n));
     }
   };
   for (int i = 0; i < 3; ++i)
@@ -38,7 +38,7 @@ double gap_of(const Obb<double>& a, const Obb<double>& b)
       ask(a.axes.col(i).cross(b.axes.col(k)));
     }
   }
-  return gap;
+  return separation;
 }
 
 } // namespace
@@ -78,12 +78,12 @@ TEMPLATE_TEST_CASE(
   for (int i = 0; i < random_inputs; ++i)
   {
     const double size = std::pow(10.0, draw.whole(-15, 15));
-    const auto box = [&](double apart)
+    const auto box = [&](double distance)
     {
       const Vector3<double> v = draw.in_cube(1), half = draw.in_cube(1).cwiseAbs();
       const Quaternion<double> turn = Quaternion<double>(draw.between(-1, 1), v.x(), v.y(), v.z());
       return Obb<TestType>{
-          (size * draw.in_cube(apart)).template cast<TestType>(),
+          (size * draw.in_cube(distance)).template cast<TestType>(),
           turn.normalized().toRotationMatrix().template cast<TestType>(),
           (size * (half + Vector3<double>::Constant(1e-3))).template cast<TestType>()};
     };
@@ -96,9 +96,9 @@ TEMPLATE_TEST_CASE(
           o.center.template cast<double>(), o.axes.template cast<double>(),
           o.half_extents.template cast<double>()};
     };
-    const double gap = gap_of(wide(a), wide(b)) / size;
+    const double separation = separation_of(wide(a), wide(b)) / size;
     const bool says = boxes_overlap(a, b);
-    wrong += std::abs(gap) > 10 * roundings && says != (gap < 0);
+    wrong += std::abs(separation) > 10 * roundings && says != (separation < 0);
     other_order += says != boxes_overlap(b, a);
   }
   CHECK(wrong == 0);
@@ -120,10 +120,10 @@ TEST_CASE("boxes that are equal, touch, lie in each other, are turned by a hair"
   other.half_extents /= 1000; // inside
   CHECK(boxes_overlap(box, other));
   // Turned by so little that the cross product of edges is nothing but rounding.
-  for (const double hair : {1e-16, 1e-15, 1e-12, 1e-9})
+  for (const double angle : {1e-16, 1e-15, 1e-12, 1e-9})
   {
     other = box;
-    other.axes = Eigen::AngleAxisd(hair, Eigen::Vector3d(1, 2, 2) / 3).toRotationMatrix();
+    other.axes = Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 2) / 3).toRotationMatrix();
     other.center.y() += 3.999;
     CHECK(boxes_overlap(box, other));
     other.center.y() += 0.002;

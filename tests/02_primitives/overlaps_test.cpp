@@ -16,7 +16,7 @@ TEST_CASE("45 pairs of shapes in float: as good as float can write the answer", 
   {
     for (const Draws draws : all_draws)
     {
-      const Wrongs wrongs = judge_pairs(kinds, draws, inputs(14'285, 70));
+      const Wrongs wrongs = check_pairs(kinds, draws, inputs(14'285, 70));
       INFO(kinds.names << ", draws " << int(draws) << ", overlapping " << wrongs.overlapping);
       CHECK(wrongs.fault < 2e-6L);
       CHECK(wrongs.contradictions == 0);

@@ -52,7 +52,7 @@ Around around(const Circle<Real>& c)
 }
 
 template <class Real>
-Around around(const TurnedRectangle<Real>& r)
+Around around(const OrientedRectangle<Real>& r)
 {
   const Long angle = r.angle, hx = r.half_extents.x(), hy = r.half_extents.y();
   const Vector<Long, 2> x(std::cos(angle), std::sin(angle)), y(-x.y(), x.x());
@@ -68,7 +68,7 @@ Around around(const TurnedRectangle<Real>& r)
 template <class Real>
 Around around(const Rectangle<Real>& r)
 {
-  return around(TurnedRectangle<Real>{r.center, Real(0), r.half_extents});
+  return around(OrientedRectangle<Real>{r.center, Real(0), r.half_extents});
 }
 
 /// How far [m] a point is from a shape, 0 within, by all edges.
@@ -82,14 +82,14 @@ inline double out_of(const Around& shape, const Vector<Long, 2>& p)
     const Vector<Long, 2> edge = b - a, from = p - a;
     within = within && edge.x() * from.y() - edge.y() * from.x() >= 0;
     const Long length = edge.squaredNorm();
-    const Long share = length > 0 ? std::clamp(from.dot(edge) / length, Long(0), Long(1)) : 0;
-    nearest = std::min(nearest, (from - share * edge).norm());
+    const Long fraction = length > 0 ? std::clamp(from.dot(edge) / length, Long(0), Long(1)) : 0;
+    nearest = std::min(nearest, (from - fraction * edge).norm());
   }
   return within ? 0 : double(std::max(Long(0), nearest - shape.radius));
 }
 
 /// How far the shape reaches beyond the line through p square to the unit vector n.
-inline double reach_beyond(const Around& shape, const Vector<Long, 2>& p, const Vector<Long, 2>& n)
+inline double extent_beyond(const Around& shape, const Vector<Long, 2>& p, const Vector<Long, 2>& n)
 {
   Long most = -std::numeric_limits<Long>::infinity();
   for (std::size_t i = 0; i < shape.count; ++i)

@@ -40,7 +40,7 @@ void look_at(
   const Vector<Long, 2> point = hit.point.template cast<Long>();
   const Vector<Long, 2> n = hit.normal.template cast<Long>();
   const Vector<Long, 2> d = ray.direction.template cast<Long>();
-  const Vector<Long, 2> way = point - ray.origin.template cast<Long>();
+  const Vector<Long, 2> difference = point - ray.origin.template cast<Long>();
   wrong.normals += std::abs(double(n.norm()) - 1) > 1e-6 * (tolerance > 1e-9 ? 1 : 1e-9);
   if (hit.t == Real(0))
   {
@@ -49,13 +49,13 @@ void look_at(
     wrong.normals += !d.isZero(0) && (n + d / d.norm()).norm() > 1e-6;
     return;
   }
-  wrong.places += double((way - Long(hit.t) * d).norm()) > 40 * tolerance;
+  wrong.places += double((difference - Long(hit.t) * d).norm()) > 40 * tolerance;
   wrong.places += out_of(all, point) > tolerance;
-  wrong.normals += reach_beyond(all, point, n) > 40 * tolerance || n.dot(d) > tolerance;
+  wrong.normals += extent_beyond(all, point, n) > 40 * tolerance || n.dot(d) > tolerance;
   const Real before = hit.t * Real(1 - 1e-4);
   const Vector<Real, 2> end = ray.origin + before * ray.direction;
   // Where it grazes, or begins at the edge, it was near the edge before.
-  const bool grazes = n.dot(d) > -1e-2 * d.norm() || double(way.norm()) < 100 * tolerance;
+  const bool grazes = n.dot(d) > -1e-2 * d.norm() || double(difference.norm()) < 100 * tolerance;
   wrong.early += !grazes && overlaps<Real>(Segment2<Real>{ray.origin, end}, shape);
 }
 
@@ -66,8 +66,8 @@ Wrong casts_on_the_grid(unsigned seed)
   GridDraw draw(seed);
   Wrong wrong;
   const bool is_float = std::is_same_v<Real, float>;
-  const bool turned = std::is_same_v<Shape, TurnedRectangle<Real>>;
-  const double tolerance = turned ? (is_float ? 1e-5 : 1e-13) : (is_float ? 2e-6 : 4e-14);
+  const bool oriented = std::is_same_v<Shape, OrientedRectangle<Real>>;
+  const double tolerance = oriented ? (is_float ? 1e-5 : 1e-13) : (is_float ? 2e-6 : 4e-14);
   const int powers[] = {0, is_float ? -100 : -1000, is_float ? 100 : 1000};
   for (int i = 0; i < random_inputs; ++i)
   {
@@ -80,7 +80,7 @@ Wrong casts_on_the_grid(unsigned seed)
     const Ray2<Real> ray{path.start, path.end - path.start};
     const GridTruth truth = truth_of(on_path, on_shape);
     const auto hit = cast<Real>(times_power(path, k), times_power(shape, k));
-    const bool decided = !turned || !truth.touching;
+    const bool decided = !oriented || !truth.touching;
     wrong.verdicts += decided && hit.has_value() != truth.overlap;
     wrong.misses += !hit;
     // The ray goes on; thirty times as far it is out of the grid.
@@ -90,7 +90,7 @@ Wrong casts_on_the_grid(unsigned seed)
     const GridTruth of_ray = truth_of(longer, on_shape);
     const Ray2<Real> scaled{times_power(ray.origin, k), times_power(ray.direction, k / 2)};
     const auto hit_of_ray = cast<Real>(scaled, times_power(shape, k));
-    wrong.verdicts += (!turned || !of_ray.touching) && hit_of_ray.has_value() != of_ray.overlap;
+    wrong.verdicts += (!oriented || !of_ray.touching) && hit_of_ray.has_value() != of_ray.overlap;
     const auto look = [&](const std::optional<Hit<Real, 2>>& one, int power_of_t)
     {
       if (one)
@@ -169,7 +169,7 @@ TEMPLATE_TEST_CASE(
   check_casts<TestType, Circle<TestType>>(1, "circle");
   check_casts<TestType, Segment2<TestType>>(2, "segment");
   check_casts<TestType, Rectangle<TestType>>(3, "rectangle");
-  check_casts<TestType, TurnedRectangle<TestType>>(4, "turned rectangle");
+  check_casts<TestType, OrientedRectangle<TestType>>(4, "turned rectangle");
 }
 // [casts]
 
@@ -187,21 +187,21 @@ TEMPLATE_TEST_CASE(
     const Segment2<Real> segment{draw.point(), draw.point()};
     const Circle<Real> circle{draw.point(), std::abs(draw.number())};
     const Rectangle<Real> rectangle{draw.point(), draw.extents()};
-    const TurnedRectangle<Real> turned{draw.point(), Real(i % 7), draw.extents()};
+    const OrientedRectangle<Real> oriented{draw.point(), Real(i % 7), draw.extents()};
     const Ray2<Real> ray{draw.point(), draw.point()};
     const Segment2<Real> path{draw.point(), draw.point()};
     const auto all = [&](const auto& shape)
     {
       unsound += unsound_pairs<Real>(point, shape) + unsound_pairs<Real>(segment, shape) +
                  unsound_pairs<Real>(circle, shape) + unsound_pairs<Real>(rectangle, shape) +
-                 unsound_pairs<Real>(turned, shape);
+                 unsound_pairs<Real>(oriented, shape);
       unsound += is_sound(cast<Real>(ray, shape)) ? 0 : 1;
       unsound += is_sound(cast<Real>(path, shape)) ? 0 : 1;
     };
     all(Segment2<Real>{draw.point(), segment.start});
     all(Circle<Real>{segment.start, circle.radius});
     all(Rectangle<Real>{draw.point(), rectangle.half_extents});
-    all(TurnedRectangle<Real>{circle.center, Real(i % 5), draw.extents()});
+    all(OrientedRectangle<Real>{circle.center, Real(i % 5), draw.extents()});
   }
   CHECK(unsound == 0);
 }
@@ -211,19 +211,19 @@ TEMPLATE_TEST_CASE(
 TEST_CASE("from inside t is 0 and the normal is against the ray; from outside it is the edge's")
 {
   using V = Vector<double, 2>;
-  const Rectangle<double> room{{0, 0}, {2, 1}};
-  const auto inside = cast(Ray2<double>{{1, 0}, {3, 4}}, room);
+  const Rectangle<double> bounds{{0, 0}, {2, 1}};
+  const auto inside = cast(Ray2<double>{{1, 0}, {3, 4}}, bounds);
   REQUIRE(inside);
   CHECK(inside->t == 0);
   CHECK(inside->point == V(1, 0));
   CHECK((inside->normal - V(-0.6, -0.8)).norm() <= 1e-15);
-  const auto outside = cast(Ray2<double>{{-6, 0.5}, {2, 0}}, room);
+  const auto outside = cast(Ray2<double>{{-6, 0.5}, {2, 0}}, bounds);
   REQUIRE(outside);
   CHECK(outside->t == 2);
   CHECK(outside->point == V(-2, 0.5));
   CHECK(outside->normal == V(-1, 0));
-  CHECK_FALSE(cast(Ray2<double>{{-6, 1.5}, {2, 0}}, room));
-  CHECK_FALSE(cast(Ray2<double>{{-6, 0.5}, {-2, 0}}, room));
+  CHECK_FALSE(cast(Ray2<double>{{-6, 1.5}, {2, 0}}, bounds));
+  CHECK_FALSE(cast(Ray2<double>{{-6, 0.5}, {-2, 0}}, bounds));
 }
 
 TEST_CASE("a direction of zero meets only what holds the origin, with the normal +y")
@@ -259,7 +259,7 @@ TEST_CASE("a ray along a segment meets its nearer end; across, the side it comes
 TEST_CASE("a segment that ends on a turned edge is met, at t = 1 or a rounding before, never after")
 {
   // The edge of the board goes through (3, 4).
-  const TurnedRectangle<double> board{{0, 0}, std::atan2(4, 3), {5, 2}};
+  const OrientedRectangle<double> board{{0, 0}, std::atan2(4, 3), {5, 2}};
   for (int y = 26; y <= 30; ++y)
   {
     const auto hit = cast(Segment2<double>{{-25, double(y)}, {3, 4}}, board);

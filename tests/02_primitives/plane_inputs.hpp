@@ -65,7 +65,7 @@ public:
 
   /// Turned so that its axes are (4, 3) / 5 and (-3, 4) / 5, or by these and a half turn.
   template <class Real>
-  void operator()(TurnedRectangle<Real>& rectangle, GridShape& grid)
+  void operator()(OrientedRectangle<Real>& rectangle, GridShape& grid)
   {
     (*this)(rectangle.center, grid);
     const int x = whole(0, 3), y = whole(0, 3), half_turns = whole(-2, 2);
@@ -114,7 +114,7 @@ Rectangle<Real> times_power(const Rectangle<Real>& r, int k)
 }
 
 template <class Real>
-TurnedRectangle<Real> times_power(const TurnedRectangle<Real>& r, int k)
+OrientedRectangle<Real> times_power(const OrientedRectangle<Real>& r, int k)
 {
   return {times_power(r.center, k), r.angle, times_power(r.half_extents, k)};
 }

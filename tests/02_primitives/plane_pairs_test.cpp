@@ -25,7 +25,7 @@ struct Wrong
   int points = 0;
   int touching = 0;
   int overlapping = 0;
-  int apart = 0;
+  int separate = 0;
 };
 
 /// Whether closest points are right: each is of its shape, and no corner is on the other's side.
@@ -35,23 +35,23 @@ bool closest_are_right(
 {
   const Around of_a = around(a), of_b = around(b);
   const Vector<Long, 2> p = found.a.template cast<Long>(), q = found.b.template cast<Long>();
-  const double size = std::max(of_a.size, of_b.size), slack = tolerance * size;
-  const bool members = out_of(of_a, p) <= slack && out_of(of_b, q) <= slack;
-  const Long gap = (q - p).norm();
+  const double size = std::max(of_a.size, of_b.size), tolerated = tolerance * size;
+  const bool members = out_of(of_a, p) <= tolerated && out_of(of_b, q) <= tolerated;
+  const Long distance = (q - p).norm();
   if (found.distance == Real(0))
   {
-    return members && gap <= slack;
+    return members && distance <= tolerated;
   }
   // The nearer the points, the fewer digits their direction has.
-  const Vector<Long, 2> n = (q - p) / gap;
-  const double allowed = slack * (4 + 4 * size / double(gap));
-  return members && std::abs(double(gap) - double(found.distance)) <= slack &&
-         reach_beyond(of_a, p, n) <= allowed && reach_beyond(of_b, q, -n) <= allowed;
+  const Vector<Long, 2> n = (q - p) / distance;
+  const double allowed = tolerated * (4 + 4 * size / double(distance));
+  return members && std::abs(double(distance) - double(found.distance)) <= tolerated &&
+         extent_beyond(of_a, p, n) <= allowed && extent_beyond(of_b, q, -n) <= allowed;
 }
 
 template <class Shape>
-constexpr bool is_turned =
-    std::is_same_v<Shape, TurnedRectangle<float>> || std::is_same_v<Shape, TurnedRectangle<double>>;
+constexpr bool is_oriented = std::is_same_v<Shape, OrientedRectangle<float>> ||
+                             std::is_same_v<Shape, OrientedRectangle<double>>;
 
 /// Goes over pairs on the grid; each is also tried by a power of two smaller and larger.
 template <class Real, class First, class Second>
@@ -61,9 +61,9 @@ Wrong on_the_grid(unsigned seed)
   Wrong wrong;
   const bool is_float = std::is_same_v<Real, float>;
   const int powers[] = {0, is_float ? -140 : -1060, is_float ? 120 : 1015};
-  const bool turned = is_turned<First> || is_turned<Second>;
+  const bool oriented = is_oriented<First> || is_oriented<Second>;
   // A float's angle is off by 1e-8, a double's by 1e-16.
-  const double tolerance = turned ? (is_float ? 1e-6 : 1e-14) : (is_float ? 1e-7 : 1e-15);
+  const double tolerance = oriented ? (is_float ? 1e-6 : 1e-14) : (is_float ? 1e-7 : 1e-15);
   for (int i = 0; i < random_inputs; ++i)
   {
     First a;
@@ -77,10 +77,10 @@ Wrong on_the_grid(unsigned seed)
     const Second scaled_b = times_power(b, k);
     const bool overlap = overlaps<Real>(scaled_a, scaled_b);
     const ClosestPoints<Real, 2> found = closest_points<Real>(scaled_a, scaled_b);
-    const bool undecided = turned && truth.touching;
+    const bool undecided = oriented && truth.touching;
     wrong.touching += truth.touching;
     wrong.overlapping += truth.overlap;
-    wrong.apart += !truth.overlap;
+    wrong.separate += !truth.overlap;
     wrong.verdicts += !undecided && overlap != truth.overlap;
     wrong.verdicts += !undecided && (found.distance == Real(0)) != truth.overlap;
     wrong.verdicts += overlaps<Real>(scaled_b, scaled_a) != overlap && !undecided;
@@ -111,8 +111,8 @@ public:
 
   Real number()
   {
-    const double share = double(engine_()) / 4294967296.0 * 2 - 1;
-    return Real(std::ldexp(share, int(engine_() % 61) - 30));
+    const double fraction = double(engine_()) / 4294967296.0 * 2 - 1;
+    return Real(std::ldexp(fraction, int(engine_() % 61) - 30));
   }
 
   void operator()(Vector<Real, 2>& p) { p = {number(), number()}; }
@@ -131,7 +131,7 @@ public:
     (*this)(r.center);
     r.half_extents = {std::abs(number()), std::abs(number())};
   }
-  void operator()(TurnedRectangle<Real>& r)
+  void operator()(OrientedRectangle<Real>& r)
   {
     (*this)(r.center);
     r.half_extents = {std::abs(number()), std::abs(number())};
@@ -159,7 +159,7 @@ Wrong anywhere(unsigned seed)
     const ClosestPoints<Real, 2> found = closest_points<Real>(a, b);
     const bool overlap = overlaps<Real>(a, b);
     wrong.overlapping += overlap;
-    wrong.apart += !overlap;
+    wrong.separate += !overlap;
     wrong.verdicts += overlap && found.distance > Real(0);
     wrong.verdicts += !overlap && found.distance == Real(0);
     wrong.points += !closest_are_right(found, a, b, tolerance);
@@ -177,7 +177,7 @@ void check_pair(unsigned seed, const char* name)
   CHECK(grid.points == 0);
   CHECK(grid.touching > 0);
   CHECK(grid.overlapping > 0);
-  CHECK(grid.apart > 0);
+  CHECK(grid.separate > 0);
   const Wrong all_sizes = anywhere<Real, First, Second>(seed + 1);
   CHECK(all_sizes.verdicts == 0);
   CHECK(all_sizes.points == 0);
@@ -196,16 +196,16 @@ TEMPLATE_TEST_CASE(
   check_pair<Real, Point, Segment2<Real>>(2, "point, segment");
   check_pair<Real, Point, Circle<Real>>(3, "point, circle");
   check_pair<Real, Point, Rectangle<Real>>(4, "point, rectangle");
-  check_pair<Real, Point, TurnedRectangle<Real>>(5, "point, turned rectangle");
+  check_pair<Real, Point, OrientedRectangle<Real>>(5, "point, turned rectangle");
   check_pair<Real, Segment2<Real>, Segment2<Real>>(6, "segment, segment");
   check_pair<Real, Segment2<Real>, Circle<Real>>(7, "segment, circle");
   check_pair<Real, Segment2<Real>, Rectangle<Real>>(8, "segment, rectangle");
-  check_pair<Real, Segment2<Real>, TurnedRectangle<Real>>(9, "segment, turned rectangle");
+  check_pair<Real, Segment2<Real>, OrientedRectangle<Real>>(9, "segment, turned rectangle");
   check_pair<Real, Circle<Real>, Circle<Real>>(10, "circle, circle");
   check_pair<Real, Circle<Real>, Rectangle<Real>>(11, "circle, rectangle");
-  check_pair<Real, Circle<Real>, TurnedRectangle<Real>>(12, "circle, turned rectangle");
+  check_pair<Real, Circle<Real>, OrientedRectangle<Real>>(12, "circle, turned rectangle");
   check_pair<Real, Rectangle<Real>, Rectangle<Real>>(13, "rectangle, rectangle");
-  check_pair<Real, Rectangle<Real>, TurnedRectangle<Real>>(14, "rectangle, turned rectangle");
-  check_pair<Real, TurnedRectangle<Real>, TurnedRectangle<Real>>(15, "turned, turned");
+  check_pair<Real, Rectangle<Real>, OrientedRectangle<Real>>(14, "rectangle, turned rectangle");
+  check_pair<Real, OrientedRectangle<Real>, OrientedRectangle<Real>>(15, "turned, turned");
 }
 // [pairs]

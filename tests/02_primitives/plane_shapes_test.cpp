@@ -50,12 +50,12 @@ TEST_CASE("a rectangle may be flat, but not less", "[plane_shapes]")
   CHECK_THROWS_WITH(
       checked(Rectangle<double>{{0, 0}, {infinite, 1}}), "half_extents.x must be finite, got inf");
   CHECK_THROWS_AS((checked(Rectangle<double>{{infinite, 0}, {1, 1}})), InvalidShape);
-  CHECK(checked(TurnedRectangle<double>{{1, 2}, 100, {0, 0}}).angle == 100);
+  CHECK(checked(OrientedRectangle<double>{{1, 2}, 100, {0, 0}}).angle == 100);
   CHECK_THROWS_WITH(
-      checked(TurnedRectangle<double>{{0, 0}, not_a_number, {1, 1}}),
+      checked(OrientedRectangle<double>{{0, 0}, not_a_number, {1, 1}}),
       "angle must be finite, got nan");
   CHECK_THROWS_WITH(
-      checked(TurnedRectangle<double>{{0, 0}, 0, {-2, 1}}),
+      checked(OrientedRectangle<double>{{0, 0}, 0, {-2, 1}}),
       "half_extents.x must be zero or more, got -2");
-  CHECK_THROWS_AS((checked(TurnedRectangle<double>{{infinite, 0}, 0, {1, 1}})), InvalidShape);
+  CHECK_THROWS_AS((checked(OrientedRectangle<double>{{infinite, 0}, 0, {1, 1}})), InvalidShape);
 }

@@ -3,10 +3,10 @@
 
 #include "02_primitives/shape_bounds/shape_bounds.hpp"
 #include "02_primitives/three_planes/three_planes.hpp"
-#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
+#include "tools/exact/exact.hpp"
 
-#include "tests/02_primitives/shape_judge.hpp"
+#include "tests/02_primitives/shape_oracle.hpp"
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
 
@@ -21,9 +21,9 @@ TEST_CASE("a box reaches along n as far as the farthest of its 8 corners", "[P6]
   {
     const Obb<double> box = drawn<Obb<double>>(from);
     const Eigen::Vector3d n = from.turn().col(0);
-    const Long least = reach_against(judged(box), exactly(Eigen::Vector3d(-n)));
+    const Long least = extent_against(as_oracle(box), exactly(Eigen::Vector3d(-n)));
     REQUIRE(std::abs(n.dot(box.center) + box_radius(box, n) + double(least)) < 1e-14);
-    REQUIRE(std::abs(n.dot(farthest_point(box, n)) + double(least)) < 1e-14);
+    REQUIRE(std::abs(n.dot(support_point(box, n)) + double(least)) < 1e-14);
   }
 }
 // [P6]
@@ -88,7 +88,7 @@ TEST_CASE("bounds, sphere and farthest point of a capsule, and what shapes hold"
   CHECK(bounds_of(capsule).max() == Eigen::Vector3d(5, 1, 1));
   CHECK(bounding_sphere(capsule).center == Eigen::Vector3d(2, 0, 0));
   CHECK(bounding_sphere(capsule).radius == 3);
-  CHECK(farthest_point(capsule, Eigen::Vector3d(7, 0, 0)) == Eigen::Vector3d(5, 0, 0));
+  CHECK(support_point(capsule, Eigen::Vector3d(7, 0, 0)) == Eigen::Vector3d(5, 0, 0));
   CHECK(contains(capsule, Eigen::Vector3d(5, 0, 0)));
   CHECK_FALSE(contains(capsule, Eigen::Vector3d(5, 0.1, 0)));
   CHECK(contains(Sphere<double>{{0, 0, 0}, 5}, Eigen::Vector3d(3, 4, 0)));

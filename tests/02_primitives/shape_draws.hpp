@@ -43,10 +43,10 @@ public:
   {
     size_ = draws_ == Draws::unlike ? std::pow(10, number(-6, 0)) : 1;
     const bool on_lattice = draws_ == Draws::lattice;
-    const double reach = draws_ == Draws::unlike ? 0.5 : 1.5;
+    const double limit = draws_ == Draws::unlike ? 0.5 : 1.5;
     for (double& place : place_)
     {
-      place = on_lattice ? whole(-2, 2) : number(-reach, reach) + away_;
+      place = on_lattice ? whole(-2, 2) : number(-limit, limit) + away_;
     }
   }
 
@@ -70,10 +70,10 @@ public:
       return any;
     }
     const double s = number(-1, 2), t = number(-1, 2);
-    const double hair = whole(0, 3) == 0 ? 0 : std::pow(10, -number(0, 18));
+    const double angle = whole(0, 3) == 0 ? 0 : std::pow(10, -number(0, 18));
     const Eigen::Vector3d along = a.template cast<double>() + s * (b - a).template cast<double>() +
                                   t * (c - a).template cast<double>();
-    return (along + hair * any.template cast<double>()).template cast<Real>();
+    return (along + angle * any.template cast<double>()).template cast<Real>();
   }
 
   Real length()

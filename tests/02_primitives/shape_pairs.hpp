@@ -5,7 +5,7 @@
 #include "02_primitives/closest_points/closest_points.hpp"
 #include "02_primitives/overlaps/overlaps.hpp"
 
-#include "tests/02_primitives/shape_judge.hpp"
+#include "tests/02_primitives/shape_oracle.hpp"
 #include "tests/02_primitives/shapes_moved.hpp"
 
 #include <functional>
@@ -17,30 +17,30 @@ namespace cookbook
 {
 
 /// One pair: what the judge knows of both shapes, and what the book answers.
-struct JudgedPair
+struct CheckedPair
 {
-  Judged a, b;
+  OracleShape a, b;
   ClosestPoints<Long, 3> points;
-  bool overlap;     ///< the answer of overlaps()
-  bool still_apart; ///< also after B moved towards A by the distance less a billionth
-  Long touch;       ///< their distance after B moved by the whole distance, as a share of the size
+  bool overlap;         ///< the answer of overlaps()
+  bool still_separated; ///< also after B moved towards A by the distance less a billionth
+  Long touch; ///< their distance after B moved by the whole distance, as a share of the size
 };
 
 /// Answers a pair; where the shapes are apart, once more with B moved almost to A, and to A.
 template <class Real, class A, class B>
-JudgedPair answered(const A& a, const B& b)
+CheckedPair answered(const A& a, const B& b)
 {
   const ClosestPoints<Real, 3> points = closest_points(a, b);
-  JudgedPair pair{judged(a), judged(b), exactly(points), overlaps(a, b), true, 0};
+  CheckedPair pair{as_oracle(a), as_oracle(b), exactly(points), overlaps(a, b), true, 0};
   if constexpr (std::is_same_v<Real, double>)
   {
     const double size = double(size_of_numbers(pair.a, pair.b));
     if (points.distance > 1e-3 * size)
     {
-      const Vector3<double> way = points.a - points.b;
-      const Vector3<double> hair = way * (1e-9 * size / points.distance);
-      pair.still_apart = !overlaps(a, moved(b, Vector3<double>(way - hair)));
-      pair.touch = Long(closest_points(a, moved(b, way)).distance / size);
+      const Vector3<double> difference = points.a - points.b;
+      const Vector3<double> short_of_it = difference * (1e-9 * size / points.distance);
+      pair.still_separated = !overlaps(a, moved(b, Vector3<double>(difference - short_of_it)));
+      pair.touch = Long(closest_points(a, moved(b, difference)).distance / size);
     }
   }
   return pair;
@@ -51,7 +51,7 @@ template <class Real>
 struct Kinds
 {
   std::string names;
-  std::function<JudgedPair(ShapeDraw<Real>&)> answer;
+  std::function<CheckedPair(ShapeDraw<Real>&)> answer;
 };
 
 /// Each kind with itself and each that comes after it.
@@ -100,18 +100,18 @@ struct Wrongs
 
 /// Draws pairs of two kinds, and judges the answers.
 template <class Real>
-Wrongs judge_pairs(const Kinds<Real>& kinds, Draws draws, int count)
+Wrongs check_pairs(const Kinds<Real>& kinds, Draws draws, int count)
 {
   ShapeDraw<Real> from(7);
   from.use(draws);
   Wrongs wrongs;
   for (int i = 0; i < count; ++i)
   {
-    const JudgedPair pair = kinds.answer(from);
+    const CheckedPair pair = kinds.answer(from);
     wrongs.fault = std::max(wrongs.fault, fault(pair.a, pair.b, pair.points));
     wrongs.overlapping += pair.overlap;
     wrongs.contradictions += pair.overlap != (pair.points.distance == 0);
-    wrongs.moved_wrongly += !pair.still_apart;
+    wrongs.moved_wrongly += !pair.still_separated;
     wrongs.touch = std::max(wrongs.touch, pair.touch);
   }
   return wrongs;

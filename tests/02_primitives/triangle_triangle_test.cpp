@@ -6,7 +6,7 @@
 #include "02_primitives/triangle_triangle/trial/triangle_triangle_cases.hpp"
 #include "02_primitives/triangle_triangle/triangles_meet.hpp"
 
-#include "tests/02_primitives/shape_judge.hpp"
+#include "tests/02_primitives/shape_oracle.hpp"
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
 #include "tests/verdicts.hpp"

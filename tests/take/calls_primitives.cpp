@@ -181,7 +181,7 @@ int main()
         const Segment2<double> segment{flat(draw) * scale, flat(draw) * scale};
         const Circle<double> circle{flat(draw) * scale, draw.number(0, 2) * scale};
         const Rectangle<double> rectangle{flat(draw) * scale, flat(draw).cwiseAbs() * scale};
-        const TurnedRectangle<double> turned{
+        const OrientedRectangle<double> turned{
             flat(draw) * scale, draw.number(-2, 2), flat(draw).cwiseAbs() * scale};
         const Ray2<double> ray{point, flat(draw)};
         const auto all = [&](const auto& shape)
@@ -208,7 +208,9 @@ int main()
         all(turned);
         const std::vector<Eigen::Vector2d> a{flat(draw), flat(draw), flat(draw)};
         const std::vector<Eigen::Vector2d> b{flat(draw), flat(draw), flat(draw)};
-        bits(double(overlaps<double>(a, b)), way_apart(circle, Circle<double>{point, 1}).depth);
+        bits(
+            double(overlaps<double>(a, b)),
+            minimum_translation(circle, Circle<double>{point, 1}).depth);
       });
 #endif
 #ifdef TAKE_bounding_circle
@@ -227,7 +229,8 @@ int main()
         const Rectangle<double> rectangle = bounding_rectangle<double>(points);
         bits(least.center, least.radius, centroid.center, centroid.radius);
         bits(rectangle.center, rectangle.half_extents);
-        const TurnedRectangle<double> turned{points[0], draw.number(-2, 2), flat(draw).cwiseAbs()};
+        const OrientedRectangle<double> turned{
+            points[0], draw.number(-2, 2), flat(draw).cwiseAbs()};
         bits(bounding_circle(turned).radius, bounding_rectangle(turned).half_extents);
       });
 #endif

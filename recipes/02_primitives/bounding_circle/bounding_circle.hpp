@@ -85,12 +85,12 @@ requires ShapeInPlane<Shape<Real>, Real> Circle<Real> bounding_circle(const Shap
   const auto corner = [&](std::size_t i) { return form.corner[i]; };
   const auto small = growing_circle<Wide<Real>>(std::size_t(form.corners), corner);
   Circle<Real> circle{view.point(small.center), Real(0)};
-  Wide<Real> reach = 0;
+  Wide<Real> radius = 0;
   for (const Vector<Wide<Real>, 2>& at : form.polygon())
   {
-    reach = std::max(reach, (at - view.seen(circle.center)).norm());
+    radius = std::max(radius, (at - view.seen(circle.center)).norm());
   }
-  circle.radius = rounded_up<Real>(std::ldexp(reach + form.radius, -view.exponent));
+  circle.radius = rounded_up<Real>(std::ldexp(radius + form.radius, -view.exponent));
   return circle;
 }
 // [bounding_circle]

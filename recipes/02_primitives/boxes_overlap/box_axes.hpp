@@ -52,10 +52,10 @@ struct AxisOverlap
 /// The overlap of A's reach and B's along an axis.
 template <class Real>
 AxisOverlap<Real>
-axis_overlap(const Vector3<Real>& axis, Real offset, Real reach, Real squared_length)
+axis_overlap(const Vector3<Real>& axis, Real offset, Real radii, Real squared_length)
 {
   using std::abs;
-  return {axis, offset, reach - abs(offset), squared_length};
+  return {axis, offset, radii - abs(offset), squared_length};
 }
 // [axis_overlap]
 
@@ -64,8 +64,8 @@ axis_overlap(const Vector3<Real>& axis, Real offset, Real reach, Real squared_le
 template <class Real>
 AxisOverlap<Real> face_axis_of_a(const RelativeBoxes<Real>& boxes, int i)
 {
-  const Real reach = boxes.half_a[i] + boxes.absolute.row(i).dot(boxes.half_b);
-  return axis_overlap<Real>(Vector3<Real>::Unit(i), boxes.offset[i], reach, Real(1));
+  const Real radii = boxes.half_a[i] + boxes.absolute.row(i).dot(boxes.half_b);
+  return axis_overlap<Real>(Vector3<Real>::Unit(i), boxes.offset[i], radii, Real(1));
 }
 
 /// Along B's axis j, the normal of two of B's faces.
@@ -73,8 +73,8 @@ template <class Real>
 AxisOverlap<Real> face_axis_of_b(const RelativeBoxes<Real>& boxes, int j)
 {
   const Vector3<Real> axis = boxes.rotation.col(j);
-  const Real reach = boxes.absolute.col(j).dot(boxes.half_a) + boxes.half_b[j];
-  return axis_overlap<Real>(axis, boxes.offset.dot(axis), reach, Real(1));
+  const Real radii = boxes.absolute.col(j).dot(boxes.half_a) + boxes.half_b[j];
+  return axis_overlap<Real>(axis, boxes.offset.dot(axis), radii, Real(1));
 }
 // [face_axes]
 
@@ -104,11 +104,11 @@ edge_axis(const RelativeBoxes<Real>& boxes, int i, int j, const Vector3<Real>& t
   Vector3<Real> axis = Vector3<Real>::Zero();
   axis[i1] = l1;
   axis[i2] = l2;
-  const Real reach_a =
+  const Real radius_a =
       boxes.half_a[i1] * boxes.absolute(i2, j) + boxes.half_a[i2] * boxes.absolute(i1, j);
-  const Real reach_b = boxes.half_b[j1] * abs(triple[j2]) + boxes.half_b[j2] * abs(triple[j1]);
+  const Real radius_b = boxes.half_b[j1] * abs(triple[j2]) + boxes.half_b[j2] * abs(triple[j1]);
   const Real offset = boxes.offset[i1] * l1 + boxes.offset[i2] * l2;
-  return axis_overlap<Real>(axis, offset, reach_a + reach_b, l1 * l1 + l2 * l2);
+  return axis_overlap<Real>(axis, offset, radius_a + radius_b, l1 * l1 + l2 * l2);
 }
 
 /// The same for one axis alone.

@@ -70,9 +70,9 @@ std::optional<PixelDepth<Real>> to_pixel(const Camera<Real>& camera, const Vecto
 template <class Real>
 Vector<double, 2> to_ndc(const Camera<Real>& camera, const Vector<Real, 2>& pixel)
 {
-  const Vector<double, 2> share =
+  const Vector<double, 2> fraction =
       pixel.template cast<double>().cwiseQuotient(camera.size.template cast<double>());
-  return {2 * share.x() - 1, 1 - 2 * share.y()};
+  return {2 * fraction.x() - 1, 1 - 2 * fraction.y()};
 }
 // [to_ndc]
 

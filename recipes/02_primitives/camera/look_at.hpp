@@ -12,24 +12,24 @@
 namespace cookbook
 {
 
-// [square_to_both]
+// [perpendicular_to_both]
 /// The unit vector square to both, on the side of a × b; zero where they are parallel or zero.
 ///
 /// No threshold: the components of the cross product are right to two roundings, so that also
 /// nearly parallel vectors have a direction, and only truly parallel ones have none.
-inline Vector3<double> square_to_both(const Vector3<double>& a, const Vector3<double>& b)
+inline Vector3<double> perpendicular_to_both(const Vector3<double>& a, const Vector3<double>& b)
 {
   const Vector3<double> zero(0, 0, 0);
   return normalize<double>(accurate_cross<double>(enlarged(a), enlarged(b)), zero).unit;
 }
-// [square_to_both]
+// [perpendicular_to_both]
 
 // [any_right]
 /// What is to the right where `up` does not say: square to the view, and to the world's y axis;
 /// for a view along y, the x axis.
 inline Vector3<double> any_right(const Vector3<double>& forward)
 {
-  const Vector3<double> level = square_to_both(forward, Vector3<double>::UnitY());
+  const Vector3<double> level = perpendicular_to_both(forward, Vector3<double>::UnitY());
   return level.isZero(0) ? Vector3<double>::UnitX() : level;
 }
 // [any_right]
@@ -47,7 +47,7 @@ look_at(const Vector3<Real>& eye, const Vector3<Real>& target, const Vector3<Rea
   const V from = eye.template cast<double>(), to = target.template cast<double>();
   const V whole = to - from, ahead = whole.allFinite() ? whole : V(to / 2 - from / 2);
   const V forward = ahead.isZero(0) ? V(0, 0, -1) : ahead;
-  const V by_up = square_to_both(forward, up.template cast<double>());
+  const V by_up = perpendicular_to_both(forward, up.template cast<double>());
   const V right = by_up.isZero(0) ? any_right(forward) : by_up;
   const V back = normalize<double>(enlarged(-forward)).unit;
   Matrix3<double> axes;

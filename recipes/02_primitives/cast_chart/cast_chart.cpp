@@ -15,21 +15,22 @@ template <class Shape>
 using Casts = std::vector<KnownCast<Shape>>;
 
 /// A way by its name: timed, and asked for its errors.
-template <class Shape, class Way>
-measure::ChartedMethod timed_way(const std::string& name, const Casts<Shape>& casts, Way way)
+template <class Shape, class Method>
+measure::ChartedMethod
+timed_method(const std::string& name, const Casts<Shape>& casts, Method method)
 {
-  const auto call = [way](const KnownCast<Shape>& one) { return way(one.ray, one.shape); };
-  return {measure::timed_over(name, casts, call), cast_errors<Shape>(way, casts)};
+  const auto call = [method](const KnownCast<Shape>& one) { return method(one.ray, one.shape); };
+  return {measure::timed_over(name, casts, call), cast_errors<Shape>(method, casts)};
 }
 
 /// The way that is recommended, as float and in double inside.
 template <class Shape>
-void add_ours(std::vector<measure::ChartedMethod>& ways, const Casts<Shape>& casts)
+void add_ours(std::vector<measure::ChartedMethod>& methods, const Casts<Shape>& casts)
 {
-  ways.push_back(timed_way(
+  methods.push_back(timed_method(
       "recommended, float", casts,
       [](const Ray<float>& ray, const Shape& shape) { return cast_in_float(ray, shape); }));
-  ways.push_back(timed_way(
+  methods.push_back(timed_method(
       "recommended", casts,
       [](const Ray<float>& ray, const Shape& shape)
       {
@@ -40,12 +41,12 @@ void add_ours(std::vector<measure::ChartedMethod>& ways, const Casts<Shape>& cas
 
 plot::Chart chart_of(
     const std::string& name, const std::string& title,
-    const std::vector<measure::ChartedMethod>& ways, const measure::Effort& effort)
+    const std::vector<measure::ChartedMethod>& methods, const measure::Effort& effort)
 {
   plot::Chart chart(
       name, title, {"time of a call [ns]", plot::Scale::log},
       {"error as a part of t", plot::Scale::log});
-  measure::add_methods(chart, ways, effort);
+  measure::add_methods(chart, methods, effort);
   chart.size(400, 310).name_failures("misses");
   return chart;
 }
@@ -54,46 +55,46 @@ plot::Chart sphere_chart(const measure::Effort& effort)
 {
   using Shape = Sphere<float>;
   const Casts<Shape> casts = known_spheres(1000);
-  std::vector<measure::ChartedMethod> ways{
-      timed_way("as published", casts, sphere_as_published),
-      timed_way("as taught", casts, sphere_quadratic)};
-  add_ours(ways, casts);
-  return chart_of("sphere", "A ball of 1 m, up to 10 km away", ways, effort);
+  std::vector<measure::ChartedMethod> methods{
+      timed_method("as published", casts, sphere_as_published),
+      timed_method("as taught", casts, sphere_quadratic)};
+  add_ours(methods, casts);
+  return chart_of("sphere", "A ball of 1 m, up to 10 km away", methods, effort);
 }
 
 plot::Chart box_chart(const measure::Effort& effort)
 {
   using Shape = Aabb<float>;
   const Casts<Shape> casts = known_boxes(1000);
-  std::vector<measure::ChartedMethod> ways{
-      timed_way("as published", casts, box_as_published),
-      timed_way("by inverse", casts, box_by_inverse)};
-  add_ours(ways, casts);
+  std::vector<measure::ChartedMethod> methods{
+      timed_method("as published", casts, box_as_published),
+      timed_method("by inverse", casts, box_by_inverse)};
+  add_ours(methods, casts);
 #ifdef COOKBOOK_HAS_BULLET
-  ways.push_back(timed_way("Bullet", casts, bullet_box));
+  methods.push_back(timed_method("Bullet", casts, bullet_box));
 #endif
-  return chart_of("box", "A box of 0.4 to 2 m, aimed at", ways, effort);
+  return chart_of("box", "A box of 0.4 to 2 m, aimed at", methods, effort);
 }
 
 plot::Chart triangle_chart(const measure::Effort& effort)
 {
   using Shape = Triangle<float>;
   const Casts<Shape> casts = known_triangles(1000);
-  std::vector<measure::ChartedMethod> ways{
-      timed_way("as published", casts, triangle_as_published),
-      timed_way(
+  std::vector<measure::ChartedMethod> methods{
+      timed_method("as published", casts, triangle_as_published),
+      timed_method(
           "Möller–Trumbore", casts,
           [](const Ray<float>& ray, const Shape& shape) { return moller_trumbore(ray, shape); })};
-  add_ours(ways, casts);
+  add_ours(methods, casts);
 #ifdef COOKBOOK_HAS_BULLET
-  ways.push_back(timed_way("Bullet", casts, bullet_triangle));
+  methods.push_back(timed_method("Bullet", casts, bullet_triangle));
 #endif
   const Casts<Shape> few(casts.begin(), casts.begin() + 100);
-  ways.push_back(timed_way(
+  methods.push_back(timed_method(
       "in fractions", few,
       [](const Ray<float>& ray, const Shape& shape)
       { return std::optional(static_cast<float>(*cast_in_fractions(ray, shape))); }));
-  return chart_of("triangle", "A triangle of some metres, aimed at", ways, effort);
+  return chart_of("triangle", "A triangle of some metres, aimed at", methods, effort);
 }
 
 } // namespace

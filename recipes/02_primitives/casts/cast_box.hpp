@@ -24,15 +24,16 @@ struct SlabSpan
 
 /// The part between `least` and `most`, for a path from `origin` that goes `way` along the axis.
 template <class Real>
-SlabSpan<Real> slab_span(const Real& least, const Real& most, const Real& origin, const Real& way)
+SlabSpan<Real>
+slab_span(const Real& least, const Real& most, const Real& origin, const Real& direction)
 {
   const Real infinite = std::numeric_limits<Real>::infinity();
   const Real to_least = least - origin, to_most = most - origin;
-  if (way == Real(0)) // along the slab: always in it, or never
+  if (direction == Real(0)) // along the slab: always in it, or never
   {
     return {to_least <= Real(0) && to_most >= Real(0) ? -infinite : infinite, infinite};
   }
-  const Real one = to_least / way, other = to_most / way;
+  const Real one = to_least / direction, other = to_most / direction;
   return {std::min(one, other), std::max(one, other)};
 }
 
@@ -59,8 +60,8 @@ std::optional<Hit<Real, 3>> first_hit_on(const CastPath<Real>& path, const Aabb<
     return hit_from_inside(path);
   }
   const bool on_x = x.in == enter, on_y = !on_x && y.in == enter, on_z = !on_x && !on_y;
-  const auto against = [](bool on, const Real& way)
-  { return Real(on ? (way > Real(0) ? -1 : 1) : 0); };
+  const auto against = [](bool on, const Real& direction)
+  { return Real(on ? (direction > Real(0) ? -1 : 1) : 0); };
   const Vector3<Real> normal(against(on_x, d.x()), against(on_y, d.y()), against(on_z, d.z()));
   const Vector3<Real> point = point_at<Real>(path, enter).cwiseMax(least).cwiseMin(most);
   return hit_at<Real>(path, enter, normal, point);
@@ -82,9 +83,9 @@ std::optional<Hit<Real, 3>> first_hit_on(const CastPath<Real>& path, const Obb<R
   {
     return hit ? std::optional(hit_from_inside(path)) : std::nullopt;
   }
-  const auto turned = [&](const Vector3<Real>& v) -> Vector3<Real>
+  const auto to_world = [&](const Vector3<Real>& v) -> Vector3<Real>
   { return v.x() * x + v.y() * y + v.z() * z; };
-  return hit_at<Real>(path, hit->t, turned(hit->normal), box.center + turned(hit->point));
+  return hit_at<Real>(path, hit->t, to_world(hit->normal), box.center + to_world(hit->point));
 }
 // [cast_obb]
 

@@ -18,8 +18,8 @@ std::optional<Hit<Real, 3>> first_hit_on(const CastPath<Real>& path, const Plane
   {
     return hit_from_inside(path);
   }
-  const Real sinking = -plane.normal.dot(path.direction);
-  return sinking > Real(0) ? hit_at<Real>(path, height / sinking, plane.normal) : std::nullopt;
+  const Real approach = -plane.normal.dot(path.direction);
+  return approach > Real(0) ? hit_at<Real>(path, height / approach, plane.normal) : std::nullopt;
 }
 // [cast_plane]
 

@@ -71,23 +71,24 @@ std::optional<Hit<Real, 3>> hit_on_side(const CastPath<Real>& path, const Capsul
   using std::sqrt;
   const Vector3<Real> axis = capsule.segment.end - capsule.segment.start;
   const Vector3<Real> to_start = capsule.segment.start - path.origin;
-  const Vector3<Real> way = path.direction.cross(axis), to_axis = to_start.cross(axis);
-  const Real length_squared = axis.squaredNorm(), squared = way.squaredNorm();
-  const Real radius_squared = capsule.radius * capsule.radius, miss = to_start.dot(way);
+  const Vector3<Real> normal = path.direction.cross(axis), to_axis = to_start.cross(axis);
+  const Real length_squared = axis.squaredNorm(), squared = normal.squaredNorm();
+  const Real radius_squared = capsule.radius * capsule.radius, miss = to_start.dot(normal);
   const Real outside = to_axis.squaredNorm() - radius_squared * length_squared;
-  const Real along = to_axis.dot(way), half_chord_squared = radius_squared * squared - miss * miss;
+  const Real along = to_axis.dot(normal),
+             half_chord_squared = radius_squared * squared - miss * miss;
   if (!(outside > Real(0)) || !(along > Real(0)) || half_chord_squared < Real(0))
   {
     return std::nullopt;
   }
   const Real t = outside / (along + sqrt(half_chord_squared) * sqrt(length_squared));
   const Vector3<Real> from_start = t * path.direction - to_start;
-  const Real share = from_start.dot(axis) / length_squared;
-  if (!(share >= Real(0)) || !(share <= Real(1)))
+  const Real fraction = from_start.dot(axis) / length_squared;
+  if (!(fraction >= Real(0)) || !(fraction <= Real(1)))
   {
     return std::nullopt;
   }
-  return hit_around<Real>(path, t, capsule.segment.start + share * axis, capsule.radius);
+  return hit_around<Real>(path, t, capsule.segment.start + fraction * axis, capsule.radius);
 }
 // [cast_cylinder]
 

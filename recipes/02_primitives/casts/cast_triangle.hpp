@@ -19,7 +19,7 @@ struct ShearedView
   Vector3<Real> origin; ///< [m]
   int x, y, z;          ///< axes of the world; the direction's largest component is along z
   Real per_x, per_y;    ///< [1], how far the path goes along x and y, for each metre along z
-  Real way;             ///< [1], the direction's component along z
+  Real along_z;         ///< [1], the direction's component along z
 };
 
 /// The view along a path; along z if its direction is zero.
@@ -40,7 +40,7 @@ Vector3<Real> seen_along(const ShearedView<Real>& view, const Vector3<Real>& poi
 {
   const Vector3<Real> p = point - view.origin;
   const Real depth = p[view.z];
-  return {p[view.x] - depth * view.per_x, p[view.y] - depth * view.per_y, depth / view.way};
+  return {p[view.x] - depth * view.per_x, p[view.y] - depth * view.per_y, depth / view.along_z};
 }
 // [sheared_view]
 
@@ -133,7 +133,7 @@ Vector3<Real> facing_normal(
     return hit_from_inside(path).normal;
   }
   const Vector3<Real> ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
-  const bool along = (facing > Real(0)) == (view.way > Real(0));
+  const bool along = (facing > Real(0)) == (view.along_z > Real(0));
   const Vector3<Real> normal = along ? ac.cross(ab) : ab.cross(ac);
   return normal.isZero(0) ? hit_from_inside(path).normal : normalize<Real>(normal).unit;
 }

@@ -168,8 +168,8 @@ requires CastTarget<Real, Shape>
 {
   const int size = exponent_of_all<Real>(shape, segment.start, segment.end);
   const Shrink<Real> shrink{size};
-  const Vector3<Wide<Real>> start = shrink(segment.start), way = shrink(segment.end) - start;
-  return cast_along<Real>({start, way, true, size, 0}, with_lengths(shape, shrink));
+  const Vector3<Wide<Real>> start = shrink(segment.start), direction = shrink(segment.end) - start;
+  return cast_along<Real>({start, direction, true, size, 0}, with_lengths(shape, shrink));
 }
 // [cast]
 

@@ -12,21 +12,22 @@ namespace
 using namespace cookbook;
 
 /// A way by its name: timed, and asked for its errors.
-template <class Known, class Way>
-measure::ChartedMethod timed_way(const std::string& name, const std::vector<Known>& all, Way way)
+template <class Known, class Method>
+measure::ChartedMethod
+timed_method(const std::string& name, const std::vector<Known>& all, Method method)
 {
-  const auto call = [way](const Known& one) { return way(one.a, one.b); };
-  return {measure::timed_over(name, all, call), distance_errors(way, all)};
+  const auto call = [method](const Known& one) { return method(one.a, one.b); };
+  return {measure::timed_over(name, all, call), distance_errors(method, all)};
 }
 
 plot::Chart chart_of(
     const std::string& name, const std::string& title,
-    const std::vector<measure::ChartedMethod>& ways, const measure::Effort& effort)
+    const std::vector<measure::ChartedMethod>& methods, const measure::Effort& effort)
 {
   plot::Chart chart(
       name, title, {"time of a call [ns]", plot::Scale::log},
       {"error of the distance [m]", plot::Scale::log});
-  measure::add_methods(chart, ways, effort);
+  measure::add_methods(chart, methods, effort);
   chart.size(400, 330);
   return chart;
 }
@@ -36,18 +37,18 @@ plot::Chart triangle_chart(const measure::Effort& effort)
   using P = Vector3<float>;
   using T = Triangle<float>;
   const auto all = known_triangles_and_points(1000);
-  std::vector<measure::ChartedMethod> ways{
-      timed_way("regions, float", all, distance_in_float),
-      timed_way(
+  std::vector<measure::ChartedMethod> methods{
+      timed_method("regions, float", all, distance_in_float),
+      timed_method(
           "regions", all,
           [](const P& p, const T& t)
-          { return static_cast<float>(way_to_triangle<float>(t, widen(p)).norm()); }),
-      timed_way(
+          { return static_cast<float>(vector_to_triangle<float>(t, widen(p)).norm()); }),
+      timed_method(
           "any shapes", all, [](const P& p, const T& t) { return closest_points(p, t).distance; })};
 #ifdef COOKBOOK_HAS_BULLET
-  ways.push_back(timed_way("Bullet", all, bullet_distance));
+  methods.push_back(timed_method("Bullet", all, bullet_distance));
 #endif
-  return chart_of("triangle", "A point and a triangle", ways, effort);
+  return chart_of("triangle", "A point and a triangle", methods, effort);
 }
 
 plot::Chart segment_chart(const measure::Effort& effort)
@@ -56,20 +57,20 @@ plot::Chart segment_chart(const measure::Effort& effort)
   using W = Segment<double>;
   const auto all = known_segments(1000);
   const auto wide = in_double(all);
-  std::vector<measure::ChartedMethod> ways{
-      timed_way("five dot products", all, distance_by_dot_products),
-      timed_way(
+  std::vector<measure::ChartedMethod> methods{
+      timed_method("five dot products", all, distance_by_dot_products),
+      timed_method(
           "share by share, float", all,
-          [](const S& a, const S& b) { return closest_shares(a, b).way.norm(); }),
-      timed_way(
+          [](const S& a, const S& b) { return closest_fractions(a, b).difference.norm(); }),
+      timed_method(
           "share by share", wide,
-          [](const W& a, const W& b) { return closest_shares(a, b).way.norm(); }),
-      timed_way(
+          [](const W& a, const W& b) { return closest_fractions(a, b).difference.norm(); }),
+      timed_method(
           "any shapes", all, [](const S& a, const S& b) { return closest_points(a, b).distance; })};
 #ifdef COOKBOOK_HAS_ODE
-  ways.push_back(timed_way("ODE", wide, ode_distance));
+  methods.push_back(timed_method("ODE", wide, ode_distance));
 #endif
-  return chart_of("segments", "Two segments", ways, effort);
+  return chart_of("segments", "Two segments", methods, effort);
 }
 
 } // namespace

@@ -14,8 +14,8 @@ namespace cookbook
 template <class Real>
 struct Nearest
 {
-  Vector<Real, 4> shares; ///< [1], of each corner, 0 or more, with the sum 1
-  Vector3<Real> point;    ///< [m], the sum of share times corner, but less rounded
+  Vector<Real, 4> weights; ///< [1], of each corner, 0 or more, with the sum 1
+  Vector3<Real> point;     ///< [m], the sum of share times corner, but less rounded
 };
 
 /// The one whose point is closer; the first where they are equally close.
@@ -27,9 +27,9 @@ Nearest<Real> closer_of(const Nearest<Real>& one, const Nearest<Real>& other)
 
 /// A share, but not beyond 0 and 1.
 template <class Real>
-Real clamped_share(const Real& share)
+Real clamped_fraction(const Real& fraction)
 {
-  const Real from_zero = share > Real(0) ? share : Real(0);
+  const Real from_zero = fraction > Real(0) ? fraction : Real(0);
   return from_zero < Real(1) ? from_zero : Real(1);
 }
 
@@ -38,15 +38,15 @@ template <class Real>
 Nearest<Real> nearest_on_corner(const Vector3<Real>* corners, int i)
 {
   Nearest<Real> nearest{Vector<Real, 4>::Zero(), corners[i]};
-  nearest.shares[i] = Real(1);
+  nearest.weights[i] = Real(1);
   return nearest;
 }
 
 /// Whether the origin is over the face: all shares of its foot, in any proportion, are above zero.
 template <class Real>
-bool is_over_face(const Vector3<Real>& shares)
+bool is_over_face(const Vector3<Real>& weights)
 {
-  return shares.x() > Real(0) && shares.y() > Real(0) && shares.z() > Real(0);
+  return weights.x() > Real(0) && weights.y() > Real(0) && weights.z() > Real(0);
 }
 
 /// The point of the plane through corners i, j and k with shares in these proportions.
@@ -54,13 +54,13 @@ template <class Real>
 Nearest<Real>
 nearest_on_face(const Vector3<Real>* corners, int i, int j, int k, const Vector3<Real>& proportions)
 {
-  const Vector3<Real> shares = proportions / proportions.sum();
+  const Vector3<Real> weights = proportions / proportions.sum();
   Nearest<Real> nearest{
       Vector<Real, 4>::Zero(),
-      shares.x() * corners[i] + shares.y() * corners[j] + shares.z() * corners[k]};
-  nearest.shares[i] = shares.x();
-  nearest.shares[j] = shares.y();
-  nearest.shares[k] = shares.z();
+      weights.x() * corners[i] + weights.y() * corners[j] + weights.z() * corners[k]};
+  nearest.weights[i] = weights.x();
+  nearest.weights[j] = weights.y();
+  nearest.weights[k] = weights.z();
   return nearest;
 }
 
@@ -70,12 +70,12 @@ template <class Real>
 Nearest<Real> moved_along(Nearest<Real> nearest, const Vector3<Real>* corners, int i, int j)
 {
   const Vector3<Real> along = corners[j] - corners[i];
-  const Real share = nearest.point.dot(along) / along.squaredNorm();
-  const Real back = share > nearest.shares[j]    ? nearest.shares[j]
-                    : share < -nearest.shares[i] ? Real(-nearest.shares[i])
-                                                 : share;
-  nearest.shares[i] += back;
-  nearest.shares[j] -= back;
+  const Real fraction = nearest.point.dot(along) / along.squaredNorm();
+  const Real back = fraction > nearest.weights[j]    ? nearest.weights[j]
+                    : fraction < -nearest.weights[i] ? Real(-nearest.weights[i])
+                                                     : fraction;
+  nearest.weights[i] += back;
+  nearest.weights[j] -= back;
   nearest.point -= back * along;
   return nearest;
 }
@@ -88,7 +88,7 @@ inline const Real thin_squared_sine = Real(1) / Real(1'000'000'000'000);
 /// A triangle counts as narrow if the squared length of its normal is below this share of the
 /// square of ab² + ca²: rounding may then move a point along its face.
 template <class Real>
-inline const Real narrow_squared_share = Real(1) / Real(100);
+inline const Real narrow_squared_ratio = Real(1) / Real(100);
 // [nearest_part]
 
 // [nearest_on_segment]
@@ -98,10 +98,10 @@ Nearest<Real> nearest_on_line(const Vector3<Real>* corners, int i, int j)
 {
   const Vector3<Real> along = corners[j] - corners[i];
   const Real whole = along.squaredNorm();
-  const Real share = clamped_share<Real>(-corners[i].dot(along) / whole);
-  Nearest<Real> nearest{Vector<Real, 4>::Zero(), corners[i] + share * along};
-  nearest.shares[i] = Real(1) - share;
-  nearest.shares[j] = share;
+  const Real fraction = clamped_fraction<Real>(-corners[i].dot(along) / whole);
+  Nearest<Real> nearest{Vector<Real, 4>::Zero(), corners[i] + fraction * along};
+  nearest.weights[i] = Real(1) - fraction;
+  nearest.weights[j] = fraction;
   // Once more, for a short way: rounding has left some of it along the line.
   nearest.point -= nearest.point.dot(along) / whole * along;
   return nearest;
@@ -114,12 +114,12 @@ template <class Real>
 Nearest<Real> nearest_on_segment(const Vector3<Real>* corners, int i, int j)
 {
   const Vector3<Real> along = corners[j] - corners[i];
-  const Real share = -corners[i].dot(along), whole = along.squaredNorm();
-  if (!(share > Real(0)) || !(whole > Real(0)))
+  const Real fraction = -corners[i].dot(along), whole = along.squaredNorm();
+  if (!(fraction > Real(0)) || !(whole > Real(0)))
   {
     return nearest_on_corner(corners, i);
   }
-  return share < whole ? nearest_on_line(corners, i, j) : nearest_on_corner(corners, j);
+  return fraction < whole ? nearest_on_line(corners, i, j) : nearest_on_corner(corners, j);
 }
 // [nearest_on_segment]
 
@@ -171,7 +171,7 @@ Nearest<Real> nearest_on_triangle(const Vector3<Real>* corners, int i, int j, in
   if (is_over_face(inside))
   {
     const Real size = ab_squared + ca_squared;
-    const bool is_narrow = !(squared > narrow_squared_share<Real> * size * size);
+    const bool is_narrow = !(squared > narrow_squared_ratio<Real> * size * size);
     Nearest<Real> nearest = is_narrow ? nearest_on_thin_face(corners, i, j, k, inside)
                                       : nearest_on_face(corners, i, j, k, inside);
     // Once more, for a short way: rounding has left some of it along the face.

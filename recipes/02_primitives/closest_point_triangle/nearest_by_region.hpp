@@ -11,7 +11,7 @@ namespace cookbook
 // [nearest_by_region]
 /// A point counts as near if its squared way is below this share of ab² + ac².
 template <class Real>
-inline const Real near_squared_share = Real(1) / Real(1000);
+inline const Real near_squared_ratio = Real(1) / Real(1000);
 
 /// The point of a triangle that is closest to the origin, also where that is near.
 template <class Real>
@@ -28,7 +28,7 @@ nearest_with_care(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<
 /// where rounding leaves no region: there this way has too few digits.
 template <class Real>
 Vector3<Real>
-shares_by_region(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& c)
+barycentric_by_region(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& c)
 {
   const Real zero(0), one(1);
   const Vector3<Real> ab = b - a, ac = c - a;
@@ -54,21 +54,21 @@ shares_by_region(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<R
   }
   if (for_c <= zero && on_ab >= zero && on_ab < ab_ab)
   {
-    const Real share = on_ab / ab_ab;
-    return {one - share, share, zero};
+    const Real fraction = on_ab / ab_ab;
+    return {one - fraction, fraction, zero};
   }
   if (for_b <= zero && on_ac >= zero && on_ac < ac_ac)
   {
-    const Real share = on_ac / ac_ac;
-    return {one - share, zero, share};
+    const Real fraction = on_ac / ac_ac;
+    return {one - fraction, zero, fraction};
   }
   if (for_a <= zero && on_bc > zero && on_cb > zero)
   {
-    const Real share = on_bc / (on_bc + on_cb);
-    return {zero, one - share, share};
+    const Real fraction = on_bc / (on_bc + on_cb);
+    return {zero, one - fraction, fraction};
   }
   const Real size = ab_ab + ac_ac;
-  const bool is_wide = squared > narrow_squared_share<Real> * size * size;
+  const bool is_wide = squared > narrow_squared_ratio<Real> * size * size;
   const Vector3<Real> at_foot(for_a, for_b, for_c);
   const Real per_whole = is_wide && is_over_face(at_foot) ? Real(one / squared) : zero;
   return at_foot * per_whole;
@@ -82,12 +82,12 @@ template <class Real>
 Nearest<Real>
 nearest_by_region(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& c)
 {
-  const Vector3<Real> shares = shares_by_region(a, b, c);
+  const Vector3<Real> weights = barycentric_by_region(a, b, c);
   const Nearest<Real> nearest{
-      {shares.x(), shares.y(), shares.z(), Real(0)},
-      shares.x() * a + shares.y() * b + shares.z() * c};
+      {weights.x(), weights.y(), weights.z(), Real(0)},
+      weights.x() * a + weights.y() * b + weights.z() * c};
   const Real size = (b - a).squaredNorm() + (c - a).squaredNorm();
-  const bool is_far = nearest.point.squaredNorm() > near_squared_share<Real> * size;
+  const bool is_far = nearest.point.squaredNorm() > near_squared_ratio<Real> * size;
   return is_far ? nearest : nearest_with_care(a, b, c);
 }
 // [nearest_by_region]

@@ -17,41 +17,42 @@ namespace cookbook
 
 /// A point of each of two cores, the way from B's to A's, and what they are apart at least.
 template <class Real>
-struct CoresApart
+struct CoreDistance
 {
-  Vector3<Real> a;   ///< [m]
-  Vector3<Real> b;   ///< [m]
-  Vector3<Real> way; ///< [m], a − b, more exact than their difference
-  Real least;        ///< [m], no two points are closer
+  Vector3<Real> a;          ///< [m]
+  Vector3<Real> b;          ///< [m]
+  Vector3<Real> difference; ///< [m], a − b, more exact than their difference
+  Real least;               ///< [m], no two points are closer
 };
 
 /// Any two cores: GJK.
 template <class Real, std::size_t SizeA, std::size_t SizeB>
-CoresApart<Real>
-cores_apart(const std::array<Vector3<Real>, SizeA>& a, const std::array<Vector3<Real>, SizeB>& b)
+CoreDistance<Real>
+core_distance(const std::array<Vector3<Real>, SizeA>& a, const std::array<Vector3<Real>, SizeB>& b)
 {
   const GjkDistance<Real> gjk = gjk_distance<Real>(Corners<Real>(a), Corners<Real>(b));
-  CoresApart<Real> apart{Vector3<Real>::Zero(), Vector3<Real>::Zero(), gjk.way, gjk.least};
+  CoreDistance<Real> distance{
+      Vector3<Real>::Zero(), Vector3<Real>::Zero(), gjk.difference, gjk.least};
   for (std::size_t k = 0; k < gjk.pairs.size; ++k)
   {
-    apart.a += gjk.shares[Eigen::Index(k)] * a[gjk.pairs.of_a[k]];
-    apart.b += gjk.shares[Eigen::Index(k)] * b[gjk.pairs.of_b[k]];
+    distance.a += gjk.weights[Eigen::Index(k)] * a[gjk.pairs.of_a[k]];
+    distance.b += gjk.weights[Eigen::Index(k)] * b[gjk.pairs.of_b[k]];
   }
-  return apart;
+  return distance;
 }
 
 /// Two points.
 template <class Real>
-CoresApart<Real>
-cores_apart(const std::array<Vector3<Real>, 1>& a, const std::array<Vector3<Real>, 1>& b)
+CoreDistance<Real>
+core_distance(const std::array<Vector3<Real>, 1>& a, const std::array<Vector3<Real>, 1>& b)
 {
-  const Vector3<Real> way = a[0] - b[0];
-  return {a[0], b[0], way, way.norm()};
+  const Vector3<Real> difference = a[0] - b[0];
+  return {a[0], b[0], difference, difference.norm()};
 }
 
 /// A point and a segment or a triangle.
 template <class Real, std::size_t Size>
-requires(Size == 2 || Size == 3) CoresApart<Real> cores_apart(
+requires(Size == 2 || Size == 3) CoreDistance<Real> core_distance(
     const std::array<Vector3<Real>, 1>& a, const std::array<Vector3<Real>, Size>& b)
 {
   std::array<Vector3<Real>, Size> from_a;
@@ -65,12 +66,12 @@ requires(Size == 2 || Size == 3) CoresApart<Real> cores_apart(
 
 /// Two segments.
 template <class Real>
-CoresApart<Real>
-cores_apart(const std::array<Vector3<Real>, 2>& a, const std::array<Vector3<Real>, 2>& b)
+CoreDistance<Real>
+core_distance(const std::array<Vector3<Real>, 2>& a, const std::array<Vector3<Real>, 2>& b)
 {
-  const ClosestShares<Real> at = closest_shares<Real>({a[0], a[1]}, {b[0], b[1]});
+  const ClosestFractions<Real> at = closest_fractions<Real>({a[0], a[1]}, {b[0], b[1]});
   const Vector3<Real> on_a = a[0] + at.on_a * (a[1] - a[0]);
-  return {on_a, on_a - at.way, at.way, at.way.norm()};
+  return {on_a, on_a - at.difference, at.difference, at.difference.norm()};
 }
 
 // [closest_on_hulls]
@@ -95,13 +96,13 @@ template <class Real, int SizeA, int SizeB>
 ClosestPoints<Real, 3>
 closest_on_hulls(const RoundedHull<Real, SizeA>& a, const RoundedHull<Real, SizeB>& b)
 {
-  const CoresApart<Real> cores = cores_apart(a.corners, b.corners);
+  const CoreDistance<Real> cores = core_distance(a.corners, b.corners);
   const Real radii = a.radius + b.radius;
   const Real contact = radii + touching<Real> * std::max(largest_of(a), largest_of(b));
-  const Direction<Real> to_a = normalize<Real>(cores.way);
+  const Direction<Real> to_a = normalize<Real>(cores.difference);
   // Apart only with a direction that separates.
   if (to_a.length > contact &&
-      (cores.least > contact || widest_gap<Real>(a.corners, b.corners) > contact))
+      (cores.least > contact || largest_separation<Real>(a.corners, b.corners) > contact))
   {
     return {cores.a - a.radius * to_a.unit, cores.b + b.radius * to_a.unit, to_a.length - radii};
   }

@@ -85,8 +85,8 @@ ClosestPoints<Real, 3> closest_points(const Plane<Real>& plane, const Shape& sha
   const LowestPoint<W> lowest = lowest_point<W>(hull, normal.unit, distance);
   const W size = std::max(largest_of(hull), frame.origin.cwiseAbs().maxCoeff());
   const W rounding = touching<W> * std::max(size, std::abs(distance));
-  const W apart = lowest.height > rounding ? lowest.height : W(0);
-  return in_world<Real>({lowest.point - apart * normal.unit, lowest.point, apart}, frame);
+  const W separation = lowest.height > rounding ? lowest.height : W(0);
+  return in_world<Real>({lowest.point - separation * normal.unit, lowest.point, separation}, frame);
 }
 
 /// The same in the other order.

@@ -55,17 +55,17 @@ struct CornerPairs
   }
 
   /// Drops the pairs that have no share, and their shares.
-  void keep(Vector<Real, 4>& shares)
+  void keep(Vector<Real, 4>& weights)
   {
     std::size_t kept = 0;
     for (std::size_t k = 0; k < size; ++k)
     {
-      if (shares[Eigen::Index(k)] > Real(0))
+      if (weights[Eigen::Index(k)] > Real(0))
       {
         points[kept] = points[k];
         of_a[kept] = of_a[k];
         of_b[kept] = of_b[k];
-        shares[Eigen::Index(kept++)] = shares[Eigen::Index(k)];
+        weights[Eigen::Index(kept++)] = weights[Eigen::Index(k)];
       }
     }
     size = kept;
@@ -74,20 +74,20 @@ struct CornerPairs
 
 /// The corner that is farthest along a direction; the first of those that are.
 template <class Real>
-std::size_t farthest_along(Corners<Real> corners, const Vector3<Real>& direction)
+std::size_t support_index(Corners<Real> corners, const Vector3<Real>& direction)
 {
-  std::size_t farthest = 0;
+  std::size_t best = 0;
   Real most = corners[0].dot(direction);
   for (std::size_t i = 1; i < corners.size(); ++i)
   {
-    const Real reach = corners[i].dot(direction);
-    if (reach > most)
+    const Real along = corners[i].dot(direction);
+    if (along > most)
     {
-      most = reach;
-      farthest = i;
+      most = along;
+      best = i;
     }
   }
-  return farthest;
+  return best;
 }
 
 // [gjk_distance]
@@ -95,11 +95,11 @@ std::size_t farthest_along(Corners<Real> corners, const Vector3<Real>& direction
 template <class Real>
 struct GjkDistance
 {
-  CornerPairs<Real> pairs; ///< the corners that the closest points are between
-  Vector<Real, 4> shares;  ///< [1], of each pair
-  Vector3<Real> way;       ///< [m], from the closest point of B to that of A
-  Real least;              ///< [m], no two points are closer: so far the shapes' shadows are apart
-  int steps;               ///< how often the farthest corners were asked for
+  CornerPairs<Real> pairs;  ///< the corners that the closest points are between
+  Vector<Real, 4> weights;  ///< [1], of each pair
+  Vector3<Real> difference; ///< [m], from the closest point of B to that of A
+  Real least;               ///< [m], no two points are closer: so far the shapes' shadows are apart
+  int steps;                ///< how often the farthest corners were asked for
 };
 
 /// The most steps that gjk_distance() takes; ten are rare.
@@ -115,15 +115,16 @@ GjkDistance<Real> gjk_distance(Corners<Real> a, Corners<Real> b)
   constexpr Real rounding = Real(4) * std::numeric_limits<Real>::epsilon();
   GjkDistance<Real> gjk{{}, Vector<Real, 4>::UnitX(), {}, Real(0), 0};
   gjk.pairs.add(a, b, 0, 0);
-  gjk.way = gjk.pairs.points[0];
+  gjk.difference = gjk.pairs.points[0];
   while (gjk.steps < gjk_distance_limit)
   {
-    const std::size_t i = farthest_along<Real>(a, -gjk.way), j = farthest_along<Real>(b, gjk.way);
+    const std::size_t i = support_index<Real>(a, -gjk.difference),
+                      j = support_index<Real>(b, gjk.difference);
     ++gjk.steps;
-    const Real squared = gjk.way.squaredNorm(), reach = gjk.way.dot(a[i] - b[j]);
-    gjk.least = reach > Real(0) ? std::max(gjk.least, reach / std::sqrt(squared)) : gjk.least;
+    const Real squared = gjk.difference.squaredNorm(), along = gjk.difference.dot(a[i] - b[j]);
+    gjk.least = along > Real(0) ? std::max(gjk.least, along / std::sqrt(squared)) : gjk.least;
     CornerPairs<Real> pairs = gjk.pairs;
-    if (!(squared - reach > rounding * squared) || pairs.size == 4 || !pairs.add(a, b, i, j))
+    if (!(squared - along > rounding * squared) || pairs.size == 4 || !pairs.add(a, b, i, j))
     {
       break;
     }
@@ -132,25 +133,29 @@ GjkDistance<Real> gjk_distance(Corners<Real> a, Corners<Real> b)
     {
       break;
     }
-    pairs.keep(nearest.shares);
+    pairs.keep(nearest.weights);
     gjk.pairs = pairs;
-    gjk.shares = nearest.shares;
-    gjk.way = nearest.point;
+    gjk.weights = nearest.weights;
+    gjk.difference = nearest.point;
   }
   return gjk;
 }
 // [gjk_distance]
 
-// [widest_gap]
+// [largest_separation]
 /// How far [m] the shadows of two shapes along a direction are apart; below zero they overlap.
 template <class Real>
-Real shadow_gap(Corners<Real> a, Corners<Real> b, const Vector3<Real>& direction)
+Real separation_along(Corners<Real> a, Corners<Real> b, const Vector3<Real>& direction)
 {
   const Real squared = direction.squaredNorm();
-  const auto gap = [&](const Vector3<Real>& way)
-  { return way.dot(a[farthest_along<Real>(a, -way)] - b[farthest_along<Real>(b, way)]); };
-  return squared > Real(0) ? std::max(gap(direction), gap(-direction)) / std::sqrt(squared)
-                           : -std::numeric_limits<Real>::infinity();
+  const auto separation = [&](const Vector3<Real>& difference)
+  {
+    return difference.dot(
+        a[support_index<Real>(a, -difference)] - b[support_index<Real>(b, difference)]);
+  };
+  return squared > Real(0)
+             ? std::max(separation(direction), separation(-direction)) / std::sqrt(squared)
+             : -std::numeric_limits<Real>::infinity();
 }
 
 /// The widest gap between shadows along the directions of all faces and pairs of edges.
@@ -158,11 +163,11 @@ Real shadow_gap(Corners<Real> a, Corners<Real> b, const Vector3<Real>& direction
 /// For shapes that all but touch, where the way between them is mostly rounding: faces and edges
 /// know their direction better.
 template <class Real>
-Real widest_gap(Corners<Real> a, Corners<Real> b)
+Real largest_separation(Corners<Real> a, Corners<Real> b)
 {
   Real widest = -std::numeric_limits<Real>::infinity();
   const auto try_edges = [&](const Vector3<Real>& one, const Vector3<Real>& other)
-  { widest = std::max(widest, shadow_gap<Real>(a, b, one.cross(other))); };
+  { widest = std::max(widest, separation_along<Real>(a, b, one.cross(other))); };
   for (const Corners<Real>& shape : {a, b})
   {
     for (std::size_t i = 0; i < shape.size(); ++i)
@@ -190,6 +195,6 @@ Real widest_gap(Corners<Real> a, Corners<Real> b)
   }
   return widest;
 }
-// [widest_gap]
+// [largest_separation]
 
 } // namespace cookbook

@@ -22,9 +22,9 @@ Nearest<Real> nearest_on_tetrahedron(const Vector3<Real>* corners)
   // Six times the volume between the origin and the face across from each corner, and of it all.
   const Vector<Real, 4> volumes(d.dot(b_c), c.dot(a_d), -b.dot(a_d), -a.dot(b_c));
   const Real whole = volumes.sum();
-  const Vector<Real, 4> shares = volumes / whole;
-  const bool inside = whole != Real(0) && shares.minCoeff() > Real(0);
-  Nearest<Real> nearest{shares, shares[0] * a + shares[1] * b + shares[2] * c + shares[3] * d};
+  const Vector<Real, 4> weights = volumes / whole;
+  const bool inside = whole != Real(0) && weights.minCoeff() > Real(0);
+  Nearest<Real> nearest{weights, weights[0] * a + weights[1] * b + weights[2] * c + weights[3] * d};
   const Real rounding = Real(8) * std::numeric_limits<Real>::epsilon();
   const Real size = std::max(std::max(a.squaredNorm(), b.squaredNorm()), d.squaredNorm());
   // A flat tetrahedron has nothing inside but rounding: its faces decide.

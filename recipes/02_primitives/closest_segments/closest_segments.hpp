@@ -9,50 +9,51 @@
 namespace cookbook
 {
 
-// [closest_shares]
+// [closest_fractions]
 /// How far along each of two segments, 0 to 1, they are closest, and the way between there.
 template <class Real>
-struct ClosestShares
+struct ClosestFractions
 {
-  Real on_a;         ///< [1], the point of A is start + on_a (end − start)
-  Real on_b;         ///< [1], the same of B
-  Vector3<Real> way; ///< [m], from the point of B to that of A
+  Real on_a;                ///< [1], the point of A is start + on_a (end − start)
+  Real on_b;                ///< [1], the same of B
+  Vector3<Real> difference; ///< [m], from the point of B to that of A
 };
 
 /// The one whose way is shorter; the first where they are equally long.
 template <class Real>
-ClosestShares<Real> shorter_of(const ClosestShares<Real>& one, const ClosestShares<Real>& other)
+ClosestFractions<Real>
+shorter_of(const ClosestFractions<Real>& one, const ClosestFractions<Real>& other)
 {
-  return other.way.squaredNorm() < one.way.squaredNorm() ? other : one;
+  return other.difference.squaredNorm() < one.difference.squaredNorm() ? other : one;
 }
 
 /// From the point `a` to the segment B; `on_a` is where `a` is on A.
 template <class Real>
-ClosestShares<Real> from_end_of_a(Real on_a, const Vector3<Real>& a, const Segment<Real>& b)
+ClosestFractions<Real> from_end_of_a(Real on_a, const Vector3<Real>& a, const Segment<Real>& b)
 {
   const Vector3<Real> ends[] = {b.start - a, b.end - a};
   const Nearest<Real> nearest = nearest_on_segment(ends, 0, 1);
-  return {on_a, nearest.shares[1], -nearest.point};
+  return {on_a, nearest.weights[1], -nearest.point};
 }
 
 /// From the point `b` to the segment A; `on_b` is where `b` is on B.
 template <class Real>
-ClosestShares<Real> from_end_of_b(Real on_b, const Vector3<Real>& b, const Segment<Real>& a)
+ClosestFractions<Real> from_end_of_b(Real on_b, const Vector3<Real>& b, const Segment<Real>& a)
 {
   const Vector3<Real> ends[] = {a.start - b, a.end - b};
   const Nearest<Real> nearest = nearest_on_segment(ends, 0, 1);
-  return {nearest.shares[1], on_b, nearest.point};
+  return {nearest.weights[1], on_b, nearest.point};
 }
 
 /// A way counts as short if its square is below this share of the squares of both segments.
 template <class Real>
-inline const Real short_squared_share = Real(1) / Real(10'000);
+inline const Real short_squared_ratio = Real(1) / Real(10'000);
 
 /// A way much shorter than its segments is a small difference of large numbers: once more, from
 /// the end that it leads to, or along the normal of both.
 template <class Real>
-[[gnu::noinline, gnu::cold]] ClosestShares<Real> shortly_apart(
-    ClosestShares<Real> at, const Segment<Real>& a, const Segment<Real>& b,
+[[gnu::noinline, gnu::cold]] ClosestFractions<Real> fractions_where_close(
+    ClosestFractions<Real> at, const Segment<Real>& a, const Segment<Real>& b,
     const Vector3<Real>& normal)
 {
   const Real zero(0), one(1);
@@ -65,16 +66,16 @@ template <class Real>
     return from_end_of_b<Real>(at.on_b, at.on_b == zero ? b.start : b.end, a);
   }
   const Vector3<Real> unit = normalize<Real>(normal).unit;
-  at.way = at.way.dot(unit) * unit;
+  at.difference = at.difference.dot(unit) * unit;
   return at;
 }
-// [closest_shares]
+// [closest_fractions]
 
 // [closest_in_turn]
 /// From where the lines are closest on A to the closest point of B, and where this is an end, back
 /// to A; P14. For segments that are not parallel.
 template <class Real>
-ClosestShares<Real> closest_in_turn(const Segment<Real>& a, const Segment<Real>& b)
+ClosestFractions<Real> closest_in_turn(const Segment<Real>& a, const Segment<Real>& b)
 {
   const Vector3<Real> along_a = a.end - a.start, along_b = b.end - b.start;
   const Vector3<Real> between = b.start - a.start, normal = along_a.cross(along_b);
@@ -82,13 +83,14 @@ ClosestShares<Real> closest_in_turn(const Segment<Real>& a, const Segment<Real>&
   // Reciprocals need not wait for each other, as divisions below would.
   const Real per_a = Real(1) / whole_a, per_b = Real(1) / whole_b, both = along_a.dot(along_b);
   const Real on_line =
-      clamped_share<Real>(between.cross(along_b).dot(normal) / normal.squaredNorm());
-  const Real on_b = clamped_share<Real>((on_line * both - between.dot(along_b)) * per_b);
-  const Real back = clamped_share<Real>((on_b * both + between.dot(along_a)) * per_a);
+      clamped_fraction<Real>(between.cross(along_b).dot(normal) / normal.squaredNorm());
+  const Real on_b = clamped_fraction<Real>((on_line * both - between.dot(along_b)) * per_b);
+  const Real back = clamped_fraction<Real>((on_b * both + between.dot(along_a)) * per_a);
   const Real on_a = on_b > Real(0) && on_b < Real(1) ? on_line : back;
-  const ClosestShares<Real> at{on_a, on_b, on_a * along_a - between - on_b * along_b};
-  const bool is_short = at.way.squaredNorm() < short_squared_share<Real> * (whole_a + whole_b);
-  return is_short ? shortly_apart(at, a, b, normal) : at;
+  const ClosestFractions<Real> at{on_a, on_b, on_a * along_a - between - on_b * along_b};
+  const bool is_short =
+      at.difference.squaredNorm() < short_squared_ratio<Real> * (whole_a + whole_b);
+  return is_short ? fractions_where_close(at, a, b, normal) : at;
 }
 // [closest_in_turn]
 
@@ -96,10 +98,10 @@ ClosestShares<Real> closest_in_turn(const Segment<Real>& a, const Segment<Real>&
 /// Of segments that are parallel, or nearly so, the closest of all four ends, unless shares are
 /// closer still.
 template <class Real>
-[[gnu::noinline, gnu::cold]] ClosestShares<Real>
+[[gnu::noinline, gnu::cold]] ClosestFractions<Real>
 closest_of_parallel(const Segment<Real>& a, const Segment<Real>& b)
 {
-  ClosestShares<Real> nearest = from_end_of_a<Real>(Real(0), a.start, b);
+  ClosestFractions<Real> nearest = from_end_of_a<Real>(Real(0), a.start, b);
   nearest = shorter_of(nearest, from_end_of_a<Real>(Real(1), a.end, b));
   nearest = shorter_of(nearest, from_end_of_b<Real>(Real(0), b.start, a));
   nearest = shorter_of(nearest, from_end_of_b<Real>(Real(1), b.end, a));
@@ -112,7 +114,8 @@ closest_of_parallel(const Segment<Real>& a, const Segment<Real>& b)
 /// Parallel ones have many closest points: the answer is the first of A's start, A's end, B's start
 /// and B's end.
 template <class Real>
-[[gnu::flatten]] ClosestShares<Real> closest_shares(const Segment<Real>& a, const Segment<Real>& b)
+[[gnu::flatten]] ClosestFractions<Real>
+closest_fractions(const Segment<Real>& a, const Segment<Real>& b)
 {
   const Vector3<Real> along_a = a.end - a.start, along_b = b.end - b.start;
   const Real whole = along_a.squaredNorm() * along_b.squaredNorm();

@@ -22,10 +22,10 @@ std::string pair_text(const Vector<double, 2>& v)
 template <class Shape>
 void add_pair(Table& table, const std::string& name, const Shape& shape)
 {
-  const TurnedRectangle<double> turned = PlaneScene().turned;
-  const ClosestPoints<double, 2> found = closest_points(shape, turned);
+  const OrientedRectangle<double> oriented = PlaneScene().oriented;
+  const ClosestPoints<double, 2> found = closest_points(shape, oriented);
   table.row(
-      {name, overlaps(shape, turned) ? "yes" : "no", number(found.distance), pair_text(found.a),
+      {name, overlaps(shape, oriented) ? "yes" : "no", number(found.distance), pair_text(found.a),
        pair_text(found.b)});
 }
 
@@ -78,7 +78,7 @@ int main(int argc, char** argv)
         print_closest();
         print_hits();
         save_figure(given, "in_the_plane.svg", closest_figure().svg());
-        save_figure(given, "in_the_plane_shadows.svg", shadow_figures().svg());
+        save_figure(given, "in_the_plane_shadows.svg", projection_figures().svg());
         save_figure(given, "in_the_plane_slabs.svg", slab_figure().svg());
         save_figure(
             given, "in_the_plane_cases.html",

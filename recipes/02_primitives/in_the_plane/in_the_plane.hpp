@@ -114,10 +114,10 @@ bool contains(const Shape<Real>& shape, const Vector<Real, 2>& point)
   return overlap_in_plane<Real>(point, shape);
 }
 
-// [way_apart]
+// [minimum_translation]
 /// Which way circle b leaves circle a the soonest, and how far.
 template <class Real>
-struct WayApart
+struct MinimumTranslation
 {
   Vector<Real, 2> normal; ///< [1], unit, from a to b; +y for circles about one centre
   Real depth;             ///< [m], of the overlap; below zero where the circles are apart
@@ -125,15 +125,15 @@ struct WayApart
 
 /// The way on which circle b leaves circle a the soonest.
 template <class Real>
-WayApart<Real> way_apart(const Circle<Real>& a, const Circle<Real>& b)
+MinimumTranslation<Real> minimum_translation(const Circle<Real>& a, const Circle<Real>& b)
 {
   const PlaneView<Real> view(a.center, std::max(largest(a), largest(b)));
   const Vector<Wide<Real>, 2> to_b = view.seen(b.center);
   const auto out = normalize<Wide<Real>>(Vector3<Wide<Real>>(to_b.x(), to_b.y(), 0));
   const Wide<Real> radii = a.radius * view.factor + b.radius * view.factor;
-  const Wide<Real> depth = within_reach<Wide<Real>>(to_b.squaredNorm(), out.length, radii);
+  const Wide<Real> depth = depth_within<Wide<Real>>(to_b.squaredNorm(), out.length, radii);
   return {out.unit.template head<2>().template cast<Real>(), view.length(depth)};
 }
-// [way_apart]
+// [minimum_translation]
 
 } // namespace cookbook

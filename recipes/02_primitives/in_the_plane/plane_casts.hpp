@@ -63,11 +63,11 @@ meet_segment(const Vector<Real, 2>& o, const Vector<Real, 2>& d, const PlaneForm
   {
     return std::nullopt;
   }
-  const Vector<Real, 2> way = start - (side / sides) * edge;
+  const Vector<Real, 2> direction = start - (side / sides) * edge;
   const Vector<Real, 2> left = quarter_turn<Real>(edge);
   const Vector<Real, 2> normal = area > Real(0) ? left : Vector<Real, 2>(-left);
-  const Real t = std::max(Real(0), way.dot(d) / d.squaredNorm());
-  return Hit<Real, 2>{t, o + way, unit_in_plane<Real>(normal)};
+  const Real t = std::max(Real(0), direction.dot(d) / d.squaredNorm());
+  return Hit<Real, 2>{t, o + direction, unit_in_plane<Real>(normal)};
 }
 // [meet_segment]
 
@@ -81,20 +81,20 @@ meet_rectangle(const Vector<Real, 2>& o, const Vector<Real, 2>& d, const PlaneFo
 {
   const Vector<Real, 2> axes[] = {box.axis, quarter_turn<Real>(box.axis)}, from = o - box.center;
   const Vector<Real, 2> at(from.dot(axes[0]), from.dot(axes[1]));
-  const Vector<Real, 2> way(d.dot(axes[0]), d.dot(axes[1]));
+  const Vector<Real, 2> direction(d.dot(axes[0]), d.dot(axes[1]));
   Real entry = -std::numeric_limits<Real>::infinity(), exit = -entry;
   int entered = 0;
   for (int i = 0; i < 2; ++i)
   {
-    const Real near_side = way[i] < Real(0) ? box.half[i] : -box.half[i];
-    if (way[i] == Real(0) && std::abs(at[i]) > box.half[i])
+    const Real near_side = direction[i] < Real(0) ? box.half[i] : -box.half[i];
+    if (direction[i] == Real(0) && std::abs(at[i]) > box.half[i])
     {
       return std::nullopt; // along the slab, outside
     }
-    if (way[i] != Real(0))
+    if (direction[i] != Real(0))
     {
-      const Real entry_here = (near_side - at[i]) / way[i];
-      exit = std::min(exit, (-near_side - at[i]) / way[i]);
+      const Real entry_here = (near_side - at[i]) / direction[i];
+      exit = std::min(exit, (-near_side - at[i]) / direction[i]);
       entered = entry_here > entry ? i : entered;
       entry = std::max(entry, entry_here);
     }
@@ -103,8 +103,8 @@ meet_rectangle(const Vector<Real, 2>& o, const Vector<Real, 2>& d, const PlaneFo
   {
     return std::nullopt;
   }
-  Vector<Real, 2> point = (at + entry * way).cwiseMax(-box.half).cwiseMin(box.half);
-  const Real sign = way[entered] < Real(0) ? Real(1) : Real(-1);
+  Vector<Real, 2> point = (at + entry * direction).cwiseMax(-box.half).cwiseMin(box.half);
+  const Real sign = direction[entered] < Real(0) ? Real(1) : Real(-1);
   point[entered] = sign * box.half[entered];
   return Hit<Real, 2>{
       entry, box.center + point.x() * axes[0] + point.y() * axes[1], sign * axes[entered]};

@@ -3,7 +3,7 @@
 /// \file
 /// \brief The closest points of two forms in the plane.
 
-#include "02_primitives/in_the_plane/plane_shadows.hpp"
+#include "02_primitives/in_the_plane/plane_projections.hpp"
 #include "02_primitives/shapes/answers.hpp"
 
 #include <optional>
@@ -148,9 +148,9 @@ bool forms_overlap(const PlaneForm<Real>& a, const PlaneForm<Real>& b)
   {
     return !separating_axis<Real>(a.polygon(), b.polygon());
   }
-  const Real reach = a.radius + b.radius;
+  const Real radii = a.radius + b.radius;
   const Foot<Real> foot = a.corners == 1 ? foot_on(b, a.center) : foot_on(a, b.center);
-  return foot.squared <= reach * reach;
+  return foot.squared <= radii * radii;
 }
 // [forms_overlap]
 
@@ -161,10 +161,10 @@ bool forms_overlap(const PlaneForm<Real>& a, const PlaneForm<Real>& b)
 /// It decides by squares, of which several have the same root. So do we, where the root is the
 /// reach.
 template <class Real>
-Real within_reach(const Real& squared, const Real& length, const Real& reach)
+Real depth_within(const Real& squared, const Real& length, const Real& radii)
 {
-  return length == reach && reach > Real(0) ? (reach * reach - squared) / (reach + length)
-                                            : reach - length;
+  return length == radii && radii > Real(0) ? (radii * radii - squared) / (radii + length)
+                                            : radii - length;
 }
 
 /// The closest points of two forms; a common point where they overlap.
@@ -186,7 +186,7 @@ ClosestPoints<Real, 2> forms_closest(const PlaneForm<Real>& a, const PlaneForm<R
     const Vector<Real, 2> common = feet.a + (first + last) / 2 * unit;
     return {common, common, Real(0)};
   }
-  const Real within = within_reach<Real>(feet.squared, between, a.radius + b.radius);
+  const Real within = depth_within<Real>(feet.squared, between, a.radius + b.radius);
   return {feet.a + a.radius * unit, feet.b - b.radius * unit, std::max(Real(0), Real(-within))};
 }
 // [forms_closest]

@@ -88,7 +88,7 @@ Real largest(const Rectangle<Real>& rectangle)
 
 /// The largest of a turned rectangle's lengths and coordinates, without sign.
 template <class Real>
-Real largest(const TurnedRectangle<Real>& rectangle)
+Real largest(const OrientedRectangle<Real>& rectangle)
 {
   return std::max(largest(rectangle.center), largest(rectangle.half_extents));
 }

@@ -75,7 +75,7 @@ PlaneForm<Wide<Real>> form_of(const Rectangle<Real>& rectangle, const PlaneView<
 
 /// A turned rectangle has four corners, too.
 template <class Real>
-PlaneForm<Wide<Real>> form_of(const TurnedRectangle<Real>& rectangle, const PlaneView<Real>& view)
+PlaneForm<Wide<Real>> form_of(const OrientedRectangle<Real>& rectangle, const PlaneView<Real>& view)
 {
   const Wide<Real> angle = rectangle.angle;
   return rectangle_form<Wide<Real>>(
@@ -87,6 +87,6 @@ PlaneForm<Wide<Real>> form_of(const TurnedRectangle<Real>& rectangle, const Plan
 /// The shapes that have a form, each a template on its number type.
 template <class Shape, class Real>
 concept ShapeInPlane = std::same_as<Shape, Segment2<Real>> || std::same_as<Shape, Circle<Real>> ||
-    std::same_as<Shape, Rectangle<Real>> || std::same_as<Shape, TurnedRectangle<Real>>;
+    std::same_as<Shape, Rectangle<Real>> || std::same_as<Shape, OrientedRectangle<Real>>;
 
 } // namespace cookbook

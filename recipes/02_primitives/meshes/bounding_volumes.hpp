@@ -62,8 +62,8 @@ int slice_of(
   using W = Wide<Real>;
   const W center = W(box.min()[axis]) / 2 + W(box.max()[axis]) / 2;
   const W low = around.min()[axis], high = around.max()[axis];
-  const W share = high > low ? (center - low) / (high - low) : W(0);
-  return std::min(static_cast<int>(share * volume_slices), volume_slices - 1);
+  const W fraction = high > low ? (center - low) / (high - low) : W(0);
+  return std::min(static_cast<int>(fraction * volume_slices), volume_slices - 1);
 }
 
 // [cheapest_cut]

@@ -46,7 +46,7 @@ cast(const Ray<Real>& ray, const TriangleMesh<Real>& mesh, const BoundingVolumes
   const RayForBoxes<Real> for_boxes = ray_for_boxes(ray, tree.nodes[0].box);
   walk_volumes(
       tree, [&](const Eigen::AlignedBox<Real, 3>& box) { return ray_enters_box(for_boxes, box); },
-      [&] { return nearest * std::abs(view.way); },
+      [&] { return nearest * std::abs(view.along_z); },
       [&](int triangle)
       {
         const std::optional<W> t = ray_triangle_watertight(view, triangle_of(mesh, triangle));
@@ -103,7 +103,7 @@ template <class Real>
       [&] { return nearest; },
       [&](int triangle)
       {
-        const Wide<Real> distance = way_to_triangle<Real>(triangle_of(mesh, triangle), p).norm();
+        const Wide<Real> distance = vector_to_triangle<Real>(triangle_of(mesh, triangle), p).norm();
         if (distance < nearest || (distance == nearest && triangle < closest))
         {
           nearest = distance;
@@ -138,7 +138,7 @@ std::vector<int> triangles_touching(
       [&] { return radius; },
       [&](int triangle)
       {
-        if (way_to_triangle<Real>(triangle_of(mesh, triangle), p).norm() <= radius)
+        if (vector_to_triangle<Real>(triangle_of(mesh, triangle), p).norm() <= radius)
         {
           touching.push_back(triangle);
         }

@@ -9,7 +9,7 @@
 namespace cookbook
 {
 
-// [way_to_triangle]
+// [vector_to_triangle]
 /// The point of a triangle closest to another point, seen from there. Sizes from 1e-70 to 1e70 in
 /// double.
 template <class Real>
@@ -23,7 +23,7 @@ nearest_from(const Vector3<Wide<Real>>& point, const Triangle<Real>& triangle)
 /// The way from a point to the closest point of a triangle: right also where it is short.
 template <class Real>
 Vector3<Wide<Real>>
-way_to_triangle(const Triangle<Real>& triangle, const Vector3<Wide<Real>>& point)
+vector_to_triangle(const Triangle<Real>& triangle, const Vector3<Wide<Real>>& point)
 {
   return nearest_from<Real>(point, triangle).point;
 }
@@ -32,11 +32,12 @@ way_to_triangle(const Triangle<Real>& triangle, const Vector3<Wide<Real>>& point
 template <class Real>
 Vector3<Real> closest_point_of_triangle(const Triangle<Real>& triangle, const Vector3<Real>& point)
 {
-  const auto shares = nearest_from<Real>(widen(point), triangle).shares;
-  const Vector3<Wide<Real>> closest =
-      shares[0] * widen(triangle.a) + shares[1] * widen(triangle.b) + shares[2] * widen(triangle.c);
+  const auto weights = nearest_from<Real>(widen(point), triangle).weights;
+  const Vector3<Wide<Real>> closest = weights[0] * widen(triangle.a) +
+                                      weights[1] * widen(triangle.b) +
+                                      weights[2] * widen(triangle.c);
   return closest.template cast<Real>();
 }
-// [way_to_triangle]
+// [vector_to_triangle]
 
 } // namespace cookbook

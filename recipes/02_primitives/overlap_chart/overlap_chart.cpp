@@ -17,50 +17,52 @@ template <class Shape>
 using Pairs = std::vector<KnownPair<Shape>>;
 
 /// A way by its name: timed, and asked for its wrong answers.
-template <class Shape, class Way>
-measure::ChartedMethod timed_way(const std::string& name, const Pairs<Shape>& pairs, Way way)
+template <class Shape, class Method>
+measure::ChartedMethod
+timed_method(const std::string& name, const Pairs<Shape>& pairs, Method method)
 {
-  const auto call = [way](const KnownPair<Shape>& pair) { return way(pair.a, pair.b); };
-  const double wrong = wrong_share(way, pairs);
+  const auto call = [method](const KnownPair<Shape>& pair) { return method(pair.a, pair.b); };
+  const double wrong = wrong_fraction(method, pairs);
   return {measure::timed_over(name, pairs, call), {wrong, wrong}};
 }
 
-std::vector<measure::ChartedMethod> ways_of_boxes(const Pairs<Obb<float>>& pairs)
+std::vector<measure::ChartedMethod> methods_of_boxes(const Pairs<Obb<float>>& pairs)
 {
   using Box = Obb<float>;
-  std::vector<measure::ChartedMethod> ways{
-      timed_way("around, along axes", pairs, bounds_overlap),
-      timed_way("6 axes", pairs, [](const Box& a, const Box& b) { return faces_overlap(a, b); }),
-      timed_way("15 axes", pairs, [](const Box& a, const Box& b) { return boxes_overlap(a, b); }),
-      timed_way("spheres first", pairs, overlap_spheres_first),
-      timed_way("any shapes", pairs, [](const Box& a, const Box& b) { return overlaps(a, b); })};
+  std::vector<measure::ChartedMethod> methods{
+      timed_method("around, along axes", pairs, bounds_overlap),
+      timed_method("6 axes", pairs, [](const Box& a, const Box& b) { return faces_overlap(a, b); }),
+      timed_method(
+          "15 axes", pairs, [](const Box& a, const Box& b) { return boxes_overlap(a, b); }),
+      timed_method("spheres first", pairs, overlap_spheres_first),
+      timed_method("any shapes", pairs, [](const Box& a, const Box& b) { return overlaps(a, b); })};
 #ifdef COOKBOOK_HAS_FCL
-  ways.push_back(timed_way("FCL", pairs, fcl_overlap));
+  methods.push_back(timed_method("FCL", pairs, fcl_overlap));
 #endif
-  return ways;
+  return methods;
 }
 
-std::vector<measure::ChartedMethod> ways_of_triangles(const Pairs<Triangle<double>>& pairs)
+std::vector<measure::ChartedMethod> methods_of_triangles(const Pairs<Triangle<double>>& pairs)
 {
-  std::vector<measure::ChartedMethod> ways;
+  std::vector<measure::ChartedMethod> methods;
   for (const TrianglesMethod& method : triangle_triangle_methods())
   {
-    ways.push_back(timed_way(method.name, pairs, method.meet));
+    methods.push_back(timed_method(method.name, pairs, method.meet));
   }
 #ifdef COOKBOOK_HAS_FCL
-  ways.push_back(timed_way("FCL", pairs, fcl_meet));
+  methods.push_back(timed_method("FCL", pairs, fcl_meet));
 #endif
 #ifdef COOKBOOK_HAS_BULLET
-  ways.push_back(timed_way("Bullet", pairs, bullet_meet));
+  methods.push_back(timed_method("Bullet", pairs, bullet_meet));
 #endif
-  return ways;
+  return methods;
 }
 
 /// One workload's chart.
 struct Workload
 {
   std::string name, title;
-  std::vector<measure::ChartedMethod> ways;
+  std::vector<measure::ChartedMethod> methods;
 };
 
 void draw(
@@ -71,7 +73,7 @@ void draw(
   {
     plot::Chart chart(
         work.name, work.title, {"time of a pair [ns]", plot::Scale::log}, {"wrong answers [%]"});
-    measure::add_methods(chart, work.ways, effort);
+    measure::add_methods(chart, work.methods, effort);
     return chart.size(400, 310);
   };
   plot::Grid grid(name, "", 1);
@@ -96,12 +98,15 @@ int main(int argc, char** argv)
       {
         draw(
             given, "overlap_chart",
-            {"near", "Boxes of which many overlap", ways_of_boxes(known_boxes_in_pairs(1000, 2))},
-            {"far", "Boxes of which few overlap", ways_of_boxes(known_boxes_in_pairs(1000, 10))});
+            {"near", "Boxes of which many overlap",
+             methods_of_boxes(known_boxes_in_pairs(1000, 2))},
+            {"far", "Boxes of which few overlap",
+             methods_of_boxes(known_boxes_in_pairs(1000, 10))});
         draw(
             given, "triangles_chart",
-            {"any", "Triangles anywhere", ways_of_triangles(known_triangles_in_pairs(1000, false))},
+            {"any", "Triangles anywhere",
+             methods_of_triangles(known_triangles_in_pairs(1000, false))},
             {"neighbours", "Triangles that share a plane or a corner",
-             ways_of_triangles(known_triangles_in_pairs(1000, true))});
+             methods_of_triangles(known_triangles_in_pairs(1000, true))});
       });
 }

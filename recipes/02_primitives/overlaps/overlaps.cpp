@@ -44,7 +44,7 @@ void print_overlaps()
 }
 
 /// The two triangles of F1 in their plane, and their shadows along an edge's direction across.
-std::string shadows_figure()
+std::string projections_figure()
 {
   plot::Figure2d figure("overlaps_shadows", "", {{-1.5, -2.2}, {7.5, 7}, 400});
   figure.describe("Two triangles in one plane; their shadows on an axis have a gap between them.");
@@ -53,7 +53,7 @@ std::string shadows_figure()
   const Vector2d axis = Vector2d(1, 1).normalized(), foot(1.5, -1.5);
   const auto on_axis = [&](double at) { return Vector2d(foot + at * axis); };
   figure.segment(on_axis(-1), on_axis(7.6), plot::Ink::muted);
-  const auto shadow = [&](const std::vector<Vector2d>& corners, plot::Ink ink)
+  const auto projection = [&](const std::vector<Vector2d>& corners, plot::Ink ink)
   {
     double least = axis.dot(corners[0]), most = least;
     for (const Vector2d& corner : corners)
@@ -64,7 +64,7 @@ std::string shadows_figure()
     figure.segment(on_axis(least), on_axis(most), ink, plot::Stroke::solid, 5);
     return Vector2d(least, most);
   };
-  const Vector2d of_a = shadow(a, plot::Ink::a), of_b = shadow(b, plot::Ink::b);
+  const Vector2d of_a = projection(a, plot::Ink::a), of_b = projection(b, plot::Ink::b);
   figure.segment(a[1], on_axis(of_a.y()), plot::Ink::muted, plot::Stroke::dashed)
       .segment(b[0], on_axis(of_b.x()), plot::Ink::muted, plot::Stroke::dashed)
       .dimension(on_axis(of_a.y()), on_axis(of_b.x()), "gap", -16);
@@ -89,7 +89,7 @@ int main(int argc, char** argv)
       [](const Arguments& given)
       {
         print_overlaps();
-        save_figure(given, "overlaps_shadows.svg", shadows_figure());
+        save_figure(given, "overlaps_shadows.svg", projections_figure());
         save_figure(given, "overlaps_cases.html", verdicts());
       });
 }

@@ -5,7 +5,7 @@
 /// around it, and whether it holds a point.
 
 #include "02_primitives/overlaps/overlaps.hpp"
-#include "02_primitives/shape_bounds/box_shadow.hpp"
+#include "02_primitives/shape_bounds/box_radius.hpp"
 
 namespace cookbook
 {
@@ -13,16 +13,16 @@ namespace cookbook
 /// The point of a shape farthest along a direction of any length; of the zero vector, any point.
 template <BoundedShape Shape>
 Vector3<NumberOf<Shape>>
-farthest_point(const Shape& shape, const Vector3<NumberOf<Shape>>& direction)
+support_point(const Shape& shape, const Vector3<NumberOf<Shape>>& direction)
 {
   using Real = NumberOf<Shape>;
   using W = Wide<Real>;
   const PairFrame<W> frame = pair_frame<Real>(shape, shape);
   const auto hull = rounded_hull(shape, frame);
   const Vector3<W> unit = normalize<W>(widen(direction)).unit;
-  const std::size_t i = farthest_along<W>(Corners<W>(hull.corners), unit);
-  const Vector3<W> farthest = hull.corners[i] + hull.radius * unit;
-  return frame.out(farthest).template cast<Real>();
+  const std::size_t i = support_index<W>(Corners<W>(hull.corners), unit);
+  const Vector3<W> support_point = hull.corners[i] + hull.radius * unit;
+  return frame.out(support_point).template cast<Real>();
 }
 
 /// The box along the axes around a hull's corners, without its radius.
@@ -58,14 +58,14 @@ Sphere<NumberOf<Shape>> bounding_sphere(const Shape& shape)
   const PairFrame<Wide<Real>> frame = pair_frame<Real>(shape, shape);
   const auto hull = rounded_hull(shape, frame);
   const Vector3<Wide<Real>> center = box_of_corners(hull).center();
-  Wide<Real> farthest(0);
+  Wide<Real> support_point(0);
   for (const Vector3<Wide<Real>>& corner : hull.corners)
   {
-    farthest = std::max(farthest, (corner - center).norm());
+    support_point = std::max(support_point, (corner - center).norm());
   }
   return {
       frame.out(center).template cast<Real>(),
-      static_cast<Real>((farthest + hull.radius) / frame.scale)};
+      static_cast<Real>((support_point + hull.radius) / frame.scale)};
 }
 
 /// Whether a sphere holds a point; its surface belongs to it.

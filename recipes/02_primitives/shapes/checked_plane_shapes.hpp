@@ -66,7 +66,7 @@ const Rectangle<Real>& checked(const Rectangle<Real>& rectangle)
 
 /// The turned rectangle itself, or InvalidShape; it may be flat.
 template <class Real>
-const TurnedRectangle<Real>& checked(const TurnedRectangle<Real>& rectangle)
+const OrientedRectangle<Real>& checked(const OrientedRectangle<Real>& rectangle)
 {
   check_finite("center", rectangle.center);
   check_finite("angle", rectangle.angle);

@@ -43,7 +43,7 @@ struct Rectangle
 
 /// A rectangle turned about its center.
 template <class Real>
-struct TurnedRectangle
+struct OrientedRectangle
 {
   Vector<Real, 2> center;       ///< [m]
   Real angle;                   ///< [rad], counter-clockwise

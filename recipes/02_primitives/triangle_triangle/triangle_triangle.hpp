@@ -43,16 +43,16 @@ template <class Real>
 bool triangles_meet_by_11_axes(const Triangle<Real>& a, const Triangle<Real>& b)
 {
   const std::array<Vector3<Real>, 3> edges_a = edges_of(a), edges_b = edges_of(b);
-  bool apart = separates_triangles<Real>(edges_a[0].cross(edges_a[1]), a, b) ||
-               separates_triangles<Real>(edges_b[0].cross(edges_b[1]), a, b);
+  bool separated = separates_triangles<Real>(edges_a[0].cross(edges_a[1]), a, b) ||
+                   separates_triangles<Real>(edges_b[0].cross(edges_b[1]), a, b);
   for (const Vector3<Real>& one : edges_a)
   {
     for (const Vector3<Real>& other : edges_b)
     {
-      apart = apart || separates_triangles<Real>(one.cross(other), a, b);
+      separated = separated || separates_triangles<Real>(one.cross(other), a, b);
     }
   }
-  return !apart;
+  return !separated;
 }
 
 // [seventeen_axes]

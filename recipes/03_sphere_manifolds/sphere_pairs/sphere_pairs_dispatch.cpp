@@ -60,7 +60,7 @@ Begin advanced(Begin begin, std::size_t by)
 void answer_each(const PairsBegin& pairs, const OverlapsBegin& overlaps, std::size_t count)
 {
   const auto [ax, ay, az, ar, bx, by, bz, br] = pairs.list;
-  const auto [nx, ny, nz, depth, px, py, pz] = begin.list;
+  const auto [nx, ny, nz, depth, px, py, pz] = overlaps.list;
   for (std::size_t i = 0; i < count; ++i)
   {
     const Sphere<float> a{{ax[i], ay[i], az[i]}, ar[i]};
@@ -102,15 +102,15 @@ void answer_streamed(
     std::size_t count)
 {
   alignas(64) std::array<std::array<float, block>, 7> answers;
-  OverlapsBegin begin;
+  OverlapsBegin kept;
   for (std::size_t k = 0; k < 7; ++k)
   {
-    begin.list[k] = answers[k].data();
+    kept.list[k] = answers[k].data();
   }
-  answer_block(kernel, pairs, begin, count);
+  answer_block(kernel, pairs, kept, count);
   for (std::size_t k = 0; k < 7; ++k)
   {
-    stream(answers[k].data(), begin.list[k], count * sizeof(float));
+    stream(answers[k].data(), overlaps.list[k], count * sizeof(float));
   }
 }
 

@@ -60,7 +60,7 @@ inline std::vector<VectorsCase> vectors_cases()
   const auto wide = [](const F& v) { return D(v.cast<double>()); };
   const D p(1e8 + 1, 1e8, 0), q(1e8, 1e8 - 1, 0), huge(1e200, 1e200, 0);
   const F a(1, 2, 3), n(2, 1, 2), zero(0, 0, 0), long_n(1.1f, 0, 0), x(1, 0, 0);
-  const F large(1e8f, 0, 0), most(3e38f, 0, 0), tenth(0.1f, 0, 0);
+  const F distant(1e8f, 0, 0), most(3e38f, 0, 0), tenth(0.1f, 0, 0);
   const float tiny = 1e-30f, large = 1e25f, fifth = 0.2f;
   return {
       {"", "nearly parallel: (1e8 + 1, 1e8, 0) × (1e8, 1e8 − 1, 0)", p.cross(q),
@@ -75,8 +75,8 @@ inline std::vector<VectorsCase> vectors_cases()
        wide(project<float>(a, zero)), D(0, 0, 0)},
       {"", "(1, 0, 0) mirrored, normal (1.1, 0, 0)", wide(reflect_unit<float>(x, long_n)),
        wide(reflect<float>(x, long_n)), D(-1, 0, 0)},
-      {"", "lerp as a + t (b − a): from 1e8 to 1, t = 1", wide(lerp_by_way<float>(large, x, 1)),
-       wide(lerp<float>(large, x, 1)), D(1, 0, 0)},
+      {"", "lerp as a + t (b − a): from 1e8 to 1, t = 1", wide(lerp_by_way<float>(distant, x, 1)),
+       wide(lerp<float>(distant, x, 1)), D(1, 0, 0)},
       {"", "lerp as a + t (b − a): from −3e38 to 3e38, t = 1/2",
        wide(lerp_by_way<float>(-most, most, 0.5f)), wide(lerp<float>(-most, most, 0.5f)),
        D(0, 0, 0)},

@@ -74,10 +74,10 @@ inline std::vector<VerdictRow> depth_verdicts()
       const std::optional<Matrix4<float>> m = method.matrix(one.near_plane, one.far_plane);
       const auto depth = [&](float ahead) -> float
       { return ((*m)(2, 2) * -ahead + (*m)(2, 3)) / ahead; };
-      const bool apart = m && depth(one.nearer) != depth(one.farther);
+      const bool distinct = m && depth(one.nearer) != depth(one.farther);
       const bool refused = !m && one.near_plane == 0;
-      const std::string what = refused ? "refused" : apart ? "told apart" : "the same depth";
-      all.back().verdicts.push_back({apart || refused, what});
+      const std::string what = refused ? "refused" : distinct ? "told apart" : "the same depth";
+      all.back().verdicts.push_back({distinct || refused, what});
     }
   }
   return all;

@@ -80,8 +80,8 @@ inline std::vector<Eigen::Vector2d>
 seen_outline(const Camera<double>& camera, const Sphere<double>& sphere)
 {
   const Vector3<double> to_eye = camera.pose.translation() - sphere.center;
-  const double share = sphere.radius * sphere.radius / to_eye.squaredNorm();
-  const double radius = sphere.radius * std::sqrt(1 - share);
+  const double fraction = sphere.radius * sphere.radius / to_eye.squaredNorm();
+  const double radius = sphere.radius * std::sqrt(1 - fraction);
   const Vector3<double> u = to_eye.cross(Vector3<double>::UnitY()).normalized();
   const Vector3<double> v = to_eye.cross(u).normalized();
   std::vector<Eigen::Vector2d> outline;
@@ -89,7 +89,7 @@ seen_outline(const Camera<double>& camera, const Sphere<double>& sphere)
   {
     const double angle = i * std::numbers::pi / 30;
     const Vector3<double> around = std::cos(angle) * u + std::sin(angle) * v;
-    outline.push_back(seen_at(camera, sphere.center + share * to_eye + radius * around));
+    outline.push_back(seen_at(camera, sphere.center + fraction * to_eye + radius * around));
   }
   return outline;
 }

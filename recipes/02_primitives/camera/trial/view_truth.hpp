@@ -14,7 +14,7 @@ namespace cookbook
 
 /// Whether the two sets of corners have a gap along the axis.
 template <class CornersA, class CornersB>
-bool gap_along(const Vector3<double>& axis, const CornersA& a, const CornersB& b)
+bool separated_along(const Vector3<double>& axis, const CornersA& a, const CornersB& b)
 {
   double most_a = -1e300, least_a = 1e300, most_b = -1e300, least_b = 1e300;
   for (const Vector3<double>& x : a)
@@ -66,7 +66,7 @@ inline bool truly_in_view(
   const std::array<Vector3<double>, 8> of_box = corners_of(box);
   return std::none_of(
       axes.begin(), axes.end(),
-      [&](const Vector3<double>& axis) { return gap_along(axis, corners, of_box); });
+      [&](const Vector3<double>& axis) { return separated_along(axis, corners, of_box); });
 }
 
 /// How many boxes each way draws.

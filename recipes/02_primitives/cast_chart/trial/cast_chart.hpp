@@ -138,7 +138,7 @@ inline std::vector<KnownCast<Triangle<float>>> known_triangles(int count)
 // [cast_ways]
 /// A way to cast at a shape, by its name on the chart.
 template <class Shape>
-struct CastWay
+struct CastColumn
 {
   std::string name;
   std::function<std::optional<float>(const Ray<float>&, const Shape&)> t;
@@ -153,13 +153,14 @@ std::optional<float> cast_in_float(const Ray<float>& ray, const Shape& shape)
 }
 
 /// How wrong a way is, as a part of t: infinite where it misses.
-template <class Shape, class Way>
-measure::ErrorStatistics cast_errors(const Way& way, const std::vector<KnownCast<Shape>>& casts)
+template <class Shape, class Method>
+measure::ErrorStatistics
+cast_errors(const Method& method, const std::vector<KnownCast<Shape>>& casts)
 {
   std::vector<double> errors;
   for (const KnownCast<Shape>& one : casts)
   {
-    const std::optional<float> t = way(one.ray, one.shape);
+    const std::optional<float> t = method(one.ray, one.shape);
     errors.push_back(t ? std::abs(*t - one.t) / one.t : std::numeric_limits<double>::infinity());
   }
   return measure::error_statistics(errors);

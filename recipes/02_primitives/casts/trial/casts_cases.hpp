@@ -16,9 +16,9 @@ namespace cookbook
 /// A row of the table: what is set up, and what is asked of a method.
 struct CastCase
 {
-  std::string id;                             ///< in the book
-  std::string what;                           ///< in a few words
-  Verdict (*judge)(const CastMethod& method); ///< the answer, judged
+  std::string id;                               ///< in the book
+  std::string what;                             ///< in a few words
+  Verdict (*verdict)(const CastMethod& method); ///< the answer, judged
 };
 
 /// From the origin, along x or z.
@@ -153,7 +153,7 @@ inline std::vector<VerdictRow> cast_verdicts()
     rows.push_back({one.id, one.what, {}});
     for (const CastMethod& method : cast_methods())
     {
-      rows.back().verdicts.push_back(one.judge(method));
+      rows.back().verdicts.push_back(one.verdict(method));
     }
   }
   return rows;

@@ -84,8 +84,8 @@ inline plot::Figure2d chord_figure()
 inline plot::Figure2d slab_figure()
 {
   plot::Figure2d figure("casts_slabs", "", {{-0.6, -0.7}, {6.4, 4.3}, 420});
-  const Eigen::Vector2d origin(0, 0.2), way(1, 0.55);
-  const auto at = [&](double t) -> Eigen::Vector2d { return origin + t * way; };
+  const Eigen::Vector2d origin(0, 0.2), direction(1, 0.55);
+  const auto at = [&](double t) -> Eigen::Vector2d { return origin + t * direction; };
   const double x_in = 2, x_out = 5, y_in = (1.1 - 0.2) / 0.55, y_out = (2.6 - 0.2) / 0.55;
   figure.describe("A ray is in the upright slab from 2 to 5, in the level one from 1.6 to 4.4.")
       .polygon({{2, -0.6}, {5, -0.6}, {5, 4.2}, {2, 4.2}}, plot::Ink::a)

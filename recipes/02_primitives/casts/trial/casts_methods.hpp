@@ -92,12 +92,12 @@ inline Verdict quad_verdict(const CastMethod& method)
   const std::vector<Triangle<float>> quad{
       {corners[0], corners[2], corners[1]}, {corners[0], corners[3], corners[2]}};
   std::mt19937 random(1);
-  const auto share = [&] { return static_cast<float>(random() % 65536) / 65536; };
+  const auto fraction = [&] { return static_cast<float>(random() % 65536) / 65536; };
   int through = 0;
   for (int i = 0; i < 1'000'000; ++i)
   {
-    const Vector3<float> at = corners[0] + (0.1f + 0.8f * share()) * (corners[2] - corners[0]);
-    const Vector3<float> origin(share() - 0.5f, 5 + share(), share() - 0.5f);
+    const Vector3<float> at = corners[0] + (0.1f + 0.8f * fraction()) * (corners[2] - corners[0]);
+    const Vector3<float> origin(fraction() - 0.5f, 5 + fraction(), fraction() - 0.5f);
     through += cast_at_many(method, {origin, at - origin}, quad) ? 0 : 1;
   }
   return {through == 0, through == 0 ? "right" : "some get through"};

@@ -52,8 +52,9 @@ inline std::optional<float> box_as_published(const Ray<float>& ray, const Aabb<f
   float enter = -std::numeric_limits<float>::max(), leave = -enter;
   for (int i = 0; i < 3; ++i)
   {
-    const float way = ray.direction[i] == 0 ? 1e-5f : ray.direction[i];
-    const float p = (box.min()[i] - ray.origin[i]) / way, q = (box.max()[i] - ray.origin[i]) / way;
+    const float direction = ray.direction[i] == 0 ? 1e-5f : ray.direction[i];
+    const float p = (box.min()[i] - ray.origin[i]) / direction,
+                q = (box.max()[i] - ray.origin[i]) / direction;
     enter = std::max(enter, std::min(p, q));
     leave = std::min(leave, std::max(p, q));
   }
@@ -87,12 +88,12 @@ triangle_as_published(const Ray<float>& ray, const Triangle<float>& triangle)
 {
   const Vector3<float> ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
   const Vector3<float> n = ab.cross(ac).normalized();
-  const float sinking = -n.dot(ray.direction), height = n.dot(ray.origin - triangle.a);
-  if (!(sinking > 0) || height < 0)
+  const float approach = -n.dot(ray.direction), height = n.dot(ray.origin - triangle.a);
+  if (!(approach > 0) || height < 0)
   {
     return std::nullopt;
   }
-  const float t = height / sinking;
+  const float t = height / approach;
   const Vector3<float> ap = ray.origin + t * ray.direction - triangle.a;
   const float bb = ab.dot(ab), bc = ab.dot(ac), cc = ac.dot(ac), pb = ap.dot(ab), pc = ap.dot(ac);
   const float all = bb * cc - bc * bc;

@@ -44,44 +44,44 @@ struct Path
 };
 
 /// How two things lie: apart, just touching, or with more in common than that.
-enum class Lie
+enum class Relation
 {
-  apart = -1,
+  separate = -1,
   touching = 0,
   overlapping = 1
 };
 
 /// The same from a sign.
-inline Lie lie_of(Int sign)
+inline Relation relation_of(Int sign)
 {
-  return sign < 0 ? Lie::apart : sign > 0 ? Lie::overlapping : Lie::touching;
+  return sign < 0 ? Relation::separate : sign > 0 ? Relation::overlapping : Relation::touching;
 }
 
 /// From the square of the least distance: compared with the radius.
-inline Lie sphere(const Path& path, const V& center, Int radius)
+inline Relation sphere(const Path& path, const V& center, Int radius)
 {
   const V f = center - path.origin;
   const Int along = dot(f, path.direction), squared = dot(path.direction, path.direction);
   const Int start = radius * radius - dot(f, f);
   if (along <= 0 || start >= 0)
   {
-    return lie_of(start);
+    return relation_of(start);
   }
   if (path.ends && along >= squared)
   {
     const V g = f - path.direction;
-    return lie_of(radius * radius - dot(g, g));
+    return relation_of(radius * radius - dot(g, g));
   }
-  return lie_of(along * along + start * squared);
+  return relation_of(along * along + start * squared);
 }
 
 /// The least distance of two pieces of lines is between their ends, an end and a piece, or the feet
 /// of the common perpendicular.
-inline Lie capsule(const Path& path, const V& start, const V& end, Int radius)
+inline Relation capsule(const Path& path, const V& start, const V& end, Int radius)
 {
   const V axis = end - start, m = cross(path.direction, axis), f = start - path.origin;
   const Path core{start, axis, true};
-  Lie best = std::max(
+  Relation best = std::max(
       {sphere(core, path.origin, radius), sphere(path, start, radius), sphere(path, end, radius)});
   if (path.ends)
   {
@@ -90,28 +90,28 @@ inline Lie capsule(const Path& path, const V& start, const V& end, Int radius)
   const Int mm = dot(m, m), t = dot(cross(f, axis), m), s = dot(cross(f, path.direction), m);
   if (mm > 0 && t >= 0 && s >= 0 && s <= mm && (!path.ends || t <= mm))
   {
-    best = std::max(best, lie_of(radius * radius * mm - dot(f, m) * dot(f, m)));
+    best = std::max(best, relation_of(radius * radius * mm - dot(f, m) * dot(f, m)));
   }
   return best;
 }
 
 /// From s(p) = n·p − d at the ends.
-inline Lie plane(const Path& path, const V& n, Int d)
+inline Relation plane(const Path& path, const V& n, Int d)
 {
-  const Int start = d - dot(n, path.origin), sinking = -dot(n, path.direction);
+  const Int start = d - dot(n, path.origin), approach = -dot(n, path.direction);
   if (path.ends)
   {
-    return lie_of(std::max(start, start + sinking));
+    return relation_of(std::max(start, start + approach));
   }
-  return sinking > 0 ? Lie::overlapping : lie_of(start);
+  return approach > 0 ? Relation::overlapping : relation_of(start);
 }
 
 /// How far the shadows of a path and of corners overlap on an axis: as a sign.
-inline Int shadow_overlap(const Path& path, const std::vector<V>& corners, const V& axis)
+inline Int projection_overlap(const Path& path, const std::vector<V>& corners, const V& axis)
 {
   constexpr Int endless = std::numeric_limits<Int>::max() / 4;
-  const Int start = dot(axis, path.origin), way = dot(axis, path.direction);
-  const Int end = path.ends ? start + way : way > 0 ? endless : way < 0 ? -endless : start;
+  const Int start = dot(axis, path.origin), step = dot(axis, path.direction);
+  const Int end = path.ends ? start + step : step > 0 ? endless : step < 0 ? -endless : start;
   Int least = endless, most = -endless;
   for (const V& corner : corners)
   {
@@ -122,7 +122,7 @@ inline Int shadow_overlap(const Path& path, const std::vector<V>& corners, const
 }
 
 /// By separating axes: whatever can separate a path from corners, flat or not, is among them.
-inline Lie corners(const Path& path, const std::vector<V>& all)
+inline Relation corners(const Path& path, const std::vector<V>& all)
 {
   const V& d = path.direction;
   std::vector<V> edges;
@@ -138,7 +138,7 @@ inline Lie corners(const Path& path, const std::vector<V>& all)
   {
     if (dot(axis, axis) != 0)
     {
-      least = std::min(least, shadow_overlap(path, all, axis));
+      least = std::min(least, projection_overlap(path, all, axis));
     }
   };
   const V f = all[0] - path.origin;
@@ -153,11 +153,11 @@ inline Lie corners(const Path& path, const std::vector<V>& all)
       ask(n), ask(cross(n, e)), ask(cross(n, d));
     }
   }
-  return lie_of(least);
+  return relation_of(least);
 }
 
 /// The same of a box along the axes: its three, and those square to one of them and the path.
-inline Lie box(const Path& path, const V& min, const V& max)
+inline Relation box(const Path& path, const V& min, const V& max)
 {
   std::vector<V> all;
   for (int i = 0; i < 8; ++i)
@@ -168,10 +168,10 @@ inline Lie box(const Path& path, const V& min, const V& max)
   for (const V& e : {V{1, 0, 0}, V{0, 1, 0}, V{0, 0, 1}})
   {
     const V m = cross(path.direction, e);
-    least = std::min(least, shadow_overlap(path, all, e));
-    least = dot(m, m) == 0 ? least : std::min(least, shadow_overlap(path, all, m));
+    least = std::min(least, projection_overlap(path, all, e));
+    least = dot(m, m) == 0 ? least : std::min(least, projection_overlap(path, all, m));
   }
-  return lie_of(least);
+  return relation_of(least);
 }
 
 } // namespace cookbook::whole

@@ -43,7 +43,7 @@ inline std::vector<PointTriangle> known_triangles_and_points(int count)
     const Triangle<float> t{a, b, i % 8 == 0 ? Vector3<float>((a + b) / 2 + 1e-4f * c) : c};
     const Triangle<Reference> exactly{
         exact<Reference>(t.a), exact<Reference>(t.b), exact<Reference>(t.c)};
-    const Reference squared = way_to_triangle(exactly, exact<Reference>(p)).squaredNorm();
+    const Reference squared = vector_to_triangle(exactly, exact<Reference>(p)).squaredNorm();
     all.push_back({p, t, static_cast<double>(Reference(sqrt(squared)))});
   }
   return all;
@@ -63,7 +63,7 @@ inline std::vector<TwoSegments<float>> known_segments(int count)
     const auto exactly = [](const Segment<float>& s) {
       return Segment<Reference>{exact<Reference>(s.start), exact<Reference>(s.end)};
     };
-    const Reference squared = closest_shares(exactly(a), exactly(b)).way.squaredNorm();
+    const Reference squared = closest_fractions(exactly(a), exactly(b)).difference.squaredNorm();
     all.push_back({a, b, static_cast<double>(Reference(sqrt(squared)))});
   }
   return all;
@@ -106,13 +106,13 @@ inline float distance_by_dot_products(const Segment<float>& one, const Segment<f
 }
 
 /// How wrong a way's distances are [m].
-template <class Known, class Way>
-measure::ErrorStatistics distance_errors(const Way& way, const std::vector<Known>& all)
+template <class Known, class Method>
+measure::ErrorStatistics distance_errors(const Method& method, const std::vector<Known>& all)
 {
   std::vector<double> errors;
   for (const Known& one : all)
   {
-    errors.push_back(std::abs(static_cast<double>(way(one.a, one.b)) - one.distance));
+    errors.push_back(std::abs(static_cast<double>(method(one.a, one.b)) - one.distance));
   }
   return measure::error_statistics(errors);
 }

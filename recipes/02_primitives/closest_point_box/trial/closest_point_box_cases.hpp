@@ -5,8 +5,8 @@
 /// truth.
 
 #include "02_primitives/closest_point_box/trial/closest_point_box_pitfalls.hpp"
-#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
+#include "tools/exact/exact.hpp"
 #include "tools/program/table.hpp"
 #include "tools/program/verdicts.hpp"
 
@@ -98,8 +98,8 @@ inline Verdict point_box_verdict(
   {
     return {false, "distance " + number(answer.length) + ", not " + number(truth.distance)};
   }
-  const double reach = half_extents.dot(answer.unit.cwiseAbs());
-  const bool behind = truth.point.dot(answer.unit) - reach >= truth.distance - rounding;
+  const double radius = half_extents.dot(answer.unit.cwiseAbs());
+  const bool behind = truth.point.dot(answer.unit) - radius >= truth.distance - rounding;
   return {behind, behind ? "right" : "wrong direction"};
 }
 // [point_box_verdict]

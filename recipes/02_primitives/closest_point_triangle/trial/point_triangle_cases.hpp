@@ -42,7 +42,7 @@ inline Vector3<double> closest_by_normals(const Triangle<double>& t, const Vecto
 
 /// The foot on the plane with its shares pushed up to zero: not the closest point beyond an edge.
 inline Vector3<double>
-closest_by_clamped_shares(const Triangle<double>& t, const Vector3<double>& p)
+closest_by_clamped_fractions(const Triangle<double>& t, const Vector3<double>& p)
 {
   const Vector3<double> u = t.b - t.a, v = t.c - t.a, w = p - t.a;
   const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), wu = w.dot(u), wv = w.dot(v);
@@ -58,7 +58,7 @@ inline std::array<PointTriangleMethod, 3> point_triangle_methods()
 {
   return {
       {{"signs of normals", closest_by_normals},
-       {"clamped shares", closest_by_clamped_shares},
+       {"clamped shares", closest_by_clamped_fractions},
        {"face, then edges", [](const Triangle<double>& t, const Vector3<double>& p)
         { return closest_points(p, t).b; }}}};
 }

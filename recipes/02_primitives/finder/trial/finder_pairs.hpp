@@ -27,7 +27,7 @@ using ShapesInSpace = ShapeList<
 template <class Real>
 using ShapesInPlane = ShapeList<
     Vector<Real, 2>, Segment2<Real>, Ray2<Real>, Circle<Real>, Rectangle<Real>,
-    TurnedRectangle<Real>>;
+    OrientedRectangle<Real>>;
 
 /// Calls `use` with the type of each shape.
 template <class... Shapes, class Use>

@@ -57,10 +57,10 @@ struct ShapeColumns<Rectangle<Real>>
 
 /// A turned rectangle.
 template <class Real>
-struct ShapeColumns<TurnedRectangle<Real>>
+struct ShapeColumns<OrientedRectangle<Real>>
 {
   static constexpr const char *name = "turned_rectangle", *columns = "x,y,angle,hx,hy";
-  static TurnedRectangle<Real> read(const ShapeRow<Real>& row)
+  static OrientedRectangle<Real> read(const ShapeRow<Real>& row)
   {
     return {row.point2(0), row.number(2), row.half_extents2(3)};
   }

@@ -73,22 +73,24 @@ inline CaseInPlane rectangle_case(
 }
 
 /// Which way two circles part, and how far.
-inline CaseInPlane apart_case(
+inline CaseInPlane translation_case(
     const std::string& id, const std::string& what, const std::string& truth,
     const Circle<double>& a, const Circle<double>& b)
 {
-  const auto text = [](const WayApart<double>& way)
+  const auto text = [](const MinimumTranslation<double>& translation)
   {
-    const std::string along = way.normal.y() == 1 ? "+y" : way.normal.x() == 1 ? "+x" : "no normal";
-    return along + ", depth " + number(way.depth);
+    const std::string along = translation.normal.y() == 1   ? "+y"
+                              : translation.normal.x() == 1 ? "+x"
+                                                            : "no normal";
+    return along + ", depth " + number(translation.depth);
   };
-  const bool has_normal = way_apart_unguarded(a, b).normal.allFinite();
+  const bool has_normal = minimum_translation_unguarded(a, b).normal.allFinite();
   return {
       id,
       what,
       truth,
-      {has_normal ? text(way_apart_unguarded(a, b)) : "no normal", text(way_apart_by_epsilon(a, b)),
-       text(way_apart(a, b))}};
+      {has_normal ? text(minimum_translation_unguarded(a, b)) : "no normal",
+       text(minimum_translation_by_epsilon(a, b)), text(minimum_translation(a, b))}};
 }
 
 /// The cases to try.
@@ -105,8 +107,8 @@ inline std::vector<CaseInPlane> cases_in_plane()
       rectangle_case("B1", "along x through a square", "t = 0.4", {{-5, 0}, {5, 0}}, square),
       rectangle_case("", "along the diagonal", "t = 0.4", {{-5, -5}, {5, 5}}, square),
       rectangle_case("", "along x, a thin one 90 m away", "t = 0.89", {{0, 0}, {100, 0}}, thin),
-      apart_case("B5", "circles about one centre", "+y, depth 2", {{3, 3}, 1}, {{3, 3}, 1}),
-      apart_case(
+      translation_case("B5", "circles about one centre", "+y, depth 2", {{3, 3}, 1}, {{3, 3}, 1}),
+      translation_case(
           "", "circles of 0.2 µm, half overlapped", "+x, depth 1e-07", {{0, 0}, 1e-7},
           {{1e-7, 0}, 1e-7})};
 }

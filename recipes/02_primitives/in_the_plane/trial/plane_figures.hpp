@@ -17,11 +17,11 @@ namespace cookbook
 /// Shapes around a turned rectangle.
 struct PlaneScene
 {
-  TurnedRectangle<double> turned{{0, 0}, std::atan2(3, 4), {1.5, 0.75}}; ///< in the middle
-  Vector<double, 2> point{-1.8, 1.6};                                    ///< up on the left
-  Segment2<double> segment{{-3, -1.5}, {-0.5, -2.25}};                   ///< down on the left
-  Circle<double> circle{{3, 1}, 0.75};                                   ///< on the right
-  Rectangle<double> rectangle{{2, -1.5}, {1, 0.5}};                      ///< down on the right
+  OrientedRectangle<double> oriented{{0, 0}, std::atan2(3, 4), {1.5, 0.75}}; ///< in the middle
+  Vector<double, 2> point{-1.8, 1.6};                                        ///< up on the left
+  Segment2<double> segment{{-3, -1.5}, {-0.5, -2.25}};                       ///< down on the left
+  Circle<double> circle{{3, 1}, 0.75};                                       ///< on the right
+  Rectangle<double> rectangle{{2, -1.5}, {1, 0.5}};                          ///< down on the right
 };
 
 /// The scene, and the way from the turned rectangle to each of the others.
@@ -32,17 +32,17 @@ inline plot::Figure2d closest_figure()
   const PlaneScene scene;
   plot::Figure2d figure("in_the_plane", "", {{-3.4, -2.75}, {4.1, 2.35}, 400});
   figure.describe("A turned rectangle, and the closest points of four shapes around it.")
-      .box(scene.turned.center, scene.turned.angle, scene.turned.half_extents, Ink::a)
+      .box(scene.oriented.center, scene.oriented.angle, scene.oriented.half_extents, Ink::a)
       .segment(scene.segment.start, scene.segment.end, Ink::b, plot::Stroke::solid, 2.4)
       .circle(scene.circle.center, scene.circle.radius, Ink::b)
       .box(scene.rectangle.center, 0, scene.rectangle.half_extents, Ink::b)
       .dot(scene.point, Ink::b);
-  const auto way = [&](const ClosestPoints<double, 2>& found)
+  const auto between = [&](const ClosestPoints<double, 2>& found)
   { figure.segment(found.a, found.b, Ink::overlap).dot(found.a, Ink::ink).dot(found.b, Ink::ink); };
-  way(closest_points(scene.point, scene.turned));
-  way(closest_points(scene.segment, scene.turned));
-  way(closest_points(scene.circle, scene.turned));
-  way(closest_points(scene.rectangle, scene.turned));
+  between(closest_points(scene.point, scene.oriented));
+  between(closest_points(scene.segment, scene.oriented));
+  between(closest_points(scene.circle, scene.oriented));
+  between(closest_points(scene.rectangle, scene.oriented));
   figure.label({0, 0}, "turned rectangle", Side::centre, Ink::a)
       .label(scene.point, "point", Side::left, Ink::b)
       .label({-2.2, -1.8}, "segment", Side::below, Ink::b)
@@ -52,7 +52,7 @@ inline plot::Figure2d closest_figure()
 }
 
 /// The corners of a rectangle that is turned.
-inline std::vector<Eigen::Vector2d> corners_of(const TurnedRectangle<double>& rectangle)
+inline std::vector<Eigen::Vector2d> corners_of(const OrientedRectangle<double>& rectangle)
 {
   const PlaneForm<double> form =
       form_of(rectangle, PlaneView<double>(Vector<double, 2>(0, 0), 1.0));
@@ -60,13 +60,13 @@ inline std::vector<Eigen::Vector2d> corners_of(const TurnedRectangle<double>& re
 }
 
 /// Draws the shadow of a shape on an axis through `foot`, and the rays of light that make it.
-inline void draw_shadow(
+inline void draw_projection(
     plot::Figure2d& figure, const std::vector<Eigen::Vector2d>& corners,
     const Eigen::Vector2d& foot, const Eigen::Vector2d& axis, plot::Ink ink)
 {
-  const auto reach = shadow_on<double>(corners, axis);
+  const auto projection = projection_on<double>(corners, axis);
   const double start = axis.dot(foot);
-  for (const double at : {reach.least, reach.most})
+  for (const double at : {projection.least, projection.most})
   {
     const auto corner = std::find_if(
         corners.begin(), corners.end(),
@@ -74,54 +74,54 @@ inline void draw_shadow(
     figure.segment(*corner, foot + (at - start) * axis, plot::Ink::muted, plot::Stroke::dashed, 1);
   }
   figure.segment(
-      foot + (reach.least - start) * axis, foot + (reach.most - start) * axis, ink,
+      foot + (projection.least - start) * axis, foot + (projection.most - start) * axis, ink,
       plot::Stroke::solid, 6);
 }
 
 /// Two turned rectangles, and their shadows along x and along an axis of one of them.
-inline plot::Figure2d shadow_figure(bool apart)
+inline plot::Figure2d projection_figure(bool separated)
 {
   using plot::Ink;
   using plot::Side;
-  const TurnedRectangle<double> a{{0, 0}, 0.6, {1.2, 0.5}};
-  const TurnedRectangle<double> b{
-      apart ? Eigen::Vector2d(0.45, 2.1) : Eigen::Vector2d(0.9, 1.1),
-      apart ? 0.35 : -0.5,
+  const OrientedRectangle<double> a{{0, 0}, 0.6, {1.2, 0.5}};
+  const OrientedRectangle<double> b{
+      separated ? Eigen::Vector2d(0.45, 2.1) : Eigen::Vector2d(0.9, 1.1),
+      separated ? 0.35 : -0.5,
       {1.1, 0.4}};
   plot::Figure2d figure(
-      apart ? "shadows_apart" : "shadows_overlap",
-      apart ? "Apart: the shadows on u have a gap" : "Overlap: no axis shows a gap",
-      {{-3.3, -2.2}, {2.4, apart ? 3.0 : 2.2}, 400});
+      separated ? "shadows_apart" : "projections_overlap",
+      separated ? "Apart: the shadows on u have a gap" : "Overlap: no axis shows a gap",
+      {{-3.3, -2.2}, {2.4, separated ? 3.0 : 2.2}, 400});
   const std::vector<Eigen::Vector2d> of_a = corners_of(a), of_b = corners_of(b);
   const Eigen::Vector2d u(-std::sin(a.angle), std::cos(a.angle)), along(u.y(), -u.x());
   const Eigen::Vector2d foot = -2.1 * along - 0.9 * u, floor(0, -1.95);
   figure.segment({-1.6, -1.95}, {2.2, -1.95}, Ink::muted, plot::Stroke::solid, 1)
       .segment(foot - 0.2 * u, foot + 3.6 * u, Ink::muted, plot::Stroke::solid, 1);
-  draw_shadow(figure, of_a, floor, {1, 0}, Ink::a);
-  draw_shadow(figure, of_b, floor + Eigen::Vector2d(0, 0.12), {1, 0}, Ink::b);
-  draw_shadow(figure, of_a, foot, u, Ink::a);
-  draw_shadow(figure, of_b, foot - (apart ? 0 : 0.12) * along, u, Ink::b);
+  draw_projection(figure, of_a, floor, {1, 0}, Ink::a);
+  draw_projection(figure, of_b, floor + Eigen::Vector2d(0, 0.12), {1, 0}, Ink::b);
+  draw_projection(figure, of_a, foot, u, Ink::a);
+  draw_projection(figure, of_b, foot - (separated ? 0 : 0.12) * along, u, Ink::b);
   figure.polygon(of_a, Ink::a)
       .polygon(of_b, Ink::b)
       .label({2.25, -1.95}, "x", Side::right, Ink::muted)
       .label(foot + 3.6 * u, "u", Side::above, Ink::muted)
       .label(a.center, "A", Side::centre, Ink::a)
       .label(b.center, "B", Side::centre, Ink::b);
-  if (apart)
+  if (separated)
   {
-    const double end = shadow_on<double>(of_a, u).most - u.dot(foot);
-    const double start = shadow_on<double>(of_b, u).least - u.dot(foot);
+    const double end = projection_on<double>(of_a, u).most - u.dot(foot);
+    const double start = projection_on<double>(of_b, u).least - u.dot(foot);
     figure.dimension(foot + end * u, foot + start * u, "gap", 14);
   }
   return figure;
 }
 
 /// Both shadow figures, one above the other.
-inline plot::Grid shadow_figures()
+inline plot::Grid projection_figures()
 {
   plot::Grid grid("in_the_plane_shadows", "", 1);
   grid.describe("Shadows of two rectangles on two axes: with a gap between them, and without.");
-  grid.add(shadow_figure(true)).add(shadow_figure(false));
+  grid.add(projection_figure(true)).add(projection_figure(false));
   return grid;
 }
 

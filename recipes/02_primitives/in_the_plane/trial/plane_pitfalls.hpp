@@ -38,7 +38,8 @@ entry_by_inverse(const Segment2<double>& s, const Rectangle<double>& r, double o
   double entry = 0, exit = 1;
   for (int i = 0; i < 2; ++i)
   {
-    const double way = s.end[i] - s.start[i], inverse = way == 0 ? of_zero : 1 / way;
+    const double translation = s.end[i] - s.start[i],
+                 inverse = translation == 0 ? of_zero : 1 / translation;
     const double one = (r.center[i] - r.half_extents[i] - s.start[i]) * inverse;
     const double other = (r.center[i] + r.half_extents[i] - s.start[i]) * inverse;
     entry = std::max(entry, std::min(one, other));
@@ -48,7 +49,8 @@ entry_by_inverse(const Segment2<double>& s, const Rectangle<double>& r, double o
 }
 
 /// The way apart of two circles, by a division that nothing guards.
-inline WayApart<double> way_apart_unguarded(const Circle<double>& a, const Circle<double>& b)
+inline MinimumTranslation<double>
+minimum_translation_unguarded(const Circle<double>& a, const Circle<double>& b)
 {
   const Vector<double, 2> to_b = b.center - a.center;
   const double length = to_b.norm();
@@ -75,11 +77,12 @@ inline std::optional<double> entry_by_epsilon(const Segment2<double>& s, const R
 }
 
 /// The way apart of two circles: centres within a micrometre are taken for one.
-inline WayApart<double> way_apart_by_epsilon(const Circle<double>& a, const Circle<double>& b)
+inline MinimumTranslation<double>
+minimum_translation_by_epsilon(const Circle<double>& a, const Circle<double>& b)
 {
-  const WayApart<double> way = way_apart_unguarded(a, b);
+  const MinimumTranslation<double> translation = minimum_translation_unguarded(a, b);
   const bool one_centre = (b.center - a.center).norm() < 1e-6;
-  return one_centre ? WayApart<double>{{0, 1}, a.radius + b.radius} : way;
+  return one_centre ? MinimumTranslation<double>{{0, 1}, a.radius + b.radius} : translation;
 }
 // [by_epsilon]
 

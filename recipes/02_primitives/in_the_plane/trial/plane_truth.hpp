@@ -138,10 +138,10 @@ inline GridTruth truth_of(const GridShape& a, const GridShape& b)
 {
   const bool deep = edges_cross(a, b) || corner_within(a, b) || corner_within(b, a);
   const GridSquare square = deep ? GridSquare{0, 1} : between_edges(a, b);
-  const std::int64_t radii = a.radius + b.radius, reach = radii * radii * square.under;
-  const double gap = std::sqrt(double(square.over) / double(square.under)) - double(radii);
-  const bool overlap = square.over <= reach;
-  return {overlap, !deep && square.over == reach, overlap ? 0 : gap};
+  const std::int64_t radii = a.radius + b.radius, limit = radii * radii * square.under;
+  const double distance = std::sqrt(double(square.over) / double(square.under)) - double(radii);
+  const bool overlap = square.over <= limit;
+  return {overlap, !deep && square.over == limit, overlap ? 0 : distance};
 }
 // [grid_truth]
 

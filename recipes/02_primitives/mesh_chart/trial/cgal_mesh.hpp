@@ -46,9 +46,9 @@ public:
   /// The number of the triangle that a ray meets first; −1: none.
   int cast(const Ray<float>& ray) const
   {
-    const Vector3<double> way = ray.direction.cast<double>();
-    const auto met = tree_.first_intersected_primitive(
-        Kernel::Ray_3(point(ray.origin), Kernel::Vector_3(way.x(), way.y(), way.z())));
+    const Vector3<double> direction = ray.direction.cast<double>();
+    const auto met = tree_.first_intersected_primitive(Kernel::Ray_3(
+        point(ray.origin), Kernel::Vector_3(direction.x(), direction.y(), direction.z())));
     return met ? static_cast<int>(*met - triangles_.begin()) : -1;
   }
 

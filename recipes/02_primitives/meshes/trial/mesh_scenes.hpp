@@ -130,7 +130,7 @@ closest_without_tree(const TriangleMesh<Real>& mesh, const Vector3<Real>& point)
   std::pair<Wide<Real>, int> closest{std::numeric_limits<Wide<Real>>::infinity(), -1};
   for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i)
   {
-    const Wide<Real> distance = way_to_triangle<Real>(triangle_of(mesh, i), widen(point)).norm();
+    const Wide<Real> distance = vector_to_triangle<Real>(triangle_of(mesh, i), widen(point)).norm();
     closest = distance < closest.first ? std::pair(distance, i) : closest;
   }
   return closest;
@@ -188,8 +188,8 @@ template <class Real>
 Vector3<Real> point_on_seam(MeshDraw& draw, const TriangleMesh<Real>& mesh)
 {
   const Triangle<Real> t = triangle_of(mesh, draw.below(mesh.triangles.size()));
-  const Real share = static_cast<Real>(draw.below(8) == 0 ? 0.0 : draw(0, 1));
-  return t.a + share * (t.b - t.a);
+  const Real fraction = static_cast<Real>(draw.below(8) == 0 ? 0.0 : draw(0, 1));
+  return t.a + fraction * (t.b - t.a);
 }
 
 } // namespace cookbook

@@ -61,8 +61,8 @@ inline TriangleMesh<float> quad_mesh(float size)
 /// A ray from anywhere above to a point of the square's diagonal.
 inline Ray<float> ray_at_diagonal(MeshDraw& draw, float size)
 {
-  const float share = static_cast<float>(draw(0.01, 0.99));
-  const Vector3<float> at(share * size, share * size, 0);
+  const float fraction = static_cast<float>(draw(0.01, 0.99));
+  const Vector3<float> at(fraction * size, fraction * size, 0);
   const Vector3<float> from = size * (draw.point(1) + Vector3<double>(0, 0, 2)).cast<float>();
   return {from, at - from};
 }

@@ -37,7 +37,7 @@ inline Asked asked_by(
         ++asked.boxes;
         return ray_enters_box(for_boxes, box);
       },
-      [&] { return nearest * std::abs(view.way); },
+      [&] { return nearest * std::abs(view.along_z); },
       [&](int triangle)
       {
         ++asked.triangles;

@@ -17,13 +17,13 @@ struct KnownPair
 };
 
 /// The share [%] of pairs for which a way gives another answer than fractions do.
-template <class Way, class Shape>
-double wrong_share(const Way& way, const std::vector<KnownPair<Shape>>& pairs)
+template <class Method, class Shape>
+double wrong_fraction(const Method& method, const std::vector<KnownPair<Shape>>& pairs)
 {
   int wrong = 0;
   for (const KnownPair<Shape>& pair : pairs)
   {
-    wrong += way(pair.a, pair.b) != pair.overlap;
+    wrong += method(pair.a, pair.b) != pair.overlap;
   }
   return 100.0 * wrong / static_cast<double>(pairs.size());
 }

@@ -24,23 +24,23 @@ class BulletRay : public btTriangleRaycastCallback
 {
 public:
   /// The ray from t = 0 to `reach`.
-  BulletRay(const Ray<float>& ray, float reach)
+  BulletRay(const Ray<float>& ray, float length)
       : btTriangleRaycastCallback(
-            of_bullet(ray.origin), of_bullet(ray.origin + reach * ray.direction)),
-        reach_(reach)
+            of_bullet(ray.origin), of_bullet(ray.origin + length * ray.direction)),
+        length_(length)
   {
   }
 
-  btScalar reportHit(const btVector3&, btScalar share, int, int) override { return share; }
+  btScalar reportHit(const btVector3&, btScalar fraction, int, int) override { return fraction; }
 
   /// The t of the nearest of all triangles so far.
   std::optional<float> t() const
   {
-    return m_hitFraction < 1 ? std::optional(reach_ * m_hitFraction) : std::nullopt;
+    return m_hitFraction < 1 ? std::optional(length_ * m_hitFraction) : std::nullopt;
   }
 
 private:
-  float reach_;
+  float length_;
 };
 
 } // namespace cookbook

@@ -121,7 +121,7 @@ inline std::vector<TrianglesCase> triangle_triangle_cases()
 inline Verdict triangles_verdict(const TrianglesMethod& method, const TrianglesCase& one)
 {
   int right = 0;
-  const auto turned = [](const Triangle<double>& t, std::size_t order)
+  const auto reordered = [](const Triangle<double>& t, std::size_t order)
   {
     const std::array<Vector3<double>, 3> c{t.a, t.b, t.c};
     const std::size_t first = order % 3, step = 1 + order / 3;
@@ -129,7 +129,7 @@ inline Verdict triangles_verdict(const TrianglesMethod& method, const TrianglesC
   };
   for (std::size_t i = 0; i < 36; ++i)
   {
-    const Triangle<double> a = turned(one.a, i / 6), b = turned(one.b, i % 6);
+    const Triangle<double> a = reordered(one.a, i / 6), b = reordered(one.b, i % 6);
     right += method.meet(a, b) == one.meet;
     right += method.meet(b, a) == one.meet;
   }

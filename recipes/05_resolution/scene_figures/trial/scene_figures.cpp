@@ -108,8 +108,8 @@ SceneView view_of(
     bounds = PictureBounds(Vector2d(-1, -1), Vector2d(1, 1));
   }
   const double side = bounds.sizes().maxCoeff();
-  const Vector2d margin = Vector2d::Constant(std::max(side, followed));
-  const PictureBounds limit(bounds.min() - margin, bounds.max() + margin);
+  const Vector2d beyond = Vector2d::Constant(std::max(side, followed));
+  const PictureBounds limit(bounds.min() - beyond, bounds.max() + beyond);
   bounds.extend(bounds_of(scene, frames.front(), axes, false).intersection(limit));
   for (const Frame& frame : frames)
   {

@@ -11,10 +11,10 @@
 namespace cookbook
 {
 
-// [shadow]
+// [projection]
 /// From where to where the shadow of a polygon reaches on an axis [m times the axis' length].
 template <class Real>
-struct ShadowSpan
+struct Projection
 {
   Real least; ///< where it begins
   Real most;  ///< where it ends
@@ -24,12 +24,12 @@ struct ShadowSpan
 ///
 /// Corners are seen times `factor`, which keeps products in range.
 template <class Real>
-ShadowSpan<Wide<Real>> shadow_on(
+Projection<Wide<Real>> projection_on(
     std::span<const Vector<Real, 2>> polygon, const Vector<Wide<Real>, 2>& axis,
     Wide<Real> factor = 1)
 {
   const Wide<Real> first = axis.dot(widen(polygon[0]) * factor);
-  ShadowSpan<Wide<Real>> span{first, first};
+  Projection<Wide<Real>> span{first, first};
   for (const Vector<Real, 2>& corner : polygon.subspan(1))
   {
     const Wide<Real> at = axis.dot(widen(corner) * factor);
@@ -45,10 +45,11 @@ bool separates(
     const Vector<Wide<Real>, 2>& axis, std::span<const Vector<Real, 2>> a,
     std::span<const Vector<Real, 2>> b, Wide<Real> factor = 1)
 {
-  const auto of_a = shadow_on<Real>(a, axis, factor), of_b = shadow_on<Real>(b, axis, factor);
+  const auto of_a = projection_on<Real>(a, axis, factor),
+             of_b = projection_on<Real>(b, axis, factor);
   return of_a.most < of_b.least || of_b.most < of_a.least;
 }
-// [shadow]
+// [projection]
 
 // [separating_axis]
 /// An axis square to an edge of polygon a on which the shadows of a and b have a gap.

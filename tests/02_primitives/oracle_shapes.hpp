@@ -17,7 +17,7 @@ using Long = long double;
 using Long3 = Vector3<Long>;
 
 /// What the judge knows of a shape.
-struct Judged
+struct OracleShape
 {
   std::vector<Long3> corners;             ///< of its core
   Long radius = 0;                        ///< around the core
@@ -32,17 +32,17 @@ Long3 exactly(const Vector3<Real>& v)
 }
 
 template <class Real>
-Judged judged(const Vector3<Real>& p)
+OracleShape as_oracle(const Vector3<Real>& p)
 {
   return {{exactly(p)}, 0, {}};
 }
 template <class Real>
-Judged judged(const Segment<Real>& s)
+OracleShape as_oracle(const Segment<Real>& s)
 {
   return {{exactly(s.start), exactly(s.end)}, 0, {}};
 }
 template <class Real>
-Judged judged(const Plane<Real>& plane)
+OracleShape as_oracle(const Plane<Real>& plane)
 {
   const Long3 n = exactly(plane.normal);
   const Long length = n.norm();
@@ -53,19 +53,19 @@ Judged judged(const Plane<Real>& plane)
       true};
 }
 template <class Real>
-Judged judged(const Sphere<Real>& s)
+OracleShape as_oracle(const Sphere<Real>& s)
 {
   return {{exactly(s.center)}, Long(s.radius), {}};
 }
 template <class Real>
-Judged judged(const Capsule<Real>& c)
+OracleShape as_oracle(const Capsule<Real>& c)
 {
   return {{exactly(c.segment.start), exactly(c.segment.end)}, Long(c.radius), {}};
 }
 template <class Real>
-Judged judged(const Obb<Real>& box)
+OracleShape as_oracle(const Obb<Real>& box)
 {
-  Judged shape;
+  OracleShape shape;
   for (int i = 0; i < 8; ++i)
   {
     Long3 corner = exactly(box.center);
@@ -86,9 +86,9 @@ Judged judged(const Obb<Real>& box)
   return shape;
 }
 template <class Real>
-Judged judged(const Aabb<Real>& box)
+OracleShape as_oracle(const Aabb<Real>& box)
 {
-  Judged shape;
+  OracleShape shape;
   for (int i = 0; i < 8; ++i)
   {
     const auto of = [&](int k) { return Long((i >> k & 1 ? box.max() : box.min())[k]); };
@@ -107,12 +107,12 @@ Judged judged(const Aabb<Real>& box)
   return shape;
 }
 template <class Real>
-Judged judged(const Triangle<Real>& t)
+OracleShape as_oracle(const Triangle<Real>& t)
 {
   return {{exactly(t.a), exactly(t.b), exactly(t.c)}, 0, {}};
 }
 template <class Real>
-Judged judged(const Tetrahedron<Real>& t)
+OracleShape as_oracle(const Tetrahedron<Real>& t)
 {
   return {{exactly(t.a), exactly(t.b), exactly(t.c), exactly(t.d)}, 0, {}};
 }

@@ -5,7 +5,7 @@
 
 #include "02_primitives/shapes/answers.hpp"
 
-#include "tests/02_primitives/judged_shapes.hpp"
+#include "tests/02_primitives/oracle_shapes.hpp"
 #include "tests/02_primitives/shape_draws.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace cookbook
 {
 
 /// The way [m] to a point from the closest point of a segment.
-inline Long3 way_from_segment(const Long3& p, const Long3& a, const Long3& b)
+inline Long3 vector_from_segment(const Long3& p, const Long3& a, const Long3& b)
 {
   const Long3 ab = b - a;
   const Long t = ab.isZero(0) ? Long(0) : std::clamp<Long>((p - a).dot(ab) / ab.dot(ab), 0, 1);
@@ -30,20 +30,20 @@ inline Long3 way_from_segment(const Long3& p, const Long3& a, const Long3& b)
 /// plane, measured from that edge, for the normal of a thin triangle is uncertain.
 inline Long from_triangle(const Long3& p, const Long3& a, const Long3& b, const Long3& c)
 {
-  Long3 way = way_from_segment(p, a, b);
-  for (const Long3& other : {way_from_segment(p, b, c), way_from_segment(p, c, a)})
+  Long3 difference = vector_from_segment(p, a, b);
+  for (const Long3& other : {vector_from_segment(p, b, c), vector_from_segment(p, c, a)})
   {
-    way = other.norm() < way.norm() ? other : way;
+    difference = other.norm() < difference.norm() ? other : difference;
   }
   const Long3 n = (b - a).cross(c - a);
   const Long length = n.norm();
   const bool above = length > 0 && n.dot((b - a).cross(p - a)) >= 0 &&
                      n.dot((c - b).cross(p - b)) >= 0 && n.dot((a - c).cross(p - c)) >= 0;
-  return above ? std::abs(n.dot(way)) / length : way.norm();
+  return above ? std::abs(n.dot(difference)) / length : difference.norm();
 }
 
 /// How far [m] a point lies outside of a shape; 0 inside.
-inline Long outside(const Judged& shape, const Long3& p)
+inline Long outside(const OracleShape& shape, const Long3& p)
 {
   const std::vector<Long3>& c = shape.corners;
   Long distance = 0;
@@ -61,7 +61,7 @@ inline Long outside(const Judged& shape, const Long3& p)
     distance = (p - c[0]).norm();
     break;
   case 2:
-    distance = way_from_segment(p, c[0], c[1]).norm();
+    distance = vector_from_segment(p, c[0], c[1]).norm();
     break;
   case 3:
     distance = from_triangle(p, c[0], c[1], c[2]);
@@ -82,7 +82,7 @@ inline Long outside(const Judged& shape, const Long3& p)
 }
 
 /// The least of n·x over a shape, for a unit vector n.
-inline Long reach_against(const Judged& shape, const Long3& n)
+inline Long extent_against(const OracleShape& shape, const Long3& n)
 {
   if (shape.is_plane)
   {
@@ -99,10 +99,10 @@ inline Long reach_against(const Judged& shape, const Long3& n)
 }
 
 /// The size [m] of the numbers that a pair is made of, for what rounding may do.
-inline Long size_of_numbers(const Judged& a, const Judged& b)
+inline Long size_of_numbers(const OracleShape& a, const OracleShape& b)
 {
   Long size = std::max(a.radius, b.radius);
-  for (const Judged* shape : {&a, &b})
+  for (const OracleShape* shape : {&a, &b})
   {
     for (const Long3& corner : shape->corners)
     {
@@ -116,24 +116,24 @@ inline Long size_of_numbers(const Judged& a, const Judged& b)
 /// What is wrong with closest points, as a share of the size of the numbers: no answer is closer if
 /// both points are in their shapes and the shapes lie on either side of the gap between two planes
 /// through the points; an overlap is one if a point is in both.
-inline Long fault(const Judged& a, const Judged& b, const ClosestPoints<Long, 3>& points)
+inline Long fault(const OracleShape& a, const OracleShape& b, const ClosestPoints<Long, 3>& points)
 {
   if (!points.a.allFinite() || !points.b.allFinite() || !std::isfinite(points.distance))
   {
     return std::numeric_limits<Long>::infinity();
   }
   // Planes that are nearly parallel meet far away.
-  const Long distance = a.is_plane && b.is_plane ? points.a.norm() : Long(0);
-  const Long size = std::max(size_of_numbers(a, b), distance);
+  const Long from_origin = a.is_plane && b.is_plane ? points.a.norm() : Long(0);
+  const Long size = std::max(size_of_numbers(a, b), from_origin);
   Long wrong = std::max(outside(a, points.a), outside(b, points.b));
   wrong = std::max(wrong, std::abs((points.a - points.b).norm() - points.distance));
   if (points.distance == Long(0))
   {
     return (points.a != points.b ? size : wrong) / size;
   }
-  const Long3 way = points.a - points.b;
-  const Long gap = way.norm();
-  Long3 n = way / gap;
+  const Long3 difference = points.a - points.b;
+  const Long distance = difference.norm();
+  Long3 n = difference / distance;
   // A plane's own normal is more certain than a way between points that are rounded.
   if (a.is_plane || b.is_plane)
   {
@@ -141,9 +141,9 @@ inline Long fault(const Judged& a, const Judged& b, const ClosestPoints<Long, 3>
     n = (a.is_plane ? Long(-1) : Long(1)) * Long3(side[0], side[1], side[2]);
   }
   // Points that are rounded tilt a short way: the shorter it is, the less it can tell.
-  const Long tilt = std::max(Long(1), size / gap * Long(0.1));
+  const Long tilt = std::max(Long(1), size / distance * Long(0.1));
   const Long cut =
-      std::max(n.dot(points.a) - reach_against(a, n), -n.dot(points.b) - reach_against(b, -n));
+      std::max(n.dot(points.a) - extent_against(a, n), -n.dot(points.b) - extent_against(b, -n));
   return std::max(wrong, cut / tilt) / size;
 }
 
