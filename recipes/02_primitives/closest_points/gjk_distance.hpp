@@ -98,7 +98,7 @@ struct GjkDistance
   CornerPairs<Real> pairs;  ///< the corners that the closest points are between
   Vector<Real, 4> weights;  ///< [1], of each pair
   Vector3<Real> difference; ///< [m], from the closest point of B to that of A
-  Real least;               ///< [m], no two points are closer: so far the shapes' shadows are apart
+  Real least;               ///< [m], no two points are closer: the separation found so far
   int steps;                ///< how often the farthest corners were asked for
 };
 
@@ -148,14 +148,10 @@ template <class Real>
 Real separation_along(Corners<Real> a, Corners<Real> b, const Vector3<Real>& direction)
 {
   const Real squared = direction.squaredNorm();
-  const auto separation = [&](const Vector3<Real>& difference)
-  {
-    return difference.dot(
-        a[support_index<Real>(a, -difference)] - b[support_index<Real>(b, difference)]);
-  };
-  return squared > Real(0)
-             ? std::max(separation(direction), separation(-direction)) / std::sqrt(squared)
-             : -std::numeric_limits<Real>::infinity();
+  const auto along = [&](const Vector3<Real>& u)
+  { return u.dot(a[support_index<Real>(a, -u)] - b[support_index<Real>(b, u)]); };
+  return squared > Real(0) ? std::max(along(direction), along(-direction)) / std::sqrt(squared)
+                           : -std::numeric_limits<Real>::infinity();
 }
 
 /// The widest gap between shadows along the directions of all faces and pairs of edges.
