@@ -86,6 +86,7 @@ inline std::string shown_at(const std::string& path)
 {
   const std::string name = std::filesystem::path(path).filename().string();
   const bool in_recipe =
+      !is_example(path) &&
       std::regex_search(path, std::regex(R"(^recipes/\d.*\.(hpp|cpp|expected)$)"));
   const bool tests = std::regex_search(path, std::regex(R"(^tests/\d.*_test\.cpp$)"));
   const bool shared = std::regex_search(path, std::regex(R"(^(common|tools)/.*\.hpp$)"));

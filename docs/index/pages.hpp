@@ -10,6 +10,12 @@
 namespace cookbook::book
 {
 
+/// True for an example and its output, which a page shows whole: recipes/03_x/a/a_example.cpp.
+inline bool is_example(const std::string& path)
+{
+  return path.rfind("recipes/", 0) == 0 && stem(path).ends_with("_example");
+}
+
 /// What the indexes are made from: the pages, the tables of failing cases, recipes and tests.
 struct House
 {
@@ -28,6 +34,7 @@ inline House read_house(const std::filesystem::path& root)
       read_tree(root, "tests", {".cpp"})};
   const auto unnumbered = [](const TextFile& file) { return chapter_of(file.path).empty(); };
   std::erase_if(house.pages, unnumbered);
+  std::erase_if(house.recipes, [](const TextFile& file) { return is_example(file.path); });
   std::erase_if(house.tests, unnumbered);
   return house;
 }

@@ -30,7 +30,7 @@ SquareMatrix<Real, Size> drawn_matrix(WholeRange<Real>& random, int kind)
   for (int i = 0; i < Size * Size; ++i)
   {
     const bool off_diagonal = i % (Size + 1) != 0;
-    m.data()[i] = kind == 0 ? random.number() : random.share() * size;
+    m.data()[i] = kind == 0 ? random.number() : random.fraction() * size;
     m.data()[i] = kind == 5 ? (off_diagonal ? Real(0) : random.number()) : m.data()[i];
   }
   if (near_singular)
@@ -115,7 +115,7 @@ Known<Size> known(const SquareMatrix<Real, Size>& of)
   return all;
 }
 
-/// The largest share of what the page allows that an inverse or a determinant is off by.
+/// The largest fraction of what the page allows that an inverse or a determinant is off by.
 template <class Real, int Size>
 double worst_of()
 {

@@ -156,9 +156,9 @@ TEST_CASE("sums, products and quotients of wide doubles are right to 2^-100", "[
   std::mt19937_64 random(1);
   const auto drawn = [&]
   {
-    const auto share = [&] { return static_cast<double>(random() >> 11) * 0x1p-53 - 0.5; };
-    const double high = std::ldexp(share(), static_cast<int>(random() % 80) - 40);
-    return WideDouble(high, share() * high * 0x1p-53);
+    const auto fraction = [&] { return static_cast<double>(random() >> 11) * 0x1p-53 - 0.5; };
+    const double high = std::ldexp(fraction(), static_cast<int>(random() % 80) - 40);
+    return WideDouble(high, fraction() * high * 0x1p-53);
   };
   const auto exact_of = [](const WideDouble& x)
   { return Rational(std::ldexp(x.high, x.exponent)) + Rational(std::ldexp(x.low, x.exponent)); };

@@ -39,7 +39,7 @@ Whole exact_dot(const Vector<Real, Size>& a, const Vector<Real, Size>& b)
 template <class Real>
 Vector<Real, 100> hundred(WholeRange<Real>& draw)
 {
-  return Vector<Real, 100>::NullaryExpr([&](Eigen::Index) { return draw.share(); });
+  return Vector<Real, 100>::NullaryExpr([&](Eigen::Index) { return draw.fraction(); });
 }
 
 /// Whether |a·b − its exact value| ≤ γₙ|a|ᵀ|b|, without rounding: γₙ = n/(2^digits − n).
@@ -91,7 +91,7 @@ TEMPLATE_TEST_CASE(
   const Rational u = exact<Rational>(unit_roundoff<TestType>());
   for (int i = 0; i < 1000; ++i)
   {
-    const TestType a = TestType(2) + draw.share(), b = TestType(4) + draw.share();
+    const TestType a = TestType(2) + draw.fraction(), b = TestType(4) + draw.fraction();
     const Rational x = exact<Rational>(a), y = exact<Rational>(b);
     CHECK(abs(exact<Rational>(a + b) - (x + y)) <= u * (x + y));
     CHECK(abs(exact<Rational>(a * b) - x * y) <= u * x * y);
@@ -110,7 +110,7 @@ TEMPLATE_TEST_CASE(
   for (int i = 0; i < random_inputs; ++i)
   {
     const TestType a = std::abs(draw.number());
-    const TestType b = a + a * draw.share() / 2;
+    const TestType b = a + a * draw.fraction() / 2;
     if (b <= 2 * a && a <= 2 * b && std::isfinite(b))
     {
       wrong += whole(a - b) == whole(a) - whole(b) ? 0 : 1;
@@ -129,8 +129,8 @@ TEMPLATE_TEST_CASE(
   int wrong = 0;
   for (int i = 0; i < random_inputs; ++i)
   {
-    const Vector3<TestType> a(draw.share(), draw.share(), draw.share());
-    const Vector3<TestType> b(draw.share(), draw.share(), draw.share());
+    const Vector3<TestType> a(draw.fraction(), draw.fraction(), draw.fraction());
+    const Vector3<TestType> b(draw.fraction(), draw.fraction(), draw.fraction());
     wrong += is_within_gamma<TestType, 3>(a, b) ? 0 : 1;
   }
   for (int i = 0; i < 1000; ++i)
@@ -269,7 +269,7 @@ TEMPLATE_TEST_CASE(
   int wrong = 0, naive_wrong = 0;
   for (int i = 0; i < 10000; ++i)
   {
-    const Vector3<TestType> a(TestType(1), draw.share(), draw.share());
+    const Vector3<TestType> a(TestType(1), draw.fraction(), draw.fraction());
     const Vector3<TestType> b(TestType(1), std::nextafter(a.y(), TestType(2)), a.z());
     const auto is_off = [&](const Vector3<TestType>& cross)
     {
@@ -493,7 +493,7 @@ TEMPLATE_TEST_CASE(
   for (int i = 0; i < 200000; ++i)
   {
     // Half of them from thousandths of a degree to where the quick way ends.
-    const TestType ordinary = draw.share() * std::ldexp(TestType(1), draw.drawn(-8, 25));
+    const TestType ordinary = draw.fraction() * std::ldexp(TestType(1), draw.drawn(-8, 25));
     const TestType angle = i % 2 == 0 ? draw.number() : ordinary;
     const TestType wrapped = wrap_degrees(angle);
     const bool in_range = wrapped > -180 && wrapped <= 180;
@@ -557,7 +557,7 @@ TEMPLATE_TEST_CASE(
   int wrong = 0;
   for (int i = 0; i < 200000; ++i)
   {
-    const TestType ordinary = draw.share() * std::ldexp(TestType(1), draw.drawn(-8, 24));
+    const TestType ordinary = draw.fraction() * std::ldexp(TestType(1), draw.drawn(-8, 24));
     const TestType angle = i % 2 == 0 ? draw.number() : ordinary;
     const TestType wrapped = wrap_radians(angle);
     const Whole off = abs(whole(angle, digits) - whole(wrapped, digits)) % turn;

@@ -85,7 +85,7 @@ Quaternion<Real> drawn_quaternion(WholeRange<Real>& draw)
 {
   const Vector3<Real> even = draw.even_vector(), uneven = draw.vector();
   const Real size = even.cwiseAbs().maxCoeff();
-  Quaternion<Real> q(size * draw.share(), even.x(), even.y(), even.z());
+  Quaternion<Real> q(size * draw.fraction(), even.x(), even.y(), even.z());
   const int kind = draw.drawn(0, 3);
   if (kind == 1)
   {
@@ -436,7 +436,7 @@ TEMPLATE_TEST_CASE(
     const Matrix3<TestType> r = long_matrix(truth).template cast<TestType>();
     const Quaternion<TestType> answer = quaternion_of(r);
     error(off(answer, truth));
-    const TestType stretch = 1 + draw.share() / 100;
+    const TestType stretch = 1 + draw.fraction() / 100;
     const Quaternion<TestType> drifted = quaternion_of<TestType>(r * stretch);
     length(
         std::abs(
@@ -463,13 +463,14 @@ TEMPLATE_TEST_CASE("slerp and nlerp are within 4 ulp of one for t from 0 to 1", 
     const int kind = draw.drawn(0, 3);
     if (kind == 1) // the same, or nearly, or its opposite
     {
-      const Vector3<Long> step = Vector3<Long>(draw.share(), draw.share(), draw.share());
+      const Vector3<Long> step = Vector3<Long>(draw.fraction(), draw.fraction(), draw.fraction());
       Quaternion<Long> close = long_unit(a);
       close.vec() += std::ldexp(Long(1), -draw.drawn(1, 80)) * step;
       const Long sign = draw.drawn(0, 1) == 0 ? -1 : 1;
       b = rounded<TestType>(Quaternion<Long>(sign * close.coeffs()));
     }
-    const TestType t = draw.drawn(0, 7) == 0 ? TestType(draw.drawn(0, 1)) : std::abs(draw.share());
+    const TestType t =
+        draw.drawn(0, 7) == 0 ? TestType(draw.drawn(0, 1)) : std::abs(draw.fraction());
     // The weights that textbooks give, with the angle between the lines by its halves' tangent.
     const Quaternion<Long> from = long_unit(a);
     Quaternion<Long> to = long_unit(b);
@@ -479,11 +480,11 @@ TEMPLATE_TEST_CASE("slerp and nlerp are within 4 ulp of one for t from 0 to 1", 
     }
     const Long angle =
         2 * std::atan2((from.coeffs() - to.coeffs()).norm(), (from.coeffs() + to.coeffs()).norm());
-    const Long sine = std::sin(angle), share = Long(t);
-    const Long first = sine == 0 ? 1 - share : std::sin((1 - share) * angle) / sine;
-    const Long second = sine == 0 ? share : std::sin(share * angle) / sine;
+    const Long sine = std::sin(angle), fraction = Long(t);
+    const Long first = sine == 0 ? 1 - fraction : std::sin((1 - fraction) * angle) / sine;
+    const Long second = sine == 0 ? fraction : std::sin(fraction * angle) / sine;
     const Quaternion<Long> right(from.coeffs() * first + to.coeffs() * second);
-    const Quaternion<Long> line(from.coeffs() * (1 - share) + to.coeffs() * share);
+    const Quaternion<Long> line(from.coeffs() * (1 - fraction) + to.coeffs() * fraction);
     // Where both ways are equally short, rounding may choose the other one.
     if (from.dot(to) > 8 * Long(epsilon<TestType>))
     {
@@ -504,9 +505,9 @@ TEMPLATE_TEST_CASE(
   for (int i = 0; i < random_inputs; ++i)
   {
     const Quaternion<TestType> a = drawn_quaternion(draw), b = drawn_quaternion(draw);
-    const TestType t = 1000 * draw.share();
+    const TestType t = 1000 * draw.fraction();
     const Quaternion<Long> from = long_unit(a);
-    // The turn from a to b, as an axis and an angle; a share of it, put before a.
+    // The turn from a to b, as an axis and an angle; a fraction of it, put before a.
     Quaternion<Long> turn = long_unit(b) * from.conjugate();
     const Long sign = turn.w() < 0 ? -1 : 1, sine = turn.vec().norm();
     if (std::abs(turn.w()) <= 8 * Long(epsilon<TestType>) || sine == 0)
@@ -536,7 +537,7 @@ TEMPLATE_TEST_CASE(
     {
       to = kind == 0 ? from : Vector3<TestType>(-from);
       to += to.cwiseAbs().maxCoeff() * std::ldexp(TestType(1), -draw.drawn(2, 60)) *
-            Vector3<TestType>(draw.share(), draw.share(), draw.share());
+            Vector3<TestType>(draw.fraction(), draw.fraction(), draw.fraction());
     }
     if (to.isZero(0) || !to.allFinite())
     {
@@ -567,7 +568,7 @@ TEST_CASE("between nearly opposite vectors the axis is the exact cross product's
     Vector3<double> to = -from;
     for (double& part : to) // each part a few ulps off, or half of them
     {
-      part *= 1 + std::ldexp(draw.share(), -draw.drawn(30, 52));
+      part *= 1 + std::ldexp(draw.fraction(), -draw.drawn(30, 52));
     }
     if (!to.allFinite())
     {
@@ -597,7 +598,7 @@ TEMPLATE_TEST_CASE("any angle about any axis gives the matrix within 6 ulp", "[M
   for (int i = 0; i < random_inputs; ++i)
   {
     const Vector3<TestType> axis = drawn_vector(draw);
-    const TestType angle = draw.drawn(0, 1) == 0 ? draw.number() : 7 * draw.share();
+    const TestType angle = draw.drawn(0, 1) == 0 ? draw.number() : 7 * draw.fraction();
     const Vector3<Long> k = axis.template cast<Long>().normalized();
     Quaternion<Long> q(std::cos(Long(angle) / 2), 0, 0, 0);
     q.vec() = k * std::sin(Long(angle) / 2);
@@ -619,7 +620,7 @@ TEMPLATE_TEST_CASE(
     {
       const Long pitch = draw.drawn(0, 1) == 0 ? 1 : -1;
       const Long close = pitch * (std::numbers::pi_v<Long> / 2 -
-                                  std::ldexp(Long(draw.share()), -draw.drawn(0, 70)));
+                                  std::ldexp(Long(draw.fraction()), -draw.drawn(0, 70)));
       const Quaternion<Long> heading(q.w(), 0, q.y(), 0), roll(q.x(), 0, 0, q.z());
       if (heading.squaredNorm() == 0 || roll.squaredNorm() == 0)
       {
@@ -647,7 +648,7 @@ TEMPLATE_TEST_CASE(
   CHECK(there.value() <= 6);
 }
 
-TEST_CASE("a share that is not a number leads nowhere", "[M16]")
+TEST_CASE("a fraction that is not a number leads nowhere", "[M16]")
 {
   const Quaternion<double> a(1, 0, 0, 0), b(0, 1, 0, 0);
   const double nan = std::numeric_limits<double>::quiet_NaN();

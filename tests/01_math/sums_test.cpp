@@ -64,7 +64,7 @@ std::vector<Real> shares(WholeRange<Real>& draw, int count, bool positive)
   std::vector<Real> numbers;
   for (int i = 0; i < count; ++i)
   {
-    const Real x = draw.share();
+    const Real x = draw.fraction();
     numbers.push_back(positive ? std::abs(x) : x);
   }
   return numbers;

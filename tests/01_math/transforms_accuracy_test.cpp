@@ -15,7 +15,8 @@ using namespace cookbook;
 
 // [whole_range_normal]
 TEMPLATE_TEST_CASE(
-    "100,000 normals through matrices of all sizes: of length one, square to what was in the plane",
+    "100,000 normals through matrices of all sizes: of length one, perpendicular to what was in "
+    "the plane",
     "[M14]", float, double)
 {
   using V = Vector3<TestType>;
@@ -31,7 +32,7 @@ TEMPLATE_TEST_CASE(
     const TestType z = std::ldexp(TestType(1), b);
     Matrix3<TestType> m;
     m << c * x, -s * x, 0, s * x, c * x, 0, 0, 0, z;
-    const TestType p = random.share(), q = random.share();
+    const TestType p = random.fraction(), q = random.fraction();
     const V n(p, q, TestType(0.5));
     const V answer = transformed_normal<TestType>(m, n);
     unlike_one += std::abs(answer.norm() - 1) <= 8 * u ? 0 : 1;

@@ -98,7 +98,8 @@ TEMPLATE_TEST_CASE(
   {
     const bool usual = draw.drawn(0, 1) == 0;
     Vector3<TestType> turn = draw.drawn(0, 1) == 0 ? draw.even_vector() : draw.vector();
-    turn = usual ? Vector3<TestType>(9 * draw.share(), 9 * draw.share(), draw.share()) : turn;
+    turn =
+        usual ? Vector3<TestType>(9 * draw.fraction(), 9 * draw.fraction(), draw.fraction()) : turn;
     const Quaternion<TestType> answer = rotation_by(turn);
     const Vector3<Long> wide = turn.template cast<Long>();
     const Long angle = wide.norm();
@@ -134,12 +135,13 @@ TEMPLATE_TEST_CASE(
   for (int i = 0; i < random_inputs; ++i)
   {
     const Vector3<TestType> v = draw.even_vector(), spin = draw.vector();
-    Quaternion<TestType> start(v.cwiseAbs().maxCoeff() * draw.share(), v.x(), v.y(), v.z());
+    Quaternion<TestType> start(v.cwiseAbs().maxCoeff() * draw.fraction(), v.x(), v.y(), v.z());
     const bool moderate = draw.drawn(0, 1) == 0;
-    start = moderate
-                ? Quaternion<TestType>(
-                      unit_quaternion(start).coeffs() * (1 + draw.share() * 4 * std::sqrt(epsilon)))
-                : start;
+    start =
+        moderate
+            ? Quaternion<TestType>(
+                  unit_quaternion(start).coeffs() * (1 + draw.fraction() * 4 * std::sqrt(epsilon)))
+            : start;
     const Quaternion<Long> end = unit_quaternion(start).template cast<Long>();
     worst = std::max(worst, static_cast<double>(std::abs(end.norm() - 1) / Long(epsilon)));
     const TestType step = moderate ? TestType(1) / 60 : draw.number();
@@ -161,8 +163,8 @@ TEMPLATE_TEST_CASE(
   {
     const auto drawn = [&]
     {
-      const TestType w = draw.share(), x = draw.share(), y = draw.share();
-      return unit_quaternion(Quaternion<TestType>(w, x, y, draw.share()));
+      const TestType w = draw.fraction(), x = draw.fraction(), y = draw.fraction();
+      return unit_quaternion(Quaternion<TestType>(w, x, y, draw.fraction()));
     };
     const Quaternion<TestType> from = drawn();
     Quaternion<TestType> to = drawn();
@@ -263,7 +265,7 @@ TEST_CASE("a length that is 1/500 off fails, one that is 1/2000 off holds; so do
   CHECK_FALSE(spin_verdict(still, {none, HUGE_VAL}).holds);
 }
 
-TEST_CASE("a spin, or a share of a way, that is not a number gives no number", "[M9]")
+TEST_CASE("a spin, or a fraction of a way, that is not a number gives no number", "[M9]")
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK(rotation_by<double>({0, nan, 0}).coeffs().hasNaN());

@@ -27,7 +27,7 @@ struct Pairs
 {
   WholeRange<Real> range{};
 
-  Real near_one() { return Real(1) + range.share() * std::ldexp(Real(1), -range.drawn(2, 60)); }
+  Real near_one() { return Real(1) + range.fraction() * std::ldexp(Real(1), -range.drawn(2, 60)); }
 
   std::pair<Vector3<Real>, Vector3<Real>> next()
   {
@@ -37,7 +37,7 @@ struct Pairs
     {
       return {a, kind == 0 ? range.vector() : range.even_vector()};
     }
-    const Real size = kind == 2 ? Real(range.drawn(-2, 2)) : range.share();
+    const Real size = kind == 2 ? Real(range.drawn(-2, 2)) : range.fraction();
     const Real x = near_one(), y = near_one();
     const Vector3<Real> b = a.cwiseProduct(Vector3<Real>(x, y, near_one())) * size;
     return {a, b.allFinite() ? b : a};
@@ -132,7 +132,7 @@ TEMPLATE_TEST_CASE(
   for (int i = 0; i < count; ++i)
   {
     const auto [a, b] = pairs.next();
-    const TestType t = std::abs(pairs.range.share());
+    const TestType t = std::abs(pairs.range.fraction());
     const Vector3<TestType> answer = lerp(a, b, t);
     const Reference size =
         exact<Reference>(a).cwiseAbs().cwiseMax(exact<Reference>(b).cwiseAbs()).maxCoeff();
@@ -170,9 +170,9 @@ TEMPLATE_TEST_CASE(
                   : HUGE_VAL;
       continue;
     }
-    const Reference slack =
+    const Reference tolerance =
         2 * Reference(answer) * Reference(std::numeric_limits<TestType>::denorm_min());
-    const Reference error = abs(square - truth) - slack;
+    const Reference error = abs(square - truth) - tolerance;
     const Reference roundoff = Reference(std::numeric_limits<TestType>::epsilon()) / 2;
     worst = std::max(worst, error <= 0 ? 0 : static_cast<double>(error / (2 * roundoff * truth)));
     const Direction<TestType> direction = normalize(v);

@@ -81,7 +81,8 @@ TEST_CASE("x × y = z, y × z = x, z × x = y, and the other way round the negat
   CHECK(accurate_cross<float>({1, 2, 3}, {2, 1, 2}) == Vector3<float>(1, 4, -3));
 }
 
-TEST_CASE("the cross product is square to both of its factors for 15,625 whole pairs", "[M2]")
+TEST_CASE(
+    "the cross product is perpendicular to both of its factors for 15,625 whole pairs", "[M2]")
 {
   int right = 0;
   for (const Vector3<int>& a : whole_vectors(2))

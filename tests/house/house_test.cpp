@@ -101,7 +101,9 @@ TEST_CASE("a failing case without test is found, and a formula's tag does not se
   CHECK(cases_are_tested(table, {{"t.cpp", "TEST_CASE(\"falls\", \"[case:S1]\")"}}).empty());
 }
 
-TEST_CASE("includes go downhill: to common and to earlier chapters; tools only in programs and trials", "[house]")
+TEST_CASE(
+    "includes go downhill: to common and to earlier chapters; tools only in programs and trials",
+    "[house]")
 {
   const std::vector<std::string> code{".hpp", ".cpp"};
   const auto sources = house_sources(code);
@@ -286,9 +288,7 @@ TEST_CASE("a fold's tags are handed to the browser as they are", "[house]")
 TEST_CASE("no page has more words or lines of listings than a reader has patience for", "[house]")
 {
   const std::vector<std::string> shown{".hpp", ".cpp", ".expected"};
-  const auto tree = together(
-      house_sources(shown),
-      read_tree(root, "tests", shown));
+  const auto tree = together(house_sources(shown), read_tree(root, "tests", shown));
   expect_none(pages_are_short(pages(), tree));
 }
 
@@ -352,6 +352,26 @@ TEST_CASE("every program has its header, output, test and section", "[house]")
 {
   const auto recipes = read_tree(root, "recipes", {".hpp", ".cpp", ".expected", ".txt"});
   expect_none(recipes_are_whole(together(recipes, test_sources()), pages()));
+  expect_none(examples_are_whole(recipes, pages()));
+}
+
+TEST_CASE("an example that no page shows, or of 21 lines, is found", "[house]")
+{
+  const auto example = [](std::size_t lines)
+  {
+    std::string text = "\n// [example]\n#include <cstdio>\n\nint main()\n{\n";
+    for (std::size_t line = 4; line < lines; ++line)
+    {
+      text += "  f();\n";
+    }
+    return std::vector<TextFile>{{"recipes/03_x/a/b_example.cpp", text + "}\n// [example]\n"}};
+  };
+  const std::vector<TextFile> page{
+      {"chapters/03_x.md", "\\snippet b_example.cpp example\n\\include b_example.expected\n"}};
+  CHECK(examples_are_whole(example(20), page).empty());
+  CHECK(examples_are_whole(example(21), page).size() == 1);
+  CHECK(examples_are_whole(example(20), {}).size() == 1);
+  CHECK(recipes_are_whole(example(20), page).empty());
 }
 
 TEST_CASE("a recipe that lacks a part is found, and a chart needs no checked output", "[house]")
@@ -392,9 +412,7 @@ TEST_CASE(
 TEST_CASE("every snippet on a page is marked twice in one file", "[house]")
 {
   const std::vector<std::string> code{".hpp", ".cpp"};
-  const auto sources = together(
-      house_sources(code),
-      read_tree(root, "tests", code));
+  const auto sources = together(house_sources(code), read_tree(root, "tests", code));
   expect_none(snippets_are_marked(pages(), sources));
 }
 
@@ -413,8 +431,7 @@ TEST_CASE("no header is longer than 200 lines, and all of it is documented", "[h
   const auto headers = all_headers();
   CHECK_FALSE(headers.empty());
   expect_none(headers_are_short(headers));
-  expect_none(headers_are_documented(
-      house_sources({".hpp"})));
+  expect_none(headers_are_documented(house_sources({".hpp"})));
 }
 
 TEST_CASE("a header of 201 lines is found, one of 200 is not", "[house]")

@@ -4,6 +4,8 @@
 
 #include "rules.hpp"
 
+#include "docs/index/pages.hpp"
+
 namespace cookbook::house
 {
 
@@ -40,7 +42,46 @@ has_section(const std::vector<TextFile>& pages, const std::string& chapter, cons
       });
 }
 
-/// Every program is a whole recipe: header, checked output (unless a chart), test, section.
+/// Every example is a complete program of at most 20 lines between its marks `// [example]`, blank
+/// ones not counted; a page shows it whole, and what it prints.
+inline Complaints
+examples_are_whole(const std::vector<TextFile>& tree, const std::vector<TextFile>& pages)
+{
+  Complaints complaints;
+  for (const TextFile& file : tree)
+  {
+    if (!book::is_example(file.path) || !file.path.ends_with(".cpp"))
+    {
+      continue;
+    }
+    const std::string name = book::stem(file.path);
+    const auto shown = [&](const std::string& command)
+    {
+      return std::any_of(
+          pages.begin(), pages.end(),
+          [&](const TextFile& page)
+          { return page.text.find(command + "\n") != std::string::npos; });
+    };
+    if (!shown("\\snippet " + name + ".cpp example") || !shown("\\include " + name + ".expected"))
+    {
+      complaints.push_back(file.path + " or what it prints is on no page");
+    }
+    const auto between =
+        book::matches(file.text, "\n// \\[example\\]\n([^]*?)\n// \\[example\\]\n");
+    const std::string program = between.empty() ? "" : between.front();
+    const auto all = book::lines(program);
+    const auto blank = std::count(all.begin(), all.end(), "");
+    if (program.find("int main(") == std::string::npos ||
+        all.size() > 20 + static_cast<std::size_t>(blank))
+    {
+      complaints.push_back(file.path + " has no complete program of at most 20 lines");
+    }
+  }
+  return complaints;
+}
+
+/// Every program but an example is a whole recipe: header, checked output (unless a chart), test,
+/// section.
 ///
 /// `tree` holds recipes/ and tests/, with the CMakeLists.txt that tell the charts.
 inline Complaints
@@ -58,7 +99,7 @@ recipes_are_whole(const std::vector<TextFile>& tree, const std::vector<TextFile>
   for (const TextFile& file : tree)
   {
     const bool program = file.text.find("main(") != std::string::npos;
-    if (!program || file.path.rfind("recipes/", 0) != 0)
+    if (!program || file.path.rfind("recipes/", 0) != 0 || book::is_example(file.path))
     {
       continue;
     }

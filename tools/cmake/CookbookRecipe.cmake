@@ -207,6 +207,32 @@ function(cookbook_recipe name)
   cookbook_test(${name} ${recipe_UNPARSED_ARGUMENTS})
 endfunction()
 
+# cookbook_example(FOLDER NAME [LIBRARY…]): FOLDER/NAME_example.cpp, a complete program of at most 20 lines
+# that a page shows whole, as the target NAME_example; the test NAME_example.output compares what it prints
+# with FOLDER/NAME_example.expected. It is no recipe, and `./cookbook accept NAME_example` takes new output.
+function(cookbook_example folder name)
+  if(NOT COOKBOOK_RECIPES)
+    return()
+  endif()
+  set(target ${name}_example)
+  add_executable(${target} ${folder}/${target}.cpp)
+  target_link_libraries(${target} PRIVATE ${COOKBOOK_CHAPTER_TARGET} ${ARGN})
+  cookbook_warnings(${target})
+  cookbook_lightly(${target})
+  add_dependencies(recipes ${target})
+  if(TARGET ${folder}) # for ./cookbook test FOLDER, where the recipe is told first
+    add_dependencies(${folder} ${target})
+  endif()
+  if(COOKBOOK_TESTS)
+    add_test(NAME ${target}.output COMMAND sh ${PROJECT_SOURCE_DIR}/tools/cmake/check_output.sh compare
+      $<TARGET_FILE:${target}> ${target} ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/${target}.expected
+      ${PROJECT_SOURCE_DIR}/chapters/figures/${COOKBOOK_CHAPTER}
+      ${CMAKE_CURRENT_BINARY_DIR}/${target}.drawn)
+    set_tests_properties(${target}.output PROPERTIES
+      LABELS "${COOKBOOK_CHAPTER};${folder}" TIMEOUT 60)
+  endif()
+endfunction()
+
 # cookbook_refusal(NAME WORDS [ARGUMENT…]): the program NAME, called like this, refuses with the words.
 function(cookbook_refusal name words)
   if(COOKBOOK_TESTS AND COOKBOOK_RECIPES)

@@ -96,11 +96,11 @@ Real angle(const Vector3<Real>& a, const Vector3<Real>& b)
 
 // [signed_angle]
 /// The angle that turns `a` to `b`, from -π to π [rad]: positive where it turns counter-clockwise
-/// for someone whom `axis` points at.
+/// seen from the tip of `axis`.
 ///
-/// The axis may have any length. Where it is square to a × b, as the zero vector is, the angle is
-/// positive. Where it is that to rounding, or a × b is below the smallest number, either sign may
-/// be.
+/// The axis may have any length. Where it is perpendicular to a × b, as the zero vector is, the
+/// angle is positive. Where it is that to rounding, or a × b is below the smallest number, either
+/// sign may be.
 template <class Real>
 Real signed_angle(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& axis)
 {

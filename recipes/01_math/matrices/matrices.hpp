@@ -44,12 +44,12 @@ template <class Real, int Size>
 bool keeps_digits(const SquareMatrix<Real, Size>& m, const Real& determinant)
 {
   using Limits = std::numeric_limits<Real>;
-  static const Real share = std::ldexp(Real(1), -Limits::digits / 4);
+  static const Real fraction = std::ldexp(Real(1), -Limits::digits / 4);
   static const Real most = std::ldexp(Real(1), Limits::max_exponent / 5);
   static const Real least = std::ldexp(Real(1), Limits::min_exponent / Size);
   const Real size = std::abs(determinant);
   const auto entries = m.array().abs();
-  return size >= share * permanent<Real>(m) && size * most >= Real(1) &&
+  return size >= fraction * permanent<Real>(m) && size * most >= Real(1) &&
          m.cwiseAbs().maxCoeff() <= most && (entries >= least || entries == Real(0)).all();
 }
 // [keeps_digits]

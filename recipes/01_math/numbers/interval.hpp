@@ -43,7 +43,7 @@ Interval<Real> hull(const Interval<Real>& i, Real x)
   return {std::min(i.least, x), std::max(i.most, x)};
 }
 
-/// The numbers that two intervals share; empty where there are none.
+/// The numbers that two intervals have in common; empty where there are none.
 template <class Real>
 Interval<Real> intersection(const Interval<Real>& a, const Interval<Real>& b)
 {

@@ -26,8 +26,8 @@ Real unit_roundoff()
 template <class Real>
 Real rounding_bound(int roundings)
 {
-  const Real share = static_cast<Real>(roundings) * unit_roundoff<Real>();
-  return share < Real(1) ? share / (Real(1) - share) : std::numeric_limits<Real>::infinity();
+  const Real nu = static_cast<Real>(roundings) * unit_roundoff<Real>();
+  return nu < Real(1) ? nu / (Real(1) - nu) : std::numeric_limits<Real>::infinity();
 }
 
 /// What `roundings` roundings in a row do to numbers of size `size`, and as many underflows.

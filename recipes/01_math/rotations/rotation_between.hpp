@@ -18,8 +18,8 @@ namespace cookbook
 /// rotation_between() for vectors that are nearly opposite, with the cosine between them.
 ///
 /// The cross product is the axis, and all that is left of it must be right. Exactly opposite
-/// vectors, or those less than 1e-300 from it, are half a turn apart, about the axis square to
-/// `from` and to the first of x, y, z that `from` has least of.
+/// vectors, or those less than 1e-300 from it, are half a turn apart, about the axis perpendicular
+/// to `from` and to the first of x, y, z that `from` has least of.
 template <class Real>
 Quaternion<Real>
 rotation_to_opposite(const Vector3<Real>& from, const Vector3<Real>& to, const Real& cosine)

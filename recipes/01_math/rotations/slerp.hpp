@@ -28,7 +28,7 @@ TurnEnds<Real> turn_ends(const Quaternion<Real>& a, const Quaternion<Real>& b)
 }
 
 // [slerp]
-/// The orientation at the share t of the shorter way from a to b, which is turned at a constant
+/// The orientation at the fraction t of the shorter way from a to b, which is turned at a constant
 /// rate; beyond 0 and 1 the way goes on.
 ///
 /// Any finite quaternions are taken as their directions, zero as 1. The signs of q and -q do not
@@ -47,22 +47,22 @@ Quaternion<Real> slerp(const Quaternion<Real>& a, const Quaternion<Real>& b, con
   const Real sine = sqrt(dot(across, across));
   const bool digits = !(abs(t) * std::numeric_limits<Real>::epsilon() >= Real(1));
   const Real turned = digits ? t * atan2(sine, Real(1) + along) : Real(0);
-  const Real share = sine > Real(0) ? sin(turned) / sine : digits ? t : Real(0);
-  return combined<Real>(cos(turned), ends.a, share, across);
+  const Real fraction = sine > Real(0) ? sin(turned) / sine : digits ? t : Real(0);
+  return combined<Real>(cos(turned), ends.a, fraction, across);
 }
 // [slerp]
 
 // [nlerp]
-/// The orientation at the share t of the straight line from a to b, brought back to length one.
+/// The orientation at the fraction t of the line from a to b, brought back to length one.
 ///
 /// It takes the same way as slerp(), at a rate that is not constant. Degenerate ends as there.
 template <class Real>
 Quaternion<Real> nlerp(const Quaternion<Real>& a, const Quaternion<Real>& b, const Real& t)
 {
   const TurnEnds<Real> ends = turn_ends(a, b);
-  const Real share = std::abs(t) * std::numeric_limits<Real>::epsilon() >= Real(1) ? Real(0) : t;
+  const Real fraction = std::abs(t) * std::numeric_limits<Real>::epsilon() >= Real(1) ? Real(0) : t;
   const Quaternion<Real> step = combined<Real>(Real(1), ends.b, Real(-1), ends.a);
-  const Quaternion<Real> chord = combined<Real>(Real(1), ends.a, share, step);
+  const Quaternion<Real> chord = combined<Real>(Real(1), ends.a, fraction, step);
   return times<Real>(Real(1) / std::sqrt(dot(chord, chord)), chord);
 }
 // [nlerp]

@@ -109,8 +109,8 @@ std::vector<float> angles(double least, double most)
   std::vector<float> all;
   for (int i = 0; i < 1000; ++i)
   {
-    const double share = static_cast<double>(random()) * 0x1p-32;
-    all.push_back(static_cast<float>(360 * least * std::pow(most / least, share)));
+    const double fraction = static_cast<double>(random()) * 0x1p-32;
+    all.push_back(static_cast<float>(360 * least * std::pow(most / least, fraction)));
   }
   return all;
 }

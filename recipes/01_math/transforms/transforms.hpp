@@ -97,9 +97,9 @@ Vector3<Real> ordinary_size(const Vector3<WideDouble>& v)
 /// The unit normal of a surface after the matrix `m`: along M⁻ᵀ n, M14, by cofactors.
 ///
 /// Right for entries of every size, for mirrors, and for a matrix that flattens space to a plane.
-/// A normal that has no image, for it is square to what is squashed or a line is left, gets +y.
-/// Which side the answer points to is certain wherever the matrix has an inverse(). `n` may have
-/// any length; zero counts as +y.
+/// A normal that has no image, for it is perpendicular to what is squashed or a line is left, gets
+/// +y. Which side the answer points to is certain wherever the matrix has an inverse(). `n` may
+/// have any length; zero counts as +y.
 template <class Real>
 Vector3<Real> transformed_normal(const Matrix3<Real>& m, const Vector3<Real>& normal)
 {

@@ -53,8 +53,8 @@ Quaternion<Real> rotation_by(const Vector3<Real>& turn)
     return Quaternion<Real>::Identity();
   }
   const HalfTurn<Real> half = half_turn(angle);
-  const Real share = angle == Real(0) ? Real(0.5) : half.sine / angle;
-  return {half.cosine, share * turn.x(), share * turn.y(), share * turn.z()};
+  const Real fraction = angle == Real(0) ? Real(0.5) : half.sine / angle;
+  return {half.cosine, fraction * turn.x(), fraction * turn.y(), fraction * turn.z()};
 }
 // [rotation_by]
 

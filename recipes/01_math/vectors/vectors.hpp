@@ -13,36 +13,37 @@ namespace cookbook
 {
 
 // [along]
-/// Calls `formula(a, n, share)` for vectors of any size, where the part of `a` along `n` is `share`
-/// times `n`. The formula must be linear in `a`. The zero vector `n` has the share 0.
+/// Calls `formula(a, n, fraction)` for vectors of any size, where the part of `a` along `n` is
+/// `fraction` times `n`. The formula must be linear in `a`. The zero vector `n` has the fraction 0.
 template <class Real, class Formula>
 Vector3<Real>
-with_share_any_size(const Vector3<Real>& a, const Vector3<Real>& n, const Formula& formula)
+with_fraction_any_size(const Vector3<Real>& a, const Vector3<Real>& n, const Formula& formula)
 {
   if constexpr (std::is_floating_point_v<Real>)
   {
     const Scaled<Real> p = scaled<Real>(a), q = scaled<Real>(n);
     const Real squared = q.v.squaredNorm();
-    const Real share = squared == Real(0) ? Real(0) : p.v.dot(q.v) / squared;
-    return times_power_of_two<Real>(formula(p.v, q.v, share), p.exponent);
+    const Real fraction = squared == Real(0) ? Real(0) : p.v.dot(q.v) / squared;
+    return times_power_of_two<Real>(formula(p.v, q.v, fraction), p.exponent);
   }
   return formula(a, n, Real(0));
 }
 
-/// The same, at once where share and square are ordinary; M3.
+/// The same, at once where fraction and square are ordinary; M3.
 template <class Real, class Formula>
-Vector3<Real> with_share(const Vector3<Real>& a, const Vector3<Real>& n, const Formula& formula)
+Vector3<Real> with_fraction(const Vector3<Real>& a, const Vector3<Real>& n, const Formula& formula)
 {
   const Real squared = n.squaredNorm(), dot = a.dot(n);
   if (is_ordinary<Real>(squared))
   {
-    const Real share = dot / squared;
-    if (is_ordinary<Real>(share < Real(0) ? -share : share) || is_ordinary<Real>(a.squaredNorm()))
+    const Real fraction = dot / squared;
+    if (is_ordinary<Real>(fraction < Real(0) ? -fraction : fraction) ||
+        is_ordinary<Real>(a.squaredNorm()))
     {
-      return formula(a, n, share);
+      return formula(a, n, fraction);
     }
   }
-  return with_share_any_size<Real>(a, n, formula);
+  return with_fraction_any_size<Real>(a, n, formula);
 }
 // [along]
 
@@ -54,8 +55,8 @@ Vector3<Real> with_share(const Vector3<Real>& a, const Vector3<Real>& n, const F
 template <class Real>
 Vector3<Real> project(const Vector3<Real>& a, const Vector3<Real>& n)
 {
-  return with_share<Real>(
-      a, n, [](const auto&, const auto& q, const Real& share) { return q * share; });
+  return with_fraction<Real>(
+      a, n, [](const auto&, const auto& q, const Real& fraction) { return q * fraction; });
 }
 
 /// The part of `a` across `n`, which may have any length; M3. It is `a` if `n` is zero.
@@ -64,8 +65,8 @@ Vector3<Real> project(const Vector3<Real>& a, const Vector3<Real>& n)
 template <class Real>
 Vector3<Real> reject(const Vector3<Real>& a, const Vector3<Real>& n)
 {
-  return with_share<Real>(
-      a, n, [](const auto& p, const auto& q, const Real& share) { return p - q * share; });
+  return with_fraction<Real>(
+      a, n, [](const auto& p, const auto& q, const Real& fraction) { return p - q * fraction; });
 }
 // [project]
 
@@ -88,9 +89,10 @@ Vector3<Real> reflect_unit(const Vector3<Real>& v, const Vector3<Real>& n)
 template <class Real>
 Vector3<Real> reflect(const Vector3<Real>& v, const Vector3<Real>& n)
 {
-  return with_share<Real>(
+  return with_fraction<Real>(
       v, n,
-      [](const auto& p, const auto& q, const Real& share) { return p - q * (share + share); });
+      [](const auto& p, const auto& q, const Real& fraction)
+      { return p - q * (fraction + fraction); });
 }
 // [reflect]
 

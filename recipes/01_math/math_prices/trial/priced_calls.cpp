@@ -30,24 +30,24 @@ namespace
 std::vector<Ordinary> ordinary_inputs()
 {
   std::mt19937 random(1);
-  const auto share = [&] { return static_cast<float>(random() % 2001) / 1000 - 1; };
+  const auto fraction = [&] { return static_cast<float>(random() % 2001) / 1000 - 1; };
   const auto direction = [&]
   {
     Vector3<float> v = Vector3<float>::Zero();
     while (v.norm() < 0.1f)
     {
-      v = {share(), share(), share()};
+      v = {fraction(), fraction(), fraction()};
     }
     return Vector3<float>(v.normalized());
   };
   std::vector<Ordinary> all;
   while (all.size() < priced_inputs)
   {
-    Ordinary one{direction(), direction(), direction(), {}, {}, {}, {}, 20 * share()};
-    one.p = Eigen::AngleAxis<float>(share(), direction());
-    one.q = Eigen::AngleAxis<float>(share(), direction()) * one.p;
+    Ordinary one{direction(), direction(), direction(), {}, {}, {}, {}, 20 * fraction()};
+    one.p = Eigen::AngleAxis<float>(fraction(), direction());
+    one.q = Eigen::AngleAxis<float>(fraction(), direction()) * one.p;
     const Vector3<float> sizes(
-        1.25f + 0.7f * share(), 1.25f + 0.7f * share(), 1.25f + 0.7f * share());
+        1.25f + 0.7f * fraction(), 1.25f + 0.7f * fraction(), 1.25f + 0.7f * fraction());
     one.m = one.p.toRotationMatrix() * sizes.asDiagonal();
     one.pose = pose<float>(one.q.toRotationMatrix(), 10 * direction());
     all.push_back(one);

@@ -106,7 +106,7 @@ inline RotationCase long_case()
       [=] { return matrix_verdict(rotation_matrix(q), right); }};
 }
 
-/// From no turn by a quaternion, at a share of the way.
+/// From no turn by a quaternion, at a fraction of the way.
 inline RotationCase slerp_case(
     const std::string& what, const Quaternion<float>& to, float t, const Quaternion<double>& truth)
 {

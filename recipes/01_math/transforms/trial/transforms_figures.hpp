@@ -122,7 +122,8 @@ inline plot::Grid order_figures()
 inline plot::Grid normal_figures()
 {
   plot::Grid grid("transforms", "", 1);
-  grid.describe("A ramp stretched along x: its normal by M leans, the right one is square to it.")
+  grid.describe(
+          "A ramp stretched along x: its normal by M leans, the right one is perpendicular to it.")
       .add(normal_figure(false))
       .add(normal_figure(true));
   return grid;

@@ -37,7 +37,7 @@ public:
   }
 
   /// A number from -1 to 1 with random digits.
-  Real share() { return drawn(0, 1) == 0 ? digits() - Real(1) : Real(1) - digits(); }
+  Real fraction() { return drawn(0, 1) == 0 ? digits() - Real(1) : Real(1) - digits(); }
 
   /// A vector whose components have all sizes, each its own.
   Vector3<Real> vector()
@@ -49,8 +49,8 @@ public:
   /// A vector whose components are of one size, which may be any.
   Vector3<Real> even_vector()
   {
-    const Real size = number(), x = share(), y = share();
-    return Vector3<Real>(x, y, share()) * size;
+    const Real size = number(), x = fraction(), y = fraction();
+    return Vector3<Real>(x, y, fraction()) * size;
   }
 
   /// A whole number from `least` to `most`.

@@ -21,7 +21,7 @@ Vector3<Real> project_textbook(const Vector3<Real>& a, const Vector3<Real>& n)
   return n * (a.dot(n) / n.dot(n));
 }
 
-/// From `a` on by a share of the way: t = 1 may miss `b`.
+/// From `a` on by a fraction of the way: t = 1 may miss `b`.
 template <class Real>
 Vector3<Real> lerp_by_way(const Vector3<Real>& a, const Vector3<Real>& b, Real t)
 {
