@@ -39,6 +39,22 @@ std::string list(const std::map<std::string, std::string>& tests, const std::str
   return found == tests.end() ? "" : "<ul>" + found->second + "</ul>";
 }
 
+/// Each numbered formula of a text, by its id, as it stands but for its number.
+std::map<std::string, std::string> formulas_of(const std::string& text)
+{
+  std::map<std::string, std::string> found;
+  for (const std::string& formula : matches(text, R"(\\f\[((?:[^\\]|\\(?!f\]))*)\\f\])"))
+  {
+    for (const std::string& id : formula_ids(formula))
+    {
+      const std::regex number(R"(\s*\\tag\{[^}]*\}\s*)");
+      const std::regex space(R"(\s+)");
+      found[id] = std::regex_replace(std::regex_replace(formula, number, " "), space, " ");
+    }
+  }
+  return found;
+}
+
 std::string formulas(const House& house)
 {
   const auto tests = tests_by_tag(house.tests);
@@ -47,17 +63,14 @@ std::string formulas(const House& house)
   for (const TextFile& page : house.pages)
   {
     Rows rows;
-    const Section title = title_of(page);
-    for (const Section& section : sections(page.text))
+    for (const auto& [id, formula] : formulas_of(page.text))
     {
-      for (const std::string& id : formula_ids(section.text))
-      {
-        rows[id] = "<td>\\ref " + id + " \"" + id + "\"</td><td>" + list(tests, id) + "</td>";
-      }
+      rows[id] = "<td>\\ref " + id + " \"" + id + "\"</td><td>\\f$\\displaystyle " + formula +
+                 "\\f$ <details><summary>tests</summary>" + list(tests, id) + "</details></td>";
     }
     text += rows.empty() ? ""
-                         : "## " + title.title + "\n\n" +
-                               table("<th>Formula</th><th>Asserted by</th>", rows) + "\n";
+                         : "## " + title_of(page).title + "\n\n" +
+                               table("<th>Number</th><th>Formula</th>", rows) + "\n";
   }
   return text;
 }
@@ -283,30 +296,69 @@ std::string filtered(const fs::path& root, const fs::path& page)
   return with_heads(with_folds(prepared(with_sizes(root, text, paths), neighbours)), paths);
 }
 
-/// Writes the index of recipes and, for each, a page with its files in full.
-void write_recipes(const House& house, const fs::path& folder)
+/// The first figure that a recipe draws, as a path that \htmlinclude knows; empty if it draws none.
+std::string figure_of(const fs::path& root, const std::string& chapter, const std::string& name)
+{
+  const fs::path folder = fs::path("chapters/figures") / chapter;
+  const std::regex mine(name + R"((_\w+)?\.svg)");
+  std::string first;
+  for (const TextFile& figure : read_tree(root, folder.generic_string(), {".svg"}))
+  {
+    const std::string file = fs::path(figure.path).filename().string();
+    first = first.empty() && std::regex_match(file, mine) ? chapter + "/" + file : first;
+  }
+  return first;
+}
+
+/// Writes a page with its files in full for each recipe, helper and test; the index of recipes,
+/// with a line and a figure each, in the order of the book; and one of all other files.
+void write_recipes(const fs::path& root, const House& house, const fs::path& folder)
 {
   const auto chapters = summaries(house);
-  std::string text = "# Index of recipes {#recipes}\n\nEvery recipe of the book, what it is for, "
+  std::string text = "# Index of recipes {#recipes}\n\nEvery recipe of the book, what it answers, "
                      "and its files in full.\n\n";
+  std::string others = "# Other files {#other_files}\n\nWhat recipes share, what puts them to the "
+                       "test, and charts: each with its files in full.\n\n";
   for (const TextFile& page : house.pages)
   {
     const std::string chapter = stem(page.path);
-    Rows rows;
     const auto found = chapters.find(chapter);
-    for (const auto& [name, sentence] : found == chapters.end() ? Summaries{} : found->second)
+    if (found == chapters.end())
     {
-      const std::string id = section_of(house, chapter_of(page.path), name);
-      rows[name] = "<td>" + (id.empty() ? escaped(name) : "\\ref " + id + " \"" + name + "\"") +
-                   "</td><td>" + sentence + "</td><td>\\subpage " + listing_id(name) +
-                   " \"files\"</td>";
-      write(folder / (listing_id(name) + ".md"), listing(house, chapter, name));
+      continue;
     }
-    text += rows.empty() ? ""
-                         : "## " + title_of(page).title + "\n\n" +
-                               table("<th>Recipe</th><th>What it is for</th><th></th>", rows);
+    std::map<std::string, std::string> rows; // by place in the book
+    Rows rest;
+    const std::string list = read_text(root / "recipes" / chapter / "CMakeLists.txt");
+    for (const auto& [name, sentence] : found->second)
+    {
+      write(folder / (listing_id(name) + ".md"), listing(house, chapter, name));
+      const std::string files = "\\subpage " + listing_id(name) + " \"";
+      const std::regex line("(^|\n)cookbook_recipe\\(" + name + R"(\b)");
+      std::smatch place;
+      if (!std::regex_search(list, place, line))
+      {
+        rest[name] = "<td>" + files + name + "\"</td><td>" + sentence + "</td>";
+        continue;
+      }
+      const std::string id = section_of(house, chapter_of(page.path), name);
+      const std::string figure = figure_of(root, chapter, name);
+      const std::string order = std::to_string(1'000'000 + place.position());
+      rows[order] = "<td>" + (figure.empty() ? "" : "\n\\htmlinclude " + figure + "\n") +
+                    "</td><td>" +
+                    (id.empty() ? escaped(name) : "\\ref " + id + " \"" + name + "\"") + "<br>" +
+                    sentence + "</td><td>" + files + "files\"</td>";
+    }
+    const std::string heading = "## " + title_of(page).title + "\n\n";
+    Rows ordered(rows.begin(), rows.end());
+    text +=
+        ordered.empty() ? "" : heading + table("<th></th><th>Recipe</th><th></th>", ordered) + "\n";
+    others +=
+        rest.empty() ? "" : heading + table("<th>Name</th><th>What it is for</th>", rest) + "\n";
   }
+  text += "What else there is, helpers and charts: \\subpage other_files.\n";
   write(folder / "recipes.md", text);
+  write(folder / "other_files.md", others);
 }
 
 } // namespace
@@ -331,7 +383,7 @@ try
   write_sources(argv[1], folder.parent_path() / "sources");
   write(folder / "formulas.md", formulas(house));
   write(folder / "failing_cases.md", failing_cases(house));
-  write_recipes(house, folder);
+  write_recipes(argv[1], house, folder);
   return 0;
 }
 catch (const std::exception& error)
