@@ -156,6 +156,53 @@ TEST_CASE("corners leave out boxes that the planes keep, and lose none", "[P18]"
 }
 // [conservative]
 
+TEST_CASE("an oriented box is left out exactly if all of its corners are beyond one plane", "[P18]")
+{
+  Random draw(9);
+  const Frustum<double> f =
+      frustum_planes<double>(clip_from_world(scene_camera()), DepthRange::minus_one_to_one);
+  int wrong = 0, out = 0;
+  for (int i = 0; i < random_inputs; ++i)
+  {
+    const V half = draw.in_cube(3).cwiseAbs();
+    const Eigen::Quaterniond turn(draw.between(-1, 1), draw.between(-1, 1), 0.5, half.x());
+    const Obb<double> box{draw.in_cube(12), turn.normalized().toRotationMatrix(), half};
+    double worst = -1e300;
+    for (const Plane<double>& plane : f.planes)
+    {
+      double least = 1e300;
+      for (unsigned k = 0; k < 8; ++k)
+      {
+        least = std::min(least, plane.normal.dot(box.center + corner_arm(box, k)) - plane.distance);
+      }
+      worst = std::max(worst, least);
+    }
+    wrong += std::abs(worst) > 1e-12 && may_see(f, box) != (worst < 0);
+    out += worst > 0;
+  }
+  CHECK(wrong == 0);
+  CHECK(out > random_inputs / 4);
+  CHECK(out < random_inputs);
+}
+
+TEST_CASE("depths from 0 to 1: 0 at the near plane, 1 at the far one, refused as −1…1 is", "[P18]")
+{
+  const Matrix4<double> m = *perspective_zero_to_one(1.0, 1.5, 0.5, 20.0);
+  const auto depth = [&](double distance)
+  {
+    const Eigen::Vector4d clip = m * Eigen::Vector4d(0, 0, -distance, 1);
+    return clip[2] / clip[3];
+  };
+  CHECK(std::abs(depth(0.5)) < 1e-15);
+  CHECK(depth(20) == Catch::Approx(1).epsilon(1e-15));
+  CHECK(depth(1) == Catch::Approx(20 / 19.5 * 0.5).epsilon(1e-15)); // f (1 - n / z) / (f - n)
+  const Frustum<double> f = frustum_planes<double>(m, DepthRange::zero_to_one);
+  CHECK(std::abs(f.planes[4].distance + 0.5) < 1e-15);
+  CHECK(f.planes[5].distance == Catch::Approx(20).epsilon(1e-14));
+  CHECK_FALSE(perspective_zero_to_one(1.0, 1.5, 0.0, 20.0));
+  CHECK_FALSE(perspective_zero_to_one(1.0, 1.5, 2.0, 1.0));
+}
+
 TEST_CASE("each way to leave out boxes holds or fails as the table says", "[P18]")
 {
   const std::string planes = "six planes", both = "planes and corners";

@@ -100,6 +100,77 @@ TEST_CASE("bounds, sphere and farthest point of a capsule, and what shapes hold"
   CHECK_FALSE(contains(solid, Eigen::Vector3d(2, 2, 1)));
 }
 
+TEST_CASE("the smallest sphere: around a cube, a flat and a regular solid, a line", "[P22]")
+{
+  using V = Eigen::Vector3d;
+  const auto around = [](std::vector<V> points) { return minimal_sphere<double>(points); };
+  const Sphere<double> of_one = around({{1, 2, 3}, {1, 2, 3}});
+  CHECK(of_one.center == V(1, 2, 3));
+  CHECK(of_one.radius == 0);
+  const Sphere<double> of_line = around({{0, 0, 0}, {1, 0, 0}, {6, 0, 0}, {5, 0, 0}});
+  CHECK(of_line.center == V(3, 0, 0));
+  CHECK(of_line.radius == Catch::Approx(3).epsilon(1e-14));
+  const Sphere<double> of_flat = around({{3, 0, 1}, {-3, 0, 1}, {0, 3, 1}, {0, -1, 1}, {1, 1, 1}});
+  CHECK((of_flat.center - V(0, 0, 1)).norm() < 1e-15);
+  CHECK(of_flat.radius == Catch::Approx(3).epsilon(1e-14));
+  const Sphere<double> of_regular = around({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}});
+  CHECK(of_regular.center.norm() < 1e-15);
+  CHECK(of_regular.radius == Catch::Approx(std::sqrt(3)).epsilon(1e-14));
+  const Sphere<double> of_box = bounding_sphere(Aabb<double>(V(-1, -2, -3), V(3, 4, 6)));
+  CHECK(of_box.center == V(1, 1, 1.5));
+  CHECK(of_box.radius == Catch::Approx(std::sqrt(4 + 9 + 20.25)).epsilon(1e-14));
+  // A right angle's longest side is the diameter; the box around these corners is centred
+  // elsewhere.
+  const Sphere<double> of_triangle =
+      bounding_sphere(Triangle<double>{{0, 0, 0}, {8, 0, 0}, {1.6, 3.2, 0}});
+  CHECK((of_triangle.center - V(4, 0, 0)).norm() < 1e-14);
+  CHECK(of_triangle.radius == Catch::Approx(4).epsilon(1e-14));
+}
+
+TEMPLATE_TEST_CASE(
+    "the smallest sphere holds all points and rests on some around it", "[P22]", float, double)
+{
+  using V = Vector3<TestType>;
+  const bool is_float = std::is_same_v<TestType, float>;
+  ShapeDraw<TestType> from(5);
+  double excess = 0;
+  for (int i = 0; i < random_inputs / 10; ++i)
+  {
+    from.use(i % 3 == 0 ? Draws::lattice : i % 3 == 1 ? Draws::any : Draws::distant);
+    std::vector<V> points;
+    for (int k = 0; k < 2 + i % 9; ++k)
+    {
+      points.push_back(drawn<V>(from));
+    }
+    const Sphere<TestType> sphere = minimal_sphere<TestType>(points);
+    std::vector<Vector3<double>> on;
+    for (const V& point : points)
+    {
+      const Vector3<double> arm =
+          point.template cast<double>() - sphere.center.template cast<double>();
+      const double u = double(std::numeric_limits<TestType>::epsilon());
+      const double rounding = 4 * u * double(sphere.center.norm() + sphere.radius);
+      REQUIRE(arm.norm() <= double(sphere.radius) + (is_float ? 0 : rounding));
+      if (arm.norm() >= double(sphere.radius) - 8 * rounding)
+      {
+        on.push_back(arm);
+      }
+    }
+    // No smaller one does: in every direction some point that it rests on lies ahead of the centre.
+    for (int k = 0; k < 20; ++k)
+    {
+      const Vector3<double> n = ShapeDraw<double>(unsigned(20 * i + k)).turn().col(0);
+      double ahead = -1;
+      for (const Vector3<double>& arm : on)
+      {
+        ahead = std::max(ahead, n.dot(arm) / double(sphere.radius));
+      }
+      excess = std::max(excess, sphere.radius > 0 ? -ahead : 0);
+    }
+  }
+  CHECK(excess < 1e-2);
+}
+
 TEST_CASE("planes whose normals have lengths 1, 1 and 1e-20 meet at (1, 2, 3)", "[P15]")
 {
   const Plane<double> x{{1, 0, 0}, 1}, y{{0, 1, 0}, 2}, z{{0, 0, 1e-20}, 3e-20};

@@ -5,6 +5,7 @@
 
 #include "01_math/matrices/cofactors.hpp"
 #include "02_primitives/camera/projection.hpp"
+#include "02_primitives/shape_bounds/box_radius.hpp"
 #include "02_primitives/shapes/shapes.hpp"
 #include "common/math/norm.hpp"
 #include "common/math/wide.hpp"
@@ -92,6 +93,21 @@ bool may_see(const Frustum<Real>& frustum, const Eigen::AlignedBox<Real, 3>& box
          std::all_of(frustum.planes.begin(), frustum.planes.end(), inmost_is_inside);
 }
 // [may_see]
+
+/// False only if the oriented box is all on the outer side of one plane; touching may be seen.
+template <class Real>
+bool may_see(const Frustum<Real>& frustum, const Obb<Real>& box)
+{
+  using W = Wide<Real>;
+  const Obb<W> wide{widen(box.center), widen(box.axes), widen(box.half_extents)};
+  return std::all_of(
+      frustum.planes.begin(), frustum.planes.end(),
+      [&](const Plane<Real>& plane)
+      {
+        const Vector3<W> n = widen(plane.normal);
+        return n.dot(wide.center) - box_radius<W>(wide, n) <= W(plane.distance);
+      });
+}
 
 // [may_see_corners]
 /// The same, asked both ways: false also if the view's eight corners are all on the outer side of

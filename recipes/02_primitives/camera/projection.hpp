@@ -76,6 +76,21 @@ std::optional<Matrix4<Real>> perspective(Real angle, Real aspect, Real near_plan
 }
 // [perspective]
 
+/// The same with depths 0…1, as Vulkan, Direct3D and Metal keep them.
+template <class Real>
+std::optional<Matrix4<Real>>
+perspective_zero_to_one(Real angle, Real aspect, Real near_plane, Real far_plane)
+{
+  std::optional<Matrix4<Real>> m = perspective(angle, aspect, near_plane, far_plane);
+  if (m)
+  {
+    const double n = static_cast<double>(near_plane), f = static_cast<double>(far_plane);
+    (*m)(2, 2) = static_cast<Real>(f / (n - f));
+    (*m)(2, 3) = static_cast<Real>(n * (f / (n - f)));
+  }
+  return m;
+}
+
 /// The perspective that is best in floats: depth is near_plane / distance, from 1 at `near_plane`
 /// [m] to 0 at infinity; depths 0…1.
 ///

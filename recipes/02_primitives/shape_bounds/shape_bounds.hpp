@@ -1,16 +1,18 @@
 #pragma once
 
 /// \file
-/// \brief How far a shape reaches: its farthest point, its box along the world's axes, a sphere
-/// around it, and whether it holds a point.
+/// \brief The support point of a shape, its box along the world's axes, and whether it holds a
+/// point.
 
 #include "02_primitives/overlaps/overlaps.hpp"
+#include "02_primitives/shape_bounds/bounding_sphere.hpp"
 #include "02_primitives/shape_bounds/box_radius.hpp"
 
 namespace cookbook
 {
 
-/// The point of a shape farthest along a direction of any length; of the zero vector, any point.
+/// The support point of a shape: the one farthest along a direction of any length; of the zero
+/// vector, any point.
 template <BoundedShape Shape>
 Vector3<NumberOf<Shape>>
 support_point(const Shape& shape, const Vector3<NumberOf<Shape>>& direction)
@@ -48,24 +50,6 @@ Aabb<NumberOf<Shape>> bounds_of(const Shape& shape)
   const Vector3<Wide<Real>> around = Vector3<Wide<Real>>::Constant(hull.radius);
   const Vector3<Wide<Real>> least = box.min() - around, most = box.max() + around;
   return {frame.out(least).template cast<Real>(), frame.out(most).template cast<Real>()};
-}
-
-/// A sphere around a shape: its centre is that of the box around the shape's corners.
-template <BoundedShape Shape>
-Sphere<NumberOf<Shape>> bounding_sphere(const Shape& shape)
-{
-  using Real = NumberOf<Shape>;
-  const PairFrame<Wide<Real>> frame = pair_frame<Real>(shape, shape);
-  const auto hull = rounded_hull(shape, frame);
-  const Vector3<Wide<Real>> center = box_of_corners(hull).center();
-  Wide<Real> support_point(0);
-  for (const Vector3<Wide<Real>>& corner : hull.corners)
-  {
-    support_point = std::max(support_point, (corner - center).norm());
-  }
-  return {
-      frame.out(center).template cast<Real>(),
-      static_cast<Real>((support_point + hull.radius) / frame.scale)};
 }
 
 /// Whether a sphere holds a point; its surface belongs to it.

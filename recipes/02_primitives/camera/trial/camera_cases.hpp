@@ -43,7 +43,7 @@ struct DepthMethod
 };
 
 /// The perspective with depths 0…1, without any question whether there is one.
-inline std::optional<Matrix4<float>> perspective_zero_to_one(float near_plane, float far_plane)
+inline std::optional<Matrix4<float>> perspective_unasked(float near_plane, float far_plane)
 {
   Matrix4<float> m = lens(1.0f, 1.0f).cast<float>();
   m(2, 2) = far_plane / (near_plane - far_plane);
@@ -55,7 +55,7 @@ inline std::optional<Matrix4<float>> perspective_zero_to_one(float near_plane, f
 inline std::array<DepthMethod, 3> depth_methods()
 {
   return {
-      {{"0…1, unasked", perspective_zero_to_one},
+      {{"0…1, unasked", perspective_unasked},
        {"−1…1", [](float near_plane, float far_plane)
         { return perspective(1.0f, 1.0f, near_plane, far_plane); }},
        {"reversed",
