@@ -100,7 +100,7 @@ TEST_CASE("contact points are counted as they are added, and only those are copi
   ContactPoints<double, 8> two;
   CHECK(two.empty());
   two.push_back({{1, 2, 3}, 4, 5});
-  two.emplace_back() = {{6, 7, 8}, 9, 10};
+  two.push_back({{6, 7, 8}, 9, 10});
   CHECK(two.size() == 2);
   CHECK_FALSE(two.empty());
   double depths = 0;

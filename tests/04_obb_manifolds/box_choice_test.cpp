@@ -147,9 +147,9 @@ TEMPLATE_TEST_CASE(
 {
   using Real = TestType;
   const Tolerances<Real> tolerances{Real(6), Real(0.001), Real(0.125)};
-  CHECK(kept_separation(LeastFace<Real>{Real(2), 0}, tolerances) == Real(0.125));
-  CHECK(kept_separation(LeastFace<Real>{Real(0.0625), 0}, tolerances) == Real(0.0625));
-  CHECK(kept_separation(LeastFace<Real>{Real(0), 0}, tolerances) == Real(0.001));
+  CHECK(kept_separation(Real(2), tolerances.margin, tolerances.length) == Real(0.125));
+  CHECK(kept_separation(Real(0.0625), tolerances.margin, tolerances.length) == Real(0.0625));
+  CHECK(kept_separation(Real(0), tolerances.margin, tolerances.length) == Real(0.001));
 
   // A cube on a cube, leaning: one of its lower edges is 0.01 deep, the other hangs in the air.
   const auto leaning = [](double separation) -> Obb<double>

@@ -6,7 +6,7 @@
 
 #include "02_primitives/overlaps/overlaps.hpp"
 #include "02_primitives/shape_bounds/bounding_sphere.hpp"
-#include "02_primitives/shape_bounds/box_radius.hpp"
+#include "02_primitives/shape_bounds/obb_bounds.hpp"
 
 namespace cookbook
 {

@@ -10,12 +10,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <type_traits>
 
 namespace cookbook
 {
 
-// [manifold]
+// [contact_point]
 /// One point where two shapes press on each other.
 template <class Real>
 struct ContactPoint
@@ -24,28 +23,9 @@ struct ContactPoint
   Real depth;             ///< [m], overlap along the normal at this point; negative: a gap
   std::uint32_t feature;  ///< which features of the shapes meet here; 0 where there is one choice
 };
+// [contact_point]
 
 /// Up to `Capacity` contact points in place, without the heap.
-template <class Real, std::size_t Capacity>
-class ContactPoints;
-
-/// How two overlapping shapes touch.
-template <class Real, std::size_t Capacity = 8>
-struct Manifold
-{
-  Vector3<Real> normal;                 ///< [1], unit, world, from shape A to shape B
-  Real depth;                           ///< [m], the whole overlap along the normal, zero or more
-  ContactPoints<Real, Capacity> points; ///< at least one
-};
-
-/// Half the depth [m]: how far each of the two bodies moves to separate them.
-template <class Real, std::size_t Capacity>
-Real penetration_distance(const Manifold<Real, Capacity>& manifold)
-{
-  return manifold.depth / Real(2);
-}
-// [manifold]
-
 template <class Real, std::size_t Capacity>
 class ContactPoints
 {
@@ -54,7 +34,7 @@ public:
   ContactPoints() {}
 
   /// One point.
-  explicit ContactPoints(const ContactPoint<Real>& point) { push_back(point); }
+  ContactPoints(const ContactPoint<Real>& point) { push_back(point); }
 
   /// Copies the points that are there, not the room left for others.
   ContactPoints(const ContactPoints& other) { *this = other; }
@@ -68,13 +48,6 @@ public:
       points_[i] = other.points_[i];
     }
     return *this;
-  }
-
-  /// Adds a point whose numbers are still to be written; there must be room for it.
-  ContactPoint<Real>& emplace_back()
-  {
-    assert(size_ < Capacity);
-    return points_[size_++];
   }
 
   /// Adds a point; there must be room for it.
@@ -112,26 +85,22 @@ private:
   std::size_t size_ = 0;
 };
 
-/// Turns into what its function returns, where that is to stand: a manifold in an optional is
-/// built in place instead of being copied there.
-template <class Function>
-struct Build
+// [manifold]
+/// How two overlapping shapes touch.
+template <class Real, std::size_t Capacity = 8>
+struct Manifold
 {
-  Function function; ///< returns the value
-
-  explicit Build(Function f) : function(f) {}                            ///< to be called later
-  operator std::invoke_result_t<Function>() const { return function(); } ///< calls it
+  Vector3<Real> normal;                 ///< [1], unit, world, from shape A to shape B
+  Real depth;                           ///< [m], the whole overlap along the normal, zero or more
+  ContactPoints<Real, Capacity> points; ///< at least one
 };
 
-/// The manifold of the same shapes named the other way round: B and A.
+/// Half the depth [m]: how far each of the two bodies moves to separate them.
 template <class Real, std::size_t Capacity>
-std::optional<Manifold<Real, Capacity>> swapped(std::optional<Manifold<Real, Capacity>> manifold)
+Real penetration_distance(const Manifold<Real, Capacity>& manifold)
 {
-  if (manifold)
-  {
-    manifold->normal = -manifold->normal;
-  }
-  return manifold;
+  return manifold.depth / Real(2);
 }
+// [manifold]
 
 } // namespace cookbook

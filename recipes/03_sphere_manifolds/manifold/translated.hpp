@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief A manifold somewhere else.
+/// \brief A manifold somewhere else, or of the same shapes in the other order.
 
 #include "03_sphere_manifolds/manifold/manifold.hpp"
 
@@ -22,6 +22,17 @@ translated(std::optional<Manifold<Real, Capacity>> manifold, const Vector3<Real>
     {
       point.position += offset;
     }
+  }
+  return manifold;
+}
+
+/// The manifold of the same shapes named the other way round: B and A.
+template <class Real, std::size_t Capacity>
+std::optional<Manifold<Real, Capacity>> swapped(std::optional<Manifold<Real, Capacity>> manifold)
+{
+  if (manifold)
+  {
+    manifold->normal = -manifold->normal;
   }
   return manifold;
 }

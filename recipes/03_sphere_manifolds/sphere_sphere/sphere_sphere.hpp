@@ -4,6 +4,7 @@
 /// \brief The manifold of two spheres.
 
 #include "02_primitives/shapes/shapes.hpp"
+#include "03_sphere_manifolds/manifold/build.hpp"
 #include "03_sphere_manifolds/manifold/manifold.hpp"
 #include "common/math/norm.hpp"
 
@@ -75,7 +76,7 @@ overlap_manifold(const SphereOverlap<Real>& overlap, const Vector3<Real>& center
   const auto written_in_place = [&]
   {
     Manifold<Real> manifold{overlap.normal, overlap.depth, {}};
-    manifold.points.emplace_back() = {center_a + overlap.position, overlap.depth, 0};
+    manifold.points.push_back({center_a + overlap.position, overlap.depth, 0});
     return manifold;
   };
   return std::optional<Manifold<Real>>(std::in_place, Build(written_in_place));

@@ -62,10 +62,11 @@ std::optional<Manifold<Real>> box_manifold(
     return std::nullopt;
   }
   const auto& [face, edge] = *choice;
-  return edge.found()
-             ? edge_manifold(a, boxes, edge.index, std::sqrt(edge.squared_depth))
-             : face_manifold(
-                   a, b, boxes, face, kept_separation(face, tolerances), tolerances.length);
+  return edge.found() ? edge_manifold(a, boxes, edge.index, std::sqrt(edge.squared_depth))
+                      : face_manifold(
+                            a, b, boxes, face,
+                            kept_separation(face.depth, tolerances.margin, tolerances.length),
+                            tolerances.length);
 }
 // [box_manifold]
 

@@ -4,6 +4,7 @@
 /// \brief Which of the fifteen axes the manifold of two boxes is built on.
 
 #include "04_obb_manifolds/box_box/box_overlaps.hpp"
+#include "04_obb_manifolds/plain_box_box/box_preferences.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,11 +28,10 @@ struct Tolerances
 template <class Real>
 Tolerances<Real> tolerances_of(const Obb<Real>& a, const Obb<Real>& b)
 {
-  using std::min;
   using Limits = std::numeric_limits<typename PartOf<Real>::type>;
   const auto sum = [](const Vector3<Real>& half) { return half[0] + half[1] + half[2]; };
   const Real of_a = sum(a.half_extents), of_b = sum(b.half_extents), size = of_a + of_b;
-  return {size, size * Real(4 * Limits::epsilon()), min(of_a, of_b) * Real(0.01f)};
+  return {size, size * Real(4 * Limits::epsilon()), contact_margin(of_a, of_b)};
 }
 
 /// Whether boxes of this size [m] have squares that fit into numbers, not too large, not too small.
@@ -68,18 +68,7 @@ LeastFace<RowNumber<Row>> least_face(const Row& face_a, const Row& face_b)
 }
 // [least_face]
 
-/// The gap [m] up to which corners of a face's manifold are kept; O20.
-template <class Real>
-Real kept_separation(const LeastFace<Real>& face, const Tolerances<Real>& tolerances)
-{
-  using std::max, std::min;
-  return min(tolerances.margin, max(face.depth, tolerances.length));
-}
-
 // [edge_threshold]
-/// Faces of two boxes are parallel if the cosine of their angle is at least that of one degree.
-inline constexpr float parallel_cosine = 0.99985f;
-
 /// The overlap [m] that an edge axis must stay under to be taken instead of a face; O19.
 ///
 /// The face's less a tolerance: rounding alone must not decide. Where two faces are parallel, a
@@ -91,7 +80,7 @@ Real edge_threshold(
   using std::max;
   const Row largest = max(max(abs(boxes.rows[0]), abs(boxes.rows[1])), abs(boxes.rows[2]));
   const auto parallel = RowTraits<Row>::any(Row(Real(parallel_cosine)) < largest);
-  const Real preference = max(face_depth * Real(0.05f), tolerances.margin * Real(0.5f));
+  const Real preference = face_preference(face_depth, tolerances.margin);
   return max(face_depth - select(parallel, preference, tolerances.length), Real(0));
 }
 // [edge_threshold]

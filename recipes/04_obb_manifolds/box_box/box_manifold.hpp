@@ -4,6 +4,7 @@
 /// \brief The manifold of two boxes on an axis that is already chosen.
 
 #include "02_primitives/closest_point_box/closest_point_box.hpp"
+#include "03_sphere_manifolds/manifold/build.hpp"
 #include "03_sphere_manifolds/manifold/manifold.hpp"
 #include "04_obb_manifolds/box_box/box_choice.hpp"
 #include "04_obb_manifolds/box_box/box_contacts.hpp"

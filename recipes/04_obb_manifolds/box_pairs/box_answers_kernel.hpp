@@ -43,7 +43,8 @@ Lanes::Mask answer_faces(
 {
   const Tolerances<Lanes> tolerances = tolerances_of(box, other);
   const FaceContact<Three> contact = face_contact(
-      box, other, axes, offset, k, kept_separation(face, tolerances), tolerances.length);
+      box, other, axes, offset, k,
+      kept_separation(face.depth, tolerances.margin, tolerances.length), tolerances.length);
   const Lanes towards_b = select(FaceOf(face.index).a, Lanes(1.0f), Lanes(-1.0f));
   Words kept = Words{};
   for (std::size_t slot = 0; slot < 8; ++slot)

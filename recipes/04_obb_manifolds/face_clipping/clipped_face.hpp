@@ -4,6 +4,7 @@
 /// \brief The part of one face that lies over another: a polygon, cut out side by side.
 
 #include "04_obb_manifolds/face_clipping/box_features.hpp"
+#include "04_obb_manifolds/plain_box_box/box_preferences.hpp"
 #include "04_obb_manifolds/separating_axes/side_of_face.hpp"
 
 #include <algorithm>
@@ -89,8 +90,7 @@ FacePolygon<Real> cut_at_side(
     }
     if (side_a * side_b < 0 && !(polygon.size == 2 && i == 1))
     {
-      const Real cut = d_a / (d_a - d_b);
-      inside.add({a.point + (b.point - a.point) * cut, side_a < 0 ? edge : a.edge});
+      inside.add({point_at_plane(a.point, b.point, d_a, d_b), side_a < 0 ? edge : a.edge});
     }
   }
   return inside;

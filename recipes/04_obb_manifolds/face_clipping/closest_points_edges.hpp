@@ -4,6 +4,7 @@
 /// \brief Where two edges that cross come closest.
 
 #include "04_obb_manifolds/face_clipping/box_features.hpp"
+#include "04_obb_manifolds/plain_box_box/box_preferences.hpp"
 
 #include <algorithm>
 
@@ -15,8 +16,7 @@ namespace cookbook
 template <class Real>
 Real closest_along(const BoxEdge<Real>& a, const BoxEdge<Real>& b)
 {
-  const Vector3<Real> across = a.direction.cross(b.direction);
-  return (b.middle - a.middle).cross(b.direction).dot(across) / across.squaredNorm();
+  return closest_on_line<Real>(b.middle - a.middle, a.direction, b.direction);
 }
 
 /// The point of an edge at a distance [m] from its middle, or the end that comes before it.

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Contacts that bodies seem to have only because their shapes were grown.
 
-#include "02_primitives/shape_bounds/box_radius.hpp"
+#include "02_primitives/shape_bounds/obb_bounds.hpp"
 
 #include <algorithm>
 #include <cmath>

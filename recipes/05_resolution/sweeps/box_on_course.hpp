@@ -3,7 +3,7 @@
 /// \file
 /// \brief When a box first touches another body on its way through a step.
 
-#include "02_primitives/shape_bounds/box_radius.hpp"
+#include "02_primitives/shape_bounds/obb_bounds.hpp"
 #include "05_resolution/sweeps/ball_on_course.hpp"
 #include "05_resolution/tunnelling/moving_corners.hpp"
 

@@ -134,8 +134,8 @@ inline BoxFlops box_flops(const Obb<float>& in_float, const Obb<float>& other_in
   else
   {
     face_contact(
-        a, b, boxes.rows, boxes.offset_a, first, kept_separation(face, tolerances),
-        tolerances.length);
+        a, b, boxes.rows, boxes.offset_a, first,
+        kept_separation(face.depth, tolerances.margin, tolerances.length), tolerances.length);
   }
   return {overlaps, Counted::flops};
 }
