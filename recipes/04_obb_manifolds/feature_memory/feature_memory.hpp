@@ -44,7 +44,7 @@ std::optional<Real> overlap_on(const Obb<Real>& a, const Obb<Real>& b, int axis)
 
 /// The manifold of two boxes on an axis, 0 … 14, that the caller chose, along which they overlap by
 /// `depth` [m]; below zero they are apart. Corners with a gap are kept up to `widest_separation`
-/// [m]; a hair [m] decides no corner.
+/// [m]; a length within the tolerance [m] decides no corner.
 template <class Row, class Real>
 std::optional<Manifold<Real>> box_box_on(
     const Obb<Real>& a, const Obb<Real>& b, int axis, const Real& depth,
@@ -63,7 +63,7 @@ std::optional<Manifold<Real>>
 box_box_on(const Obb<Real>& a, const Obb<Real>& b, int axis, const Real& depth)
 {
   const Tolerances<Real> tolerances = tolerances_of(a, b);
-  const Real separation = kept_separation<Real>(LeastFace<Real>{depth, axis}, tolerances);
+  const Real separation = kept_separation(depth, tolerances.margin, tolerances.length);
   return box_box_on<Row>(a, b, axis, depth, separation, tolerances.length);
 }
 // [on_axis]
