@@ -245,14 +245,14 @@ std::string printed(const std::string& command)
   return text;
 }
 
-/// After each command that runs a recipe with a header, how much of the house it takes home;
+/// After each command that runs a recipe with a header, how long its single-header export is;
 /// `paths` are the files of the tree.
 std::string
 with_sizes(const fs::path& root, const std::string& page, const std::vector<std::string>& paths)
 {
   static const std::regex run(R"(\./cookbook run (\w+)\n[^`]*```\n)");
   static const std::regex count(R"(: (\d+) of its files in one)");
-  const std::string script = "sh '" + (root / "tools/cmake/take_recipe.sh").string() + "' '";
+  const std::string take = "'" + (root / "cookbook").string() + "' take ";
   std::string result;
   std::size_t done = 0;
   for (std::sregex_iterator each(page.begin(), page.end(), run), end; each != end; ++each)
@@ -265,16 +265,15 @@ with_sizes(const fs::path& root, const std::string& page, const std::vector<std:
     {
       continue;
     }
-    const std::string taken = printed(script + root.string() + "' '" + *header + "'");
+    const std::string taken = printed(take + name);
     std::smatch files;
     if (std::regex_search(taken, files, count))
     {
       const std::size_t past = static_cast<std::size_t>(each->position() + each->length());
       result += page.substr(done, past - done) +
-                "\n<p class=\"taken\">To take it home: <code>./cookbook take " + name +
-                "</code> writes one header of " +
-                std::to_string(std::count(taken.begin(), taken.end(), '\n')) + " lines, from " +
-                files.str(1) + " files.</p>\n";
+                "\n<p class=\"taken\">As a single header: <code>./cookbook take " + name +
+                "</code> writes " + std::to_string(std::count(taken.begin(), taken.end(), '\n')) +
+                " lines, from " + files.str(1) + " files.</p>\n";
       done = past;
     }
   }

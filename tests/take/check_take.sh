@@ -114,7 +114,7 @@ fi
 for home in "$root"/recipes/*/*/; do
   name=$(basename "$home")
   if [ -f "$home$name.hpp" ] && [ -f "$home$name.expected" ]; then
-    "$root/cookbook" take "$name" --out "$work/$name.hpp" 2>/dev/null
+    "$root/cookbook" take "${home#"$root/"}$name" --out "$work/$name.hpp" 2>/dev/null
     echo "$name $(wc -l <"$work/$name.hpp") $(budget "$name")"
   fi
 done >"$work/sizes"

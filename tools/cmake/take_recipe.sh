@@ -1,14 +1,15 @@
 #!/bin/sh
-# Prints a recipe as one header that needs nothing but Eigen: take_recipe.sh ROOT HEADER, the header as
-# a path from the root. ./cookbook take calls it.
+# Prints a recipe as one header that needs nothing but Eigen: take_recipe.sh ROOT HEADER [FIRST], the
+# header as a path from the root, and the names that come first in the list of what it offers.
+# ./cookbook take calls it.
 set -eu
-root=$1 header=$2
+root=$1 header=$2 first=${3:-}
 version=$(sed -n 's/^project(cookbook VERSION \([0-9.]*\).*/\1/p' "$root/CMakeLists.txt")
 
 library=
 [ ! -f "$root/${header%.hpp}_dispatch.cpp" ] || library=$(basename "$header" .hpp)
 
-awk -v root="$root" -v library="$library" -v header="$header" -v version="$version" '
+awk -v root="$root" -v library="$library" -v header="$header" -v first="$first" -v version="$version" '
 # The file that an include names; empty for one of another library.
 function named(include,    name, path, line, i) {
   name = include
@@ -25,7 +26,7 @@ function named(include,    name, path, line, i) {
 function take(path,    line, depth, text, blank, bodies_only) {
   if (path in taken) return
   taken[path] = 1
-  ++files
+  taken_as[++files] = path
   depth = 0
   while ((getline line < (root "/" path)) > 0) {
     if (line == wanted) { bodies_only = 1; continue }
@@ -55,7 +56,7 @@ function take(path,    line, depth, text, blank, bodies_only) {
   bodies[files_in_order++] = glue "\n// ---- " path " ----\n#ifndef " guard "\n#define " guard "\n" text "#endif\n"
 }
 
-# What a header offers: the name of what each comment stands before, and the comment\047s first sentence.
+# What a header offers, all that was not listed yet or `only` one name: the name of what each comment stands before, and the comment\047s first sentence.
 # One that only includes others offers what they do.
 function offers(path,    line, said, done, any, includes, i, bodies_only) {
   while ((getline line < (root "/" path)) > 0) {
@@ -76,14 +77,28 @@ function offers(path,    line, said, done, any, includes, i, bodies_only) {
       gsub(/ = .*|\(.*|;.*/, "", line)
       while (sub(/<[^<>]*>/, "", line)) ;
       gsub(/ *$|.*[ >&*:]/, "", line)
-      printf "//   %s: %s\n", line, said
+      if (only == "" ? !(line in listed) : line == only) printf "//   %s: %s\n", line, said
+      found = found || line == only
       any = 1
     }
     said = ""
     done = 0
   }
   close(root "/" path)
-  if (!any) for (i = 1; i in includes; ++i) offers(includes[i])
+  if (!any && only == "") for (i = 1; i in includes; ++i) offers(includes[i])
+}
+
+# What comes first, from whichever file has it; then the rest of the header.
+function list(    names, count, i, k) {
+  count = split(first, names, " ")
+  for (i = 1; i <= count; ++i) {
+    only = names[i]
+    found = 0
+    for (k = 1; k <= files && !found; ++k) offers(taken_as[k])
+    listed[only] = 1
+  }
+  only = ""
+  offers(header)
 }
 
 function brief(path,    line, text) {
@@ -124,7 +139,7 @@ BEGIN {
     print "// defined; and one more, which defines COOKBOOK_WORLD_SOURCE, includes this, and holds no more."
   }
   print "// Everything is in namespace cookbook. What is here to be called:"
-  offers(header)
+  list()
   print "//"
   while ((getline line < (root "/LICENSE")) > 0) print line == "" ? "//" : "// " line
   print "\n#pragma once\n"

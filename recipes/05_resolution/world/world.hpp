@@ -35,7 +35,7 @@ public:
   {
     if (!solver_)
     {
-      throw InvalidScene("a world needs a solver, such as solver_named(\"direct\")");
+      throw InvalidScene("a world needs a solver, such as solver_named(\"direct\") of solvers.hpp");
     }
     state_.scene = checked(scene);
     state_.may_sleep = may_sleep;
