@@ -7,17 +7,44 @@
 namespace cookbook::house
 {
 
-/// No header has more than 200 lines.
-inline Complaints headers_are_short(const std::vector<TextFile>& headers)
+/// The headers of more than 200 lines, and how many they have.
+inline Sizes large_headers(const std::vector<TextFile>& headers)
 {
-  Complaints complaints;
+  Sizes large;
   for (const TextFile& header : headers)
   {
     const std::size_t count = book::lines(header.text).size();
     if (count > 200)
     {
-      complaints.push_back(header.path + " has " + std::to_string(count) + " lines");
+      large[header.path] = std::to_string(count) + " lines";
     }
+  }
+  return large;
+}
+
+/// What is large has its reason in the list, a line "path: reason" each; what has one is large.
+inline Complaints large_for_a_reason(const Sizes& large, const std::string& list)
+{
+  Complaints complaints;
+  std::set<std::string> listed;
+  for (const std::string& line : book::lines(list))
+  {
+    const std::size_t colon = line.find(": ");
+    if (!line.empty() && line[0] != '#' && colon != std::string::npos)
+    {
+      listed.insert(line.substr(0, colon));
+    }
+  }
+  for (const auto& [path, size] : large)
+  {
+    if (listed.erase(path) == 0)
+    {
+      complaints.push_back(path + " has " + size + "; tests/house/large.txt gives no reason");
+    }
+  }
+  for (const std::string& path : listed)
+  {
+    complaints.push_back("tests/house/large.txt: " + path + " is not large");
   }
   return complaints;
 }

@@ -160,4 +160,32 @@ snippets_are_marked(const std::vector<TextFile>& pages, const std::vector<TextFi
   return complaints;
 }
 
+/// Every piece that is marked, `// [tag]` before and after it, is shown by a `\snippet`.
+inline Complaints
+marks_are_shown(const std::vector<TextFile>& pages, const std::vector<TextFile>& sources)
+{
+  std::set<std::string> shown;
+  for (const TextFile& page : pages)
+  {
+    for (const std::string& piece :
+         book::matches(page.text, R"([\\@]snippet(?:lineno)?[ \t]+(?:\S*/)?(\S+[ \t]+\S+))"))
+    {
+      shown.insert(std::regex_replace(piece, std::regex("[ \t]+"), " "));
+    }
+  }
+  std::set<std::string> missing;
+  for (const TextFile& source : sources)
+  {
+    for (const std::string& tag : book::matches(source.text, R"((?:^|\n)// \[(\S+)\](?=\n|$))"))
+    {
+      const std::string file = std::filesystem::path(source.path).filename().string();
+      if (shown.count(file + " " + tag) == 0)
+      {
+        missing.insert(source.path + ": no page shows the piece [" + tag + "]");
+      }
+    }
+  }
+  return {missing.begin(), missing.end()};
+}
+
 } // namespace cookbook::house

@@ -55,23 +55,23 @@ inline bool in_trial(const std::string& path)
   return std::filesystem::path(path).parent_path().filename() == "trial";
 }
 
-/// No folder has more than 14 files.
-inline Complaints folders_are_small(const std::vector<std::string>& paths)
+/// The folders of more than 14 files, and how many they have.
+inline Sizes large_folders(const std::vector<std::string>& paths)
 {
   std::map<std::string, int> counts;
   for (const std::string& path : paths)
   {
     ++counts[folder_of(path)];
   }
-  Complaints complaints;
+  Sizes large;
   for (const auto& [folder, count] : counts)
   {
     if (count > 14)
     {
-      complaints.push_back(folder + " has " + std::to_string(count) + " files");
+      large[folder] = std::to_string(count) + " files";
     }
   }
-  return complaints;
+  return large;
 }
 
 /// A chapter's folder holds rooms and its CMakeLists.txt; a room holds files and its trial.

@@ -13,6 +13,9 @@ namespace cookbook::house
 using book::TextFile;
 using Complaints = std::vector<std::string>;
 
+/// What is large, by path, and how large.
+using Sizes = std::map<std::string, std::string>;
+
 /// What was found, by id, and where.
 using Places = std::map<std::string, std::string>;
 
@@ -127,7 +130,8 @@ inline Complaints includes_go_downhill(const std::vector<TextFile>& sources)
           (source.path.rfind("recipes/", 0) == 0 && source.path.ends_with(".hpp") &&
            source.path.find("/trial/") == std::string::npos);
       const bool to_tools = target.rfind("tools/", 0) == 0;
-      if (above || (exported && to_tools) || target.find("..") != std::string::npos || other > chapter)
+      if (above || (exported && to_tools) || target.find("..") != std::string::npos ||
+          other > chapter)
       {
         complaints.push_back(source.path + " includes " + target);
       }

@@ -16,9 +16,18 @@ budget() {
   case $1 in
     sphere_sphere) echo 450 ;;
     friction) echo 500 ;;
+    plain_box_box) echo 450 ;; # a plain rung: this is a promise
     face_clipping) echo 1100 ;;
     box_box) echo 1750 ;;
     world) echo 10150 ;;
+    *) echo 9999 ;;
+  esac
+}
+
+# What the recipe's own header may have at most, in lines of code: plain rungs are read, and typed in.
+own_budget() {
+  case $1 in
+    plain_box_box) echo 160 ;;
     *) echo 9999 ;;
   esac
 }
@@ -115,7 +124,7 @@ for home in "$root"/recipes/*/*/; do
   name=$(basename "$home")
   if [ -f "$home$name.hpp" ] && [ -f "$home$name.expected" ]; then
     "$root/cookbook" take "${home#"$root/"}$name" --out "$work/$name.hpp" 2>/dev/null
-    echo "$name $(wc -l <"$work/$name.hpp") $(budget "$name")"
+    echo "$name $(wc -l <"$work/$name.hpp") $(budget "$name") $(grep -cvE '^ *(//.*)?$' "$home$name.hpp") $(own_budget "$name")"
   fi
 done >"$work/sizes"
 
@@ -160,7 +169,8 @@ called() {
 
 complaints=$(
   called <"$work/sizes"
-  awk '$2 > $3 { print $1 " brings " $2 " lines, its budget is " $3 }' "$work/sizes"
+  awk '$2 > $3 { print $1 " brings " $2 " lines, its budget is " $3 }
+    $4 > $5 { print $1 ".hpp has " $4 " lines of code, its budget is " $5 }' "$work/sizes"
   if [ -n "$wasm" ]; then
     ! eigen_first || alone | two_at_a_time
   elif first; then
