@@ -9,6 +9,7 @@
 #include "tests/verdicts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -44,6 +45,26 @@ TEST_CASE("2 0 1, 1 3 2, 1 1 2 has determinant 6 and inverse 4 1 -3, 0 3 -3, -2 
   CHECK((6 * *inverse<double, 3>(m) - six_times_inverse).cwiseAbs().maxCoeff() <= 3 * 0x1p-51);
 }
 // [M11]
+
+// [plain_inverse]
+TEST_CASE(
+    "the plain inverse agrees within a kilometre's scales; of Scale(1e-160) only ours is right",
+    "[M11]")
+{
+  std::mt19937 random(57);
+  for (int i = 0; i < 1000; ++i)
+  {
+    const Matrix3<double> bent = Matrix3<double>::NullaryExpr(
+        [&] { return (static_cast<double>(random()) * 0x1p-31 - 1) / 4; });
+    const Matrix3<double> m = (Matrix3<double>::Identity() + bent) * std::pow(10.0, i % 7 - 3);
+    const Matrix3<double> ours = inverse<double, 3>(m).value();
+    CHECK((adjugate_inverse<double, 3>(m) - ours).norm() < 1e-14 * ours.norm());
+  }
+  const Matrix3<double> tiny = 1e-160 * Matrix3<double>::Identity();
+  CHECK_FALSE(adjugate_inverse<double, 3>(tiny).allFinite());
+  CHECK(inverse<double, 3>(tiny)->isApprox(1e160 * Matrix3<double>::Identity()));
+}
+// [plain_inverse]
 
 // [M11_exact]
 TEMPLATE_TEST_CASE_SIG(

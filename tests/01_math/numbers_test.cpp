@@ -3,6 +3,7 @@
 /// numbers that break a way.
 
 #include "01_math/numbers/numbers.hpp"
+#include "01_math/numbers/quadratic_roots.hpp"
 #include "01_math/numbers/trial/compare_cases.hpp"
 #include "01_math/numbers/trial/numbers_figures.hpp"
 #include "01_math/numbers/trial/product_cases.hpp"
@@ -585,3 +586,39 @@ TEST_CASE("next to odd multiples of π, too, wrapped angles lie from −π to π
   CHECK(outside == 0);
   CHECK(moved == 0);
 }
+
+// [quadratic]
+TEST_CASE(
+    "x² − 1e9 x + 2 has the roots 2e-9 and 1e9; the formula of school says 0 for one",
+    "[quadratic]")
+{
+  const auto school = plain::quadratic_roots(1.0, -1e9, 2.0),
+             right = quadratic_roots(1.0, -1e9, 2.0);
+  CHECK((*school)[0] == 0);
+  CHECK((*right)[0] == Approx(2e-9).epsilon(1e-15));
+  CHECK((*right)[1] == Approx(1e9).epsilon(1e-15));
+  CHECK_FALSE(quadratic_roots(1.0, 1.0, 1.0));
+  CHECK_FALSE(quadratic_roots(0.0, 0.0, 1.0));
+  CHECK(*quadratic_roots(0.0, 2.0, -6.0) == std::array<double, 2>{3, 3});
+  CHECK(*quadratic_roots(1.0, -6.0, 9.0) == std::array<double, 2>{3, 3});
+  CHECK(*quadratic_roots(-1.0, 0.0, 0.0) == std::array<double, 2>{0, 0});
+}
+
+TEST_CASE(
+    "the roots r and s of a(x − r)(x − s) come back, and school agrees where none is small",
+    "[quadratic]")
+{
+  WholeRange<double> draw;
+  for (int i = 0; i < 10000; ++i)
+  {
+    const double a = draw.drawn(1, 9), r = draw.drawn(-999, 999), s = draw.drawn(-999, 999);
+    const auto roots = quadratic_roots(a, -a * (r + s), a * r * s);
+    const auto school = plain::quadratic_roots(a, -a * (r + s), a * r * s);
+    REQUIRE(roots);
+    REQUIRE(school);
+    CHECK((*roots)[0] == Approx(std::min(r, s)).epsilon(1e-15));
+    CHECK((*roots)[1] == Approx(std::max(r, s)).epsilon(1e-15));
+    CHECK((*school)[0] == Approx(std::min(r, s)).epsilon(1e-12));
+  }
+}
+// [quadratic]

@@ -316,6 +316,23 @@ TEST_CASE("from x to y is a quarter turn about z; from a vector to its opposite,
 }
 // [between]
 
+// [half_turn]
+TEST_CASE("half a turn apart the way leads to b as given, for 16,000 ends of any length", "[slerp]")
+{
+  WholeRange<double> draw;
+  int other_way = 0;
+  for (int i = 0; i < 16000; ++i)
+  {
+    // Whole numbers: b is a times a unit without w, so that a·b is zero without rounding.
+    const auto whole = [&] { return static_cast<double>(draw.drawn(-50, 50)); };
+    const Quaternion<double> a(whole() + 0.5, whole(), whole(), whole());
+    const Quaternion<double> b = a * Quaternion<double>(0, whole(), whole() + 0.5, whole());
+    other_way += slerp(a, b, 1.0).dot(b) > 0 && slerp(a, b, 0.5).dot(b) > 0 ? 0 : 1;
+  }
+  CHECK(other_way == 0);
+}
+// [half_turn]
+
 // [slerp]
 TEST_CASE("a third of the way to a quarter turn is 30°, at twice the way 180°; signs do not matter")
 {

@@ -4,8 +4,9 @@
 #include "01_math/matrices/trial/matrix_instances.hpp"
 #include "01_math/transforms/transforms.hpp"
 #include "01_math/transforms/trial/transforms_verdicts.hpp"
-#include "tools/exact/exact.hpp"
+#include "01_math/truth/trial/whole_range.hpp"
 #include "common/math/rotation.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/verdicts.hpp"
@@ -288,3 +289,23 @@ TEST_CASE("each way to a body's frame holds or fails as the table says", "[M15]"
        {"a turn and Scale(1e-15)", {best}},
        {"grown by 1 %, 4,000 km away", {best}}});
 }
+
+// [plain_normal]
+TEST_CASE(
+    "1,000 ordinary normals by plain cofactors and by ours agree; by Scale(1e-170) only ours",
+    "[M14]")
+{
+  WholeRange<double> draw;
+  for (int i = 0; i < 1000; ++i)
+  {
+    const Matrix3<double> bent = Matrix3<double>::NullaryExpr([&] { return draw.fraction() / 4; });
+    const Matrix3<double> m = Matrix3<double>::Identity() + bent;
+    const Vector3<double> n = Vector3<double>(draw.fraction(), draw.fraction(), 1);
+    CHECK((plain::transformed_normal(m, n) - transformed_normal(m, n)).norm() < 1e-14);
+  }
+  const Matrix3<double> tiny = 1e-170 * Matrix3<double>::Identity();
+  const Vector3<double> x(1, 0, 0);
+  CHECK(plain::transformed_normal(tiny, x) == Vector3<double>(0, 1, 0));
+  CHECK((transformed_normal(tiny, x) - x).norm() < 1e-15);
+}
+// [plain_normal]

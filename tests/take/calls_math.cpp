@@ -61,7 +61,7 @@ int main()
         const Eigen::Vector3d b =
             draw.one_in(2) ? draw.vector(2) : Eigen::Vector3d(a + tilt * axis);
         bits(angle(a, b), signed_angle(a, b, axis), accurate_cross(a, b));
-        bits(angle_atan2(a, b), angle_acos(a, b), angle_clamped(a, b), angle_kahan(a, b));
+        bits(plain::angle(a, b), angle_acos(a, b), angle_clamped(a, b), angle_kahan(a, b));
         bits(equal_within_roundings(a, b, 1.0));
       });
 #endif

@@ -4,6 +4,7 @@
 /// \brief The angle between two vectors: right for every angle and every size.
 
 #include "01_math/numbers/difference_of_products.hpp"
+#include "01_math/plain_vectors/plain_vectors.hpp"
 #include "01_math/vectors/power_of_two.hpp"
 #include "common/math/norm.hpp"
 #include "common/math/wide.hpp"
@@ -15,15 +16,6 @@
 
 namespace cookbook
 {
-
-// [angle_atan2]
-/// The angle from 0 to π by the cross and the dot product, as its formula is written; M5 [rad].
-template <class Real>
-Real angle_atan2(const Vector3<Real>& a, const Vector3<Real>& b)
-{
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-// [angle_atan2]
 
 // [angle_acos]
 /// The angle by the cosine, as it is published [rad]: not a number where rounding makes the cosine

@@ -3,6 +3,7 @@
 /// \file
 /// \brief Ways to normalise a vector beside the recommended one.
 
+#include "01_math/plain_vectors/plain_vectors.hpp"
 #include "common/math/norm.hpp"
 #include "common/math/wide.hpp"
 
@@ -16,8 +17,7 @@ namespace cookbook
 template <class Real>
 Direction<Real> normalize_naive(const Vector3<Real>& v)
 {
-  using std::sqrt;
-  const Real length = sqrt(v.dot(v));
+  const Real length = plain::length(v);
   return {v / length, length};
 }
 // [normalize_naive]

@@ -20,11 +20,14 @@ struct TurnEnds
 };
 
 /// Takes two quaternions as their directions, and the sign of b so that the way is the shorter one.
+///
+/// Half a turn apart is what rounding can make of it: a dot product of four roundings or less.
 template <class Real>
 TurnEnds<Real> turn_ends(const Quaternion<Real>& a, const Quaternion<Real>& b)
 {
   const Quaternion<Real> from = unit_quaternion(a), to = unit_quaternion(b);
-  return {from, times<Real>(dot(from, to) < Real(0) ? Real(-1) : Real(1), to)};
+  const Real rounding = 4 * std::numeric_limits<Real>::epsilon();
+  return {from, times<Real>(dot(from, to) < -rounding ? Real(-1) : Real(1), to)};
 }
 
 // [slerp]
@@ -32,9 +35,9 @@ TurnEnds<Real> turn_ends(const Quaternion<Real>& a, const Quaternion<Real>& b)
 /// rate; beyond 0 and 1 the way goes on.
 ///
 /// Any finite quaternions are taken as their directions, zero as 1. The signs of q and -q do not
-/// matter; half a turn apart, the way leads to b as given. The answer has a's sign. Where |t| is
-/// 1/ε or more no digit of the angle would be left, and the answer is a. Right to four ulps of one
-/// for t from 0 to 1; beyond, the roundings of the ends are enlarged |t| times.
+/// matter; half a turn apart to rounding, the way leads to b as given. The answer has a's sign.
+/// Where |t| is 1/ε or more no digit of the angle would be left, and the answer is a. Right to four
+/// ulps of one for t from 0 to 1; beyond, the roundings of the ends are enlarged |t| times.
 template <class Real>
 Quaternion<Real> slerp(const Quaternion<Real>& a, const Quaternion<Real>& b, const Real& t)
 {

@@ -4,10 +4,9 @@
 /// \brief Points, vectors, normals and planes through a transform, and the way back.
 
 #include "01_math/matrices/matrices.hpp"
+#include "01_math/transforms/plain_transforms.hpp"
 #include "common/math/norm.hpp"
 #include "common/math/vector.hpp"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <optional>
@@ -15,50 +14,7 @@
 namespace cookbook
 {
 
-// [aliases]
-/// A turn and a move: distances and angles stay. Eigen's own type.
-template <class Real>
-using Isometry3 = Eigen::Transform<Real, 3, Eigen::Isometry>;
-
-/// Any 3 by 3 matrix and a move: straight lines stay straight. Eigen's own type.
-template <class Real>
-using Affine3 = Eigen::Transform<Real, 3, Eigen::Affine>;
-
-/// The plane of all x with normal · x + offset = 0. Eigen's own type.
-template <class Real>
-using Hyperplane3 = Eigen::Hyperplane<Real, 3>;
-// [aliases]
-
-/// The pose that first turns by `rotation` and then moves by `move`.
-template <class Real>
-Isometry3<Real> pose(const Matrix3<Real>& rotation, const Vector3<Real>& move)
-{
-  Isometry3<Real> t = Isometry3<Real>::Identity();
-  t.linear() = rotation;
-  t.translation() = move;
-  return t;
-}
-
-// [rigid_inverse]
-/// The way back from a pose: the transpose, and the move turned back; M15.
-///
-/// The turn must be a rotation; moves are right up to half the largest number of the type.
-template <class Real>
-Isometry3<Real> rigid_inverse(const Isometry3<Real>& t)
-{
-  const Matrix3<Real> back = t.linear().transpose();
-  return pose<Real>(back, -(back * t.translation()));
-}
-// [rigid_inverse]
-
-// [to_local]
-/// A point of the world as the body sees it: subtract first, then turn back.
-template <class Real>
-Vector3<Real> to_local(const Isometry3<Real>& t, const Vector3<Real>& point)
-{
-  return t.linear().transpose() * (point - t.translation());
-}
-
+// [to_local_affine]
 /// The same for any affine transform; nothing where its matrix is singular to rounding, or its
 /// inverse does not fit.
 template <class Real>
@@ -72,7 +28,7 @@ std::optional<Vector3<Real>> to_local(const Affine3<Real>& t, const Vector3<Real
   }
   return *back * (point - t.translation());
 }
-// [to_local]
+// [to_local_affine]
 
 // [ordinary_size]
 /// A direction in 105 binary digits, brought to an ordinary size.

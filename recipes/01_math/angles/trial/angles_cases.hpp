@@ -31,7 +31,7 @@ std::array<AngleMethod<Real>, 5> angle_methods()
   return {
       {{"as published", angle_acos<Real>},
        {"clamped", angle_clamped<Real>},
-       {"atan2", angle_atan2<Real>},
+       {"atan2", plain::angle<Real>},
        {"Kahan", angle_kahan<Real>},
        {"recommended",
         [](const Vector3<Real>& a, const Vector3<Real>& b) { return angle(a, b); }}}};

@@ -21,13 +21,6 @@ Vector3<Real> project_textbook(const Vector3<Real>& a, const Vector3<Real>& n)
   return n * (a.dot(n) / n.dot(n));
 }
 
-/// From `a` on by a fraction of the way: t = 1 may miss `b`.
-template <class Real>
-Vector3<Real> lerp_by_way(const Vector3<Real>& a, const Vector3<Real>& b, Real t)
-{
-  return a + t * (b - a);
-}
-
 /// A mixture of both ends, as GLM's mix: from `a` to `a` it may miss `a`.
 template <class Real>
 Vector3<Real> lerp_by_mixture(const Vector3<Real>& a, const Vector3<Real>& b, Real t)
@@ -75,10 +68,10 @@ inline std::vector<VectorsCase> vectors_cases()
        wide(project<float>(a, zero)), D(0, 0, 0)},
       {"", "(1, 0, 0) mirrored, normal (1.1, 0, 0)", wide(reflect_unit<float>(x, long_n)),
        wide(reflect<float>(x, long_n)), D(-1, 0, 0)},
-      {"", "lerp as a + t (b − a): from 1e8 to 1, t = 1", wide(lerp_by_way<float>(distant, x, 1)),
+      {"", "lerp as a + t (b − a): from 1e8 to 1, t = 1", wide(plain::lerp<float>(distant, x, 1)),
        wide(lerp<float>(distant, x, 1)), D(1, 0, 0)},
       {"", "lerp as a + t (b − a): from −3e38 to 3e38, t = 1/2",
-       wide(lerp_by_way<float>(-most, most, 0.5f)), wide(lerp<float>(-most, most, 0.5f)),
+       wide(plain::lerp<float>(-most, most, 0.5f)), wide(lerp<float>(-most, most, 0.5f)),
        D(0, 0, 0)},
       {"", "lerp as (1 − t) a + t b: from 0.1 to 0.1, t = 0.2",
        wide(lerp_by_mixture<float>(tenth, tenth, fifth)), wide(lerp<float>(tenth, tenth, fifth)),
