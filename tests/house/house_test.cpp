@@ -11,13 +11,17 @@
 #include "docs/index/order.hpp"
 #include "tests/catch.hpp"
 
+#include <cstdlib>
+
 using namespace cookbook::house;
 using cookbook::book::read_tree;
 
 namespace
 {
 
-const std::filesystem::path root{COOKBOOK_SOURCE_DIR};
+/// The tree, or the one that the environment names: tests/new asks about a tree with a new recipe.
+const char* const named = std::getenv("COOKBOOK_HOUSE");
+const std::filesystem::path root{named != nullptr ? named : COOKBOOK_SOURCE_DIR};
 
 /// The chapters' pages, in the order in which the book is read.
 std::vector<TextFile> pages()
