@@ -18,14 +18,6 @@ constexpr double rounding = 1e-14;
 
 } // namespace
 
-// [P1]
-TEST_CASE("(3,4,5) is 4 above the plane 0.6x + 0.8y = 1, the origin is 1 below", "[P1]")
-{
-  CHECK(signed_distance(slope, {3, 4, 5}) == Catch::Approx(4).epsilon(rounding));
-  CHECK(signed_distance(slope, {0, 0, 0}) == -1);
-}
-// [P1]
-
 // [sphere_plane]
 TEST_CASE("a ball of radius 0.5 whose centre is 0.3 below the ground is 0.8 deep", "[case:C10]")
 {

@@ -91,6 +91,27 @@ std::string figure()
   return figure.svg();
 }
 
+/// The example's plane, segment and box, and the closest point of each to one point.
+std::string points_figure()
+{
+  const Vector3<double> p(7, -1, 0);
+  const Segment<double> rope{{0, 0, 0}, {8, 6, 0}};
+  const Obb<double> crate{{0, 1, 0}, Matrix3<double>::Identity(), {2, 1, 1}};
+  plot::Figure2d figure("plain_points", "", {{-2.6, -2.2}, {9.4, 6.6}, 400});
+  figure.describe("A point below the ground, and the closest points of ground, rope and crate.")
+      .half_plane({0, 1}, 0)
+      .box({0, 1}, 0, {2, 1}, plot::Ink::b)
+      .segment(flat(rope.start), flat(rope.end), plot::Ink::b)
+      .arrow(flat(p), {p.x(), 0}, plot::Ink::overlap)
+      .arrow(flat(p), flat(closest_point(rope, p)), plot::Ink::overlap)
+      .arrow(flat(p), flat(closest_on_box(crate, p)), plot::Ink::overlap)
+      .dot(flat(closest_point(rope, p)), plot::Ink::b, "(4, 3)")
+      .dot(flat(closest_on_box(crate, p)), plot::Ink::b, "(2, 0)")
+      .dot({p.x(), 0}, plot::Ink::b)
+      .dot(flat(p), plot::Ink::a, "p = (7, -1)");
+  return figure.svg();
+}
+
 template <class Real>
 void add_errors(plot::Chart& chart, const std::string& name)
 {
@@ -138,6 +159,7 @@ int main(int argc, char** argv)
       {
         print_points();
         save_figure(given, "closest_point_box.svg", figure());
+        save_figure(given, "plain_points.svg", points_figure());
         save_figure(given, "closest_point_box_error.svg", error_chart());
         save_figure(given, "closest_point_box_cases.html", verdicts());
       });

@@ -3,7 +3,7 @@
 /// \file
 /// \brief The point of a box closest to a given point, and the signed distance between them.
 
-#include "02_primitives/shapes/shapes.hpp"
+#include "02_primitives/plain_points/plain_points.hpp"
 #include "common/math/norm.hpp"
 #include "common/math/wide.hpp"
 
@@ -23,15 +23,6 @@ Vector3<Wide<Real>> box_coordinates(const Obb<Real>& box, const Vector3<Real>& p
   return widen(box.axes).transpose() * (widen(point) - widen(box.center));
 }
 // [box_coordinates]
-
-// [clamp_to_box]
-/// The point of the box [−h, h] closest to `point`, both in the box's coordinates; P3.
-template <class Real>
-Vector3<Real> clamp_to_box(const Vector3<Real>& point, const Vector3<Real>& half_extents)
-{
-  return point.cwiseMax(-half_extents).cwiseMin(half_extents);
-}
-// [clamp_to_box]
 
 // [closest_point_box]
 /// The point of the box closest to `point` [m], world; a point inside is its own answer; P4.

@@ -3,47 +3,13 @@
 /// \file
 /// \brief The manifold of a sphere and a capsule.
 
+#include "02_primitives/plain_points/plain_points.hpp"
 #include "03_sphere_manifolds/manifold/any_size_spheres.hpp"
 #include "03_sphere_manifolds/sphere_sphere/sphere_sphere.hpp"
 #include "common/math/wide.hpp"
 
-#include <algorithm>
-
 namespace cookbook
 {
-
-// [closest_point_segment]
-/// How far along a segment, 0 to 1, it comes closest to `point` [m], world; 0 if it has no length;
-/// P2.
-template <class Real>
-Wide<Real> closest_fraction(const Segment<Real>& segment, const Vector3<Real>& point)
-{
-  const Vector3<Wide<Real>> start = widen(segment.start);
-  const Vector3<Wide<Real>> along = widen(segment.end) - start;
-  const Wide<Real> along_squared = along.squaredNorm();
-  if (along_squared == Wide<Real>(0))
-  {
-    return Wide<Real>(0);
-  }
-  const Wide<Real> t = (widen(point) - start).dot(along) / along_squared;
-  return std::clamp(t, Wide<Real>(0), Wide<Real>(1));
-}
-
-/// The point of a segment [m], world, at a fraction of the way from its start; the end itself at 1.
-template <class Real>
-Vector3<Wide<Real>> point_at(const Segment<Real>& segment, const Wide<Real>& fraction)
-{
-  const Vector3<Wide<Real>> start = widen(segment.start), end = widen(segment.end);
-  return fraction == Wide<Real>(1) ? end : Vector3<Wide<Real>>(start + fraction * (end - start));
-}
-
-/// The point of a segment closest to `point`, both [m], world.
-template <class Real>
-Vector3<Wide<Real>> closest_point(const Segment<Real>& segment, const Vector3<Real>& point)
-{
-  return point_at(segment, closest_fraction(segment, point));
-}
-// [closest_point_segment]
 
 // [direction_to_segment]
 /// The direction perpendicular to `along`, of length one, that is closest to +y; to +x where
@@ -63,10 +29,10 @@ template <class Real>
 Direction<Real> direction_to(const Segment<Real>& segment, const Vector3<Real>& point)
 {
   using Vector = Vector3<Wide<Real>>;
-  const Vector ends = widen(segment.end) - widen(segment.start);
-  const Vector along = normalize<Wide<Real>>(ends, Vector::UnitX()).unit;
-  const Wide<Real> fraction = closest_fraction(segment, point);
-  const Vector way = point_at(segment, fraction) - widen(point);
+  const Segment<Wide<Real>> wide{widen(segment.start), widen(segment.end)};
+  const Vector along = normalize<Wide<Real>>(wide.end - wide.start, Vector::UnitX()).unit;
+  const Wide<Real> fraction = closest_t<Wide<Real>>(wide, widen(point));
+  const Vector way = closest_point<Wide<Real>>(wide, widen(point)) - widen(point);
   Direction<Wide<Real>> to = normalize<Wide<Real>>(way, perpendicular_to<Wide<Real>>(along));
   if (Wide<Real>(0) < fraction && fraction < Wide<Real>(1))
   {

@@ -3,21 +3,13 @@
 /// \file
 /// \brief The manifold of a sphere and the solid below a plane.
 
+#include "02_primitives/plain_points/plain_points.hpp"
 #include "03_sphere_manifolds/manifold/any_size_spheres.hpp"
 #include "03_sphere_manifolds/sphere_sphere/sphere_sphere.hpp"
 #include "common/math/wide.hpp"
 
 namespace cookbook
 {
-
-// [signed_distance_plane]
-/// How far a point [m], world, is above the plane; negative below it; P1.
-template <class Real>
-Wide<Real> signed_distance(const Plane<Real>& plane, const Vector3<Real>& point)
-{
-  return widen(plane.normal).dot(widen(point)) - Wide<Real>(plane.distance);
-}
-// [signed_distance_plane]
 
 // [sphere_plane]
 /// The manifold of a sphere A and the half-space B below a plane, however deep the sphere is.
@@ -29,7 +21,8 @@ std::optional<Manifold<Real>> sphere_plane(const Sphere<Real>& sphere, const Pla
 {
   const auto find = [](const Sphere<Real>& a, const Plane<Real>& b)
   {
-    const Real distance = static_cast<Real>(signed_distance(b, a.center));
+    const Plane<Wide<Real>> wide{widen(b.normal), b.distance};
+    const Real distance = static_cast<Real>(signed_distance<Wide<Real>>(wide, widen(a.center)));
     const Direction<Real> to_surface{-b.normal, distance};
     return overlap_manifold(sphere_overlap(to_surface, a.radius, Real(0)), a.center);
   };

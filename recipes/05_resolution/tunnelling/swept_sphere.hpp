@@ -154,7 +154,9 @@ std::optional<SweptHit<Real>> swept_sphere_plane(
 {
   using Vector = Vector3<Wide<Real>>;
   const Vector normal = widen(plane.normal), way = widen(displacement);
-  const Wide<Real> start = signed_distance(plane, sphere.center), radius = sphere.radius;
+  const Plane<Wide<Real>> wide{widen(plane.normal), plane.distance};
+  const Wide<Real> start = signed_distance<Wide<Real>>(wide, widen(sphere.center));
+  const Wide<Real> radius = sphere.radius;
   const auto gap = [&](const Vector& offset) {
     return Direction<Wide<Real>>{-normal, start - radius + normal.dot(offset)};
   };

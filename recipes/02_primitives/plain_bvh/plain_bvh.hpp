@@ -1,0 +1,89 @@
+#pragma once
+
+/// \file
+/// \brief A tree of boxes around the triangles of a mesh, cut in halves, and the ray that walks it.
+
+#include "02_primitives/meshes/triangle_mesh.hpp"
+#include "02_primitives/plain_casts/plain_casts.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+namespace cookbook
+{
+
+// [build_bvh]
+/// A box around triangles: a leaf with their numbers, or two smaller boxes.
+template <class Real>
+struct BvhNode
+{
+  Aabb<Real> box;                           ///< [m], holds all below
+  std::vector<int> triangles;               ///< of a leaf
+  std::unique_ptr<BvhNode<Real>> low, high; ///< the children; null in a leaf
+};
+
+/// The tree around some triangles of a mesh, cut in halves along the longest side of each box.
+template <class Real>
+std::unique_ptr<BvhNode<Real>> build_bvh(const TriangleMesh<Real>& mesh, std::vector<int> triangles)
+{
+  auto node = std::make_unique<BvhNode<Real>>();
+  for (const int i : triangles)
+  {
+    node->box.extend(box_of_triangle(mesh, i));
+  }
+  if (triangles.size() <= 4)
+  {
+    node->triangles = triangles;
+    return node;
+  }
+  Eigen::Index axis = 0;
+  node->box.sizes().maxCoeff(&axis);
+  const auto before = [&](int i, int j)
+  { return box_of_triangle(mesh, i).center()[axis] < box_of_triangle(mesh, j).center()[axis]; };
+  const auto middle = triangles.begin() + static_cast<std::ptrdiff_t>(triangles.size() / 2);
+  std::nth_element(triangles.begin(), middle, triangles.end(), before);
+  node->low = build_bvh(mesh, std::vector<int>(triangles.begin(), middle));
+  node->high = build_bvh(mesh, std::vector<int>(middle, triangles.end()));
+  return node;
+}
+
+/// The tree around all triangles of a mesh.
+template <class Real>
+std::unique_ptr<BvhNode<Real>> build_bvh(const TriangleMesh<Real>& mesh)
+{
+  std::vector<int> all(mesh.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  return build_bvh(mesh, all);
+}
+// [build_bvh]
+
+// [cast_bvh]
+/// The nearest t at which a ray meets a triangle of the tree, if it is less than `nearest`.
+template <class Real>
+std::optional<Real> cast_bvh(
+    const Ray<Real>& ray, const TriangleMesh<Real>& mesh, const BvhNode<Real>& node,
+    std::optional<Real> nearest = std::nullopt)
+{
+  const auto is_nearer = [&](const std::optional<Real>& t)
+  { return t && (!nearest || *t < *nearest); };
+  if (!is_nearer(ray_box(ray, node.box)))
+  {
+    return nearest; // nothing in the box can be nearer
+  }
+  for (const int i : node.triangles)
+  {
+    const std::optional<Real> t = ray_triangle(ray, triangle_of(mesh, i));
+    nearest = is_nearer(t) ? t : nearest;
+  }
+  for (const BvhNode<Real>* child : {node.low.get(), node.high.get()})
+  {
+    nearest = child ? cast_bvh(ray, mesh, *child, nearest) : nearest;
+  }
+  return nearest;
+}
+// [cast_bvh]
+
+} // namespace cookbook
