@@ -1,12 +1,11 @@
 /// \file
-/// \brief What holds for the words and tables of the chart, for counted operations and for the
-/// other libraries' answers; it measures no time.
+/// \brief What holds for the words and tables of the chart and for the other libraries' answers; it
+/// measures no time.
 
 #include "04_obb_manifolds/box_chart/trial/batch_and_memory.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_chart.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_chart_peers.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_chart_steps.hpp"
-#include "04_obb_manifolds/box_chart/trial/box_flops.hpp"
 #include "tools/measure/peak.hpp"
 
 #include "tests/catch.hpp"
@@ -87,44 +86,13 @@ TEST_CASE("ratios are to the fastest peer, and without one a dash", "[box_chart]
   CHECK(has(box_times_html("", {"first"}, {{"alone", false, {1}}}), "<td>1</td><td>–</td>"));
 }
 
-TEST_CASE("800 operations in 10 ns are half of a peak of 160 a nanosecond", "[box_chart]")
+// [peak]
+TEST_CASE("246 operations in 3 ns are half of a peak of 164 a nanosecond", "[box_chart]")
 {
-  const std::string html = shares_html({{"batch", 10, 800, 1 / 160.0}});
-  CHECK(has(html, "<td>10</td><td>800</td><td>80</td><td>160</td><td>50 %</td>"));
+  CHECK(overlap_operations == 246);
+  CHECK(peak_row("x", 3, 1 / 164.0) == std::vector<std::string>{"x", "3", "82", "164", "50 %"});
 }
-
-// [flops]
-TEST_CASE("a sum of two products is three operations, a choice is none", "[box_chart]")
-{
-  Counted::flops = 0;
-  const Counted a(2), b(3);
-  const Counted sum = a * b + b * b;
-  CHECK(sum.value == 15);
-  CHECK(Counted::flops == 3);
-  CHECK(select(max(abs(-a), b) < sum, a, b).value == 2);
-  CHECK(Counted::flops == 3);
-  CHECK((sqrt(b * b) / a).value == 1.5f);
-  CHECK(Counted::flops == 6);
-}
-
-TEST_CASE("all fifteen overlaps of a pair take 246 operations, counted by hand", "[box_chart]")
-{
-  // B as A sees it: C has 9 entries of 3 products and 2 sums, the offset 3 differences, and along
-  // either box's axes 3 entries like those of C.
-  constexpr std::size_t seen = 9 * 5 + 3 + 2 * 3 * 5;
-  // A face: 3 products, 2 sums, and two more to add the half extent and take the distance away.
-  constexpr std::size_t faces = 6 * 7;
-  // An edge axis: four times two products and a sum or difference, for the cofactor, both projected
-  // radii and the distance, and two to put them together.
-  constexpr std::size_t edges = 9 * (4 * 3 + 2);
-  static_assert(seen + faces + edges == 246);
-  const Obb<float> a = cube_at(0, 0, 0);
-  CHECK(box_flops(a, cube_at(0, 5, 0)).overlaps == 246);
-  CHECK(box_flops(a, cube_at(0, 5, 0)).all == 246);
-  CHECK(box_flops(a, cube_at(0, 1.9f, 0)).overlaps == 246);
-  CHECK(box_flops(a, cube_at(0, 1.9f, 0)).all > 2 * 246);
-}
-// [flops]
+// [peak]
 
 TEST_CASE("a core's peak is asked for by lanes that there are", "[box_chart]")
 {

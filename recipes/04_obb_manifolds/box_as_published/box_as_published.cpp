@@ -1,93 +1,102 @@
 /// \file
-/// \brief Counts how often each fault of the published code shows on random and resting boxes.
+/// \brief What the published code says of ten pairs of boxes, one for each mistake, and what is
+/// right.
 
 #include "04_obb_manifolds/box_as_published/trial/box_as_published.hpp"
-#include "04_obb_manifolds/box_as_published/trial/box_as_published_rates.hpp"
+#include "04_obb_manifolds/box_box/box_box.hpp"
+#include "04_obb_manifolds/box_cases/trial/box_cases.hpp"
 #include "04_obb_manifolds/box_oracles/trial/box_instances.hpp"
 #include "04_obb_manifolds/box_workloads/trial/boxes_file.hpp"
-#include "tools/plot/charts/bar_chart.hpp"
 #include "tools/program/program.hpp"
 #include "tools/program/table.hpp"
 
 #include <iostream>
+#include <set>
 
 namespace
 {
 
 using namespace cookbook;
 
-/// A variant and what it got wrong.
-struct Counted
+/// A mistake, and a pair of boxes at which it shows.
+struct Mistake
 {
-  FaultVariant variant;
-  FaultCounts counts;
+  std::string id, what, scene;
+  Obb<double> a, b;
+  std::string shows; ///< in which part of the answer
 };
 
-std::vector<Counted> count_all()
+std::vector<Mistake> mistakes()
 {
-  const std::vector<CheckedPair> pairs = checked_pairs(200000);
-  std::vector<Counted> all;
-  for (const FaultVariant& variant : fault_variants())
-  {
-    all.push_back({variant, count_faults(pairs, variant.faults)});
-  }
-  return all;
-}
-
-/// A rate in per cent, to the tenth.
-double percent(std::size_t part, std::size_t whole)
-{
-  return std::round(1000 * double(part) / double(whole)) / 10;
-}
-
-/// What can be wrong, and in how many per cent of the pairs that it can befall.
-std::vector<std::pair<std::string, double>> rates(const FaultCounts& counts)
-{
+  const Vector3<double> one(1, 1, 1);
+  const Obb<double> cube = upright({0, 0, 0}, one), large = upright({0, 0, 0}, {10, 10, 10}),
+                    plate = upright({0, 0, 0}, {5, 0.1, 5}), sunk = upright({0, 0.5, 0}, one);
+  const double eighth = std::atan(1.0);
+  const Obb<double> edge{{2.25, 2.25, 0}, turned(eighth, {-1, 1, 0}), one};
+  const Matrix3<double> slope = turned(eighth * 2 / 3, {0, 0, 1});
+  const Obb<double> ground{{0, 0, 0}, slope, {2, 0.5, 1}},
+      rests{slope * Vector3<double>(0.3, 0.85, 0), slope, {0.5, 0.5, 0.5}};
+  const Matrix3<double> ridge = turned(eighth, {1, 0, 0}), yaw = turned(eighth / 30, {0, 1, 0}),
+                        anyhow = rational_rotation<double>(1, 2, 3, 3);
+  const Obb<double> bar = placed({{0, 0, 0}, ridge, {10, 1, 1}}, anyhow),
+                    other = placed({{0, 2.8385, 0}, yaw * ridge, {10, 1, 1}}, anyhow),
+                    small = upright({0, 0, 0}, {0.004, 0.004, 0.004});
   return {
-      {"said to overlap", percent(counts.hit, counts.apart)},
-      {"normal reversed", percent(counts.reversed, counts.overlapping)},
-      {"depth off", percent(counts.off_depth, counts.overlapping)},
-      {"point lost", percent(counts.lost, counts.asked)}};
+      {"X08", "A's axes crossed with A's", "cubes edge to edge, 0.05 apart", cube, edge, "hit"},
+      {"X09", "negative components erased", "a cube on a slope of 30°", ground, rests, "normal"},
+      {"", "", "the same", ground, rests, "depth"},
+      {"X10", "A compared with A", "cubes 100 m apart", cube, upright({60, 0, 80}, one), "yes"},
+      {"X11", "depth by union", "a cube sunk through a plate", plate, sunk, "depth"},
+      {"X12", "turned by the beginnings", "the same", plate, sunk, "normal"},
+      {"X13", "depth 0 dropped", "cubes that touch", cube, upright({0, 2, 0}, one), "hit"},
+      {"X14", "axes below 1.8° dropped", "bars crossed at 1.5°, 0.01 apart", bar, other, "hit"},
+      {"X15", "points without tolerance", "a box inside another", large,
+       upright({9.8, 0, 0}, {0.1, 0.1, 0.1}), "points"},
+      {"X16", "1 cm apart is one point", "cubes of 8 mm, 4 points", small,
+       upright({0, 0.0076, 0}, small.half_extents), "points"},
+      {"X17", "features forgotten", "cubes, one on the other", cube, upright({0.3, 1.9, 0.2}, one),
+       "features"}};
 }
 
-void print(const std::vector<Counted>& all)
+/// The part of an answer in which a mistake shows.
+template <class Answer>
+std::string told(const Mistake& mistake, const Answer& answer)
 {
-  const FaultCounts& first = all.front().counts;
-  std::cout << first.apart << " pairs apart, " << first.overlapping << " overlapping; in per cent:"
-            << "\n\n";
-  Table table({"fault", "what", "said to overlap", "reversed", "depth off", "point lost"});
-  for (const auto& [variant, counts] : all)
+  const auto rounded = [](double x) { return number(std::round(100 * x) / 100 + 0.0); };
+  if (mistake.shows == "hit" || !answer)
   {
-    std::vector<std::string> cells{variant.id, variant.what};
-    for (const auto& [what, rate] : rates(counts))
-    {
-      cells.push_back(number(rate));
-    }
-    table.row(cells);
+    return answer ? "overlap" : "apart";
+  }
+  if (mistake.shows == "depth")
+  {
+    return rounded(answer->depth) + " deep";
+  }
+  if (mistake.shows == "normal")
+  {
+    const Vector3<double>& n = answer->normal;
+    return "(" + rounded(n.x()) + ", " + rounded(n.y()) + ", " + rounded(n.z()) + ")";
+  }
+  std::set<std::uint32_t> features;
+  for (const auto& point : answer->points)
+  {
+    features.insert(point.feature);
+  }
+  const bool points = mistake.shows == "points";
+  return mistake.shows + ": " + std::to_string(points ? answer->points.size() : features.size());
+}
+
+void print()
+{
+  Table table({"case", "mistake", "boxes", "published", "right"});
+  for (const Mistake& mistake : mistakes())
+  {
+    const auto& [id, what, scene, a, b, shows] = mistake;
+    const std::string published = shows == "yes"
+                                      ? (overlap_as_published(a, b) ? "overlap" : "apart")
+                                      : told(mistake, box_as_published(a, b));
+    table.row({id, what, scene, published, told(mistake, box_box(a, b))});
   }
   std::cout << table.text();
-}
-
-void draw(const Arguments& arguments, const std::vector<Counted>& all)
-{
-  plot::BarChart chart("box_as_published", "", {"of the pairs that it can befall [%]"});
-  chart.describe("How often each fault of the published code gives a wrong answer.").width(400);
-  for (const auto& [variant, counts] : all)
-  {
-    for (const auto& [what, rate] : rates(counts))
-    {
-      const std::string text = number(rate) + " %";
-      if (rate > 0 && variant.id == "all")
-      {
-        chart.highlight("all: " + what, rate, plot::Ink::overlap, text);
-      }
-      else if (rate > 0)
-      {
-        chart.bar(variant.id + ": " + what, rate, plot::Ink::a, text);
-      }
-    }
-  }
-  save_figure(arguments, "box_as_published.svg", chart.svg());
 }
 
 } // namespace
@@ -97,13 +106,8 @@ int main(int argc, char** argv)
   return run_pairs_program(
       argc, argv,
       {.name = "box_as_published",
-       .summary = "What the published code makes of two boxes, and how often it is wrong.",
+       .summary = "What the published code makes of two boxes, mistake by mistake.",
        .pairs_header = box_pairs_header},
       of_box_rows([](const auto& a, const auto& b) { return box_as_published(a, b); }),
-      [](const Arguments& given)
-      {
-        const std::vector<Counted> all = count_all();
-        print(all);
-        draw(given, all);
-      });
+      [](const Arguments&) { print(); });
 }

@@ -3,7 +3,6 @@
 
 #include "04_obb_manifolds/box_chart/trial/box_chart.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_chart_measure.hpp"
-#include "04_obb_manifolds/box_chart/trial/box_chart_shares.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_chart_steps.hpp"
 #include "tools/program/program.hpp"
 
@@ -53,19 +52,6 @@ std::string streams_html(const BoxExtent& extent)
   time_streams("random", extent, rows);
   time_streams("resting", extent, rows);
   return box_times_html("from memory", {"random", "resting"}, rows);
-}
-
-std::string peaks_html(const BoxExtent& extent)
-{
-  std::vector<MeasuredShare> shares;
-  for (const char* const workload : {"random", "resting"})
-  {
-    const auto more = measured_shares(workload, false, extent.in_cache, extent.cache);
-    shares.insert(shares.end(), more.begin(), more.end());
-  }
-  const auto touch = measured_shares("random", true, extent.in_cache, extent.cache);
-  shares.insert(shares.end(), touch.begin(), touch.end());
-  return shares_html(shares);
 }
 
 void run(const Arguments& given)

@@ -52,9 +52,15 @@ int main(int argc, char** argv)
         {
           print(part);
           const std::string mark = part.name == "box_failures" ? "case" : part.name;
-          save_figure(
-              given, part.name + ".html",
-              verdict_table(part.caption, names_of(part.methods), verdict_rows(part), mark));
+          const auto save = [&](const std::string& name, CaseChoice choice)
+          {
+            save_figure(
+                given, name,
+                verdict_table(
+                    part.caption, names_of(part.methods), verdict_rows(part, choice), mark));
+          };
+          save(part.name + ".html", CaseChoice::telling);
+          save(part.name + "_rest.html", CaseChoice::others);
         }
       });
 }

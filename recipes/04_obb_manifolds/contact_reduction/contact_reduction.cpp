@@ -21,14 +21,14 @@ const Vector3<double> middle(0, 1, 0);
 void print_octagon()
 {
   const Manifold<double> octagon = turned_squares(45 * degree, 1e-3);
-  Table table({"kept", "area", "share", "middle inside by", "weight inside by"});
+  Table table({"kept", "area", "fraction", "middle inside by", "weight inside by"});
   const auto add = [&](const std::string& name, const auto& manifold)
   {
     const std::vector<Corner> hull = support(manifold);
     const auto held = [&](const Vector3<double>& point)
     { return cell(inside(hull, seen_along(manifold.normal, point))); };
-    const double share = area(hull) / area(support(octagon));
-    table.row({name, cell(area(hull)), cell(share), held(middle), held(weight)});
+    const double fraction = area(hull) / area(support(octagon));
+    table.row({name, cell(area(hull)), cell(fraction), held(middle), held(weight)});
   };
   add("all 8", octagon);
   for (const Way& way : ways)

@@ -44,7 +44,7 @@ void print_steps()
     more = expand(expansion, support);
     table.row({before[0], before[1], before[2], cell(expansion.depth)});
   }
-  std::cout << "GJK asked for " << decision.steps << " farthest points.\n\n" << table.text();
+  std::cout << "GJK asked for " << decision.steps << " support points.\n\n" << table.text();
 }
 
 void print_cases()

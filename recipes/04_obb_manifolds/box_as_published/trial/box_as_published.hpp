@@ -1,14 +1,17 @@
 #pragma once
 
 /// \file
-/// \brief The manifold of two boxes as the code published beside the seed book computes it.
+/// \brief The manifold of two boxes as the code published beside the seed book computes it, in our
+/// own words, with its ten mistakes X08 … X17.
 
-#include "02_primitives/closest_point_box/closest_point_box.hpp"
-#include "04_obb_manifolds/box_as_published/trial/box_as_published_axes.hpp"
-#include "04_obb_manifolds/edge_clipping/edge_clipping.hpp"
+#include "04_obb_manifolds/box_as_published/trial/published_points.hpp"
+#include "04_obb_manifolds/separating_axes/separating_axes.hpp"
 
 #include <algorithm>
-#include <vector>
+#include <array>
+#include <limits>
+#include <optional>
+#include <utility>
 
 namespace cookbook
 {
@@ -16,107 +19,109 @@ namespace cookbook
 /// The most points: 24 edges that pass six planes each.
 inline constexpr std::size_t most_published_points = 144;
 
-/// Points of a manifold before there is a limit to them; on the heap, as published.
+// [published_axes]
+/// An axis without its negative components, X09; zero if it is then shorter than √0.001, X14.
 template <class Real>
-using PublishedPoints = std::vector<ContactPoint<Real>>;
-
-// [bare_crossings]
-/// Edge 0 … 11 of a box, numbered as by each_crossing().
-template <class Real>
-Segment<Real> box_edge(const Obb<Real>& box, int edge)
+Vector3<Real> published_axis(const Vector3<Real>& axis)
 {
-  const int k = edge / 4, k1 = (k + 1) % 3, k2 = (k + 2) % 3;
-  Vector3<Real> start = -box.half_extents;
-  start[k1] = edge % 2 == 0 ? start[k1] : -start[k1];
-  start[k2] = edge % 4 < 2 ? start[k2] : -start[k2];
-  Vector3<Real> end = start;
-  end[k] = -start[k];
-  return {box.center + box.axes * start, box.center + box.axes * end};
+  const Vector3<Real> kept = (axis.array() < Real(1e-6)).select(Real(0), axis);
+  return kept.squaredNorm() < Real(1e-3) ? Vector3<Real>::Zero() : kept;
 }
 
-/// Adds the points where edges of one box pass planes of the other's faces, if that box holds them
-/// to the last digit; X15. Features count from `feature` on.
+/// The fifteen axes to try, zero for those left out; X08: A's axes are crossed with A's own.
 template <class Real>
-void add_bare_crossings(
-    const Obb<Real>& edges, const Obb<Real>& faces, std::uint32_t feature,
-    PublishedPoints<Real>& points)
+std::array<Vector3<Real>, 15> published_axes(const Obb<Real>& a, const Obb<Real>& b)
 {
-  for (int pair = 0; pair < int(edge_face_pairs); ++pair)
+  std::array<Vector3<Real>, 15> axes;
+  for (int i = 0; i < 3; ++i)
   {
-    const int face = pair % 6;
-    const Segment<Real> edge = box_edge(edges, pair / 6);
-    const Vector3<Real> normal = (face % 2 == 0 ? Real(1) : Real(-1)) * faces.axes.col(face / 2);
-    const Real distance = normal.dot(faces.center) + faces.half_extents[face / 2];
-    const Vector3<Real> along = edge.end - edge.start;
-    const Real rise = normal.dot(along);
-    const Real cut = (distance - normal.dot(edge.start)) / rise;
-    const Vector3<Real> point = edge.start + cut * along;
-    if (rise != Real(0) && cut >= Real(0) && cut <= Real(1) && contains(faces, point))
+    axes[std::size_t(i)] = published_axis<Real>(a.axes.col(i));
+    axes[std::size_t(3 + i)] = published_axis<Real>(b.axes.col(i));
+    for (int j = 0; j < 3; ++j)
     {
-      points.push_back({point, Real(0), feature + std::uint32_t(pair)});
+      axes[std::size_t(6 + 3 * i + j)] = published_axis<Real>(a.axes.col(i).cross(a.axes.col(j)));
     }
   }
+  return axes;
 }
-// [bare_crossings]
+// [published_axes]
 
-// [published_points]
-/// All crossings, or, with X15 mended, those of edge_clipping() and its answer for a box inside.
+// [published_overlap]
+/// A box's projection on an axis, seen from a point: its begin and its end.
 template <class Real>
-PublishedPoints<Real> published_crossings(
-    const Obb<Real>& a, const Obb<Real>& b, const LeastOverlap<Real>& least, bool bare)
+std::pair<Real, Real>
+projection(const Obb<Real>& box, const Vector3<Real>& from, const Vector3<Real>& axis)
 {
-  PublishedPoints<Real> points;
-  if (bare)
-  {
-    add_bare_crossings(b, a, 1 + edge_face_pairs, points);
-    add_bare_crossings(a, b, 1, points);
-    return points;
-  }
-  const RelativeBoxes<Real> boxes = relative_boxes(a, b);
-  const Vector3<Real> normal = a.axes.transpose() * least.normal;
-  ContactsOnPlane<Real> contacts = contacts_on_middle_plane(boxes, normal, least.depth);
-  contacts.same = Real(-1);
-  add_crossings(boxes, contacts);
-  if (contacts.points.empty())
-  {
-    contacts.add(contained_point(boxes, normal), 0);
-  }
-  for (const ContactPoint<Real>& point : contacts.points)
-  {
-    points.push_back({a.center + a.axes * point.position, Real(0), point.feature});
-  }
-  return points;
+  const Real middle = axis.dot(box.center - from);
+  const Real radius = (box.axes.transpose() * axis).cwiseAbs().dot(box.half_extents);
+  return {middle - radius, middle + radius};
 }
 
-/// From the last point to the first, each in place of one after it that is closer than `same`; X16.
+/// The yes-or-no test. X10: it compares A's projection with A's, so that B is never asked.
 template <class Real>
-PublishedPoints<Real> merged(const PublishedPoints<Real>& points, Real same)
+bool overlap_as_published(const Obb<Real>& a, const Obb<Real>&)
 {
-  PublishedPoints<Real> kept;
-  for (auto point = points.rbegin(); point != points.rend(); ++point)
+  const auto overlaps = [&](const Vector3<Real>& axis)
   {
-    const auto is_same = [&](const ContactPoint<Real>& other)
-    { return (other.position - point->position).norm() < same; };
-    const auto twin = std::find_if(kept.begin(), kept.end(), is_same);
-    if (twin != kept.end())
+    const auto of_a = projection(a, a.center, axis), of_b = of_a;
+    return of_b.first <= of_a.second && of_a.first <= of_b.second;
+  };
+  const std::array<Vector3<Real>, 15> axes = published_axes(a, a);
+  return std::all_of(axes.begin(), axes.end(), overlaps);
+}
+
+/// The overlap along an axis of length 1, and the axis turned to what is taken for A to B.
+///
+/// X11: both lengths less the whole that they cover. X12: turned back where B begins before A.
+template <class Real>
+LeastOverlap<Real>
+published_overlap(const Obb<Real>& a, const Obb<Real>& b, const Vector3<Real>& unit)
+{
+  const auto [begin_a, end_a] = projection(a, a.center, unit);
+  const auto [begin_b, end_b] = projection(b, a.center, unit);
+  const Real lengths = end_a - begin_a + end_b - begin_b;
+  const Real whole = std::max(end_a, end_b) - std::min(begin_a, begin_b);
+  return {begin_b < begin_a ? Vector3<Real>(-unit) : unit, lengths - whole, -1};
+}
+
+/// The least overlap; nothing where one is negative or, X13, zero, or where the spheres around the
+/// boxes are apart, which is no mistake.
+template <class Real>
+std::optional<LeastOverlap<Real>> least_as_published(const Obb<Real>& a, const Obb<Real>& b)
+{
+  const Real radius = a.half_extents.norm() + b.half_extents.norm();
+  if ((b.center - a.center).squaredNorm() > radius * radius)
+  {
+    return std::nullopt;
+  }
+  LeastOverlap<Real> least{Vector3<Real>::Zero(), std::numeric_limits<Real>::max(), -1};
+  for (const Vector3<Real>& axis : published_axes(a, b))
+  {
+    if (!axis.isZero(0))
     {
-      kept.erase(twin);
+      const LeastOverlap<Real> found = published_overlap<Real>(a, b, axis.normalized());
+      if (!(found.depth > Real(0)))
+      {
+        return std::nullopt;
+      }
+      least = found.depth < least.depth ? found : least;
     }
-    kept.push_back(*point);
   }
-  return {kept.rbegin(), kept.rend()};
+  const bool none = least.depth == std::numeric_limits<Real>::max();
+  return none ? std::nullopt : std::optional(least);
 }
-// [published_points]
+// [published_overlap]
 
 // [box_as_published]
-/// The published manifold of two boxes, in our own words, with the faults that are in; X08 … X17.
+/// The published manifold of two boxes. X16: points closer than 1 cm are one, however small the
+/// boxes are.
 ///
 /// Boxes can overlap without a point: then `points` is empty. Every point has the whole depth.
 template <class Real>
 std::optional<Manifold<Real, most_published_points>>
-box_as_published(const Obb<Real>& a, const Obb<Real>& b, const PublishedFaults& faults = {})
+box_as_published(const Obb<Real>& a, const Obb<Real>& b)
 {
-  const std::optional<LeastOverlap<Real>> least = least_as_published(a, b, faults);
+  const std::optional<LeastOverlap<Real>> least = least_as_published(a, b);
   if (!least)
   {
     return std::nullopt;
@@ -124,17 +129,16 @@ box_as_published(const Obb<Real>& a, const Obb<Real>& b, const PublishedFaults& 
   const auto& [normal, depth, axis] = *least;
   const Real radius = (a.axes.transpose() * normal).cwiseAbs().dot(a.half_extents);
   const Real middle = normal.dot(a.center) + radius - depth / Real(2);
-  PublishedPoints<Real> points = published_crossings(a, b, *least, faults.tests_points_bare);
+  PublishedPoints<Real> points;
+  add_bare_crossings(b, a, points);
+  add_bare_crossings(a, b, points);
   for (ContactPoint<Real>& point : points)
   {
     point.position += (middle - normal.dot(point.position)) * normal;
     point.depth = depth;
-    point.feature = faults.forgets_features ? 0 : point.feature;
   }
-  const Real size = a.half_extents.sum() + b.half_extents.sum();
   Manifold<Real, most_published_points> manifold{normal, depth, {}};
-  for (const ContactPoint<Real>& point :
-       merged(points, faults.merges_within_1_cm ? Real(0.01) : same_point<Real>() * size))
+  for (const ContactPoint<Real>& point : merged(points, Real(0.01)))
   {
     manifold.points.push_back(point);
   }

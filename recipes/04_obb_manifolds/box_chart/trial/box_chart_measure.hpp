@@ -6,6 +6,7 @@
 #include "04_obb_manifolds/box_chart/trial/batch_and_memory.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_chart.hpp"
 #include "04_obb_manifolds/box_chart/trial/box_chart_peers.hpp"
+#include "tools/measure/peak.hpp"
 
 #include <functional>
 #include <memory>
@@ -115,6 +116,29 @@ inline void time_overlaps(
       "ODE, overlap only", true, [ode] { ode->run_overlaps(); }, pairs);
 #endif
   column.time_into(rows, effort);
+}
+
+/// The decision on random pairs beside the peak of each instruction set's registers.
+inline std::string peaks_html(const BoxExtent& extent)
+{
+  const auto batch = std::make_shared<BoxBatch>(box_workload("random", extent.in_cache).pairs);
+  std::vector<measure::Timed> timed;
+  for (const InstructionSet set : instruction_sets())
+  {
+    const std::size_t lanes = set == InstructionSet::avx512 ? 16
+                              : set == InstructionSet::avx2 ? 8
+                                                            : 4;
+    timed.push_back(
+        {"box_pairs_touch, " + name_of(set), run_batch(batch, set, true), double(extent.in_cache)});
+    timed.push_back(measure::peak_flops(lanes));
+  }
+  const auto timings = measure::time_interleaved(timed, extent.cache);
+  Cells cells{{"of the peak, random", "[ns a pair]", "[Gflop/s]", "peak [Gflop/s]", "fraction"}};
+  for (std::size_t i = 0; i < timings.size(); i += 2)
+  {
+    cells.push_back(peak_row(timings[i].name, timings[i].ns, timings[i + 1].ns));
+  }
+  return html_table(cells);
 }
 
 /// Whole manifolds, with the pairs in memory.

@@ -151,19 +151,27 @@ VerdictRow cubes_row(const VerdictPart& part)
 
 } // namespace
 
-std::vector<VerdictRow> verdict_rows(const VerdictPart& part)
+std::vector<VerdictRow> verdict_rows(const VerdictPart& part, CaseChoice choice)
 {
   std::vector<VerdictRow> rows;
+  const auto add = [&](const std::string& id, const auto& row)
+  {
+    if (choice == CaseChoice::all ||
+        (choice == CaseChoice::telling) == (part.telling.count(id) > 0))
+    {
+      rows.push_back(row());
+    }
+  };
   for (const BoxCase& pair : all_box_cases())
   {
     if (pair.id == "K2")
     {
-      rows.push_back(capsule_row(part));
+      add("K1", [&] { return capsule_row(part); });
     }
-    rows.push_back(pair_row(part, pair));
+    add(pair.id, [&] { return pair_row(part, pair); });
     if (pair.id == "K3-b")
     {
-      rows.push_back(cubes_row(part));
+      add("K4", [&] { return cubes_row(part); });
     }
   }
   return rows;
@@ -173,11 +181,21 @@ std::vector<VerdictPart> verdict_parts()
 {
   const WholeAnswers whole;
   return {
-      {"box_failures", "Ways to find the least overlap", axis_methods(), verdict_on_overlap},
-      {"box_failures_manifolds", "Whole answers: decision, depth and normal",
-       manifold_methods(whole), verdict_on_overlap},
-      {"box_failures_points", "Ways to find contact points", point_methods(whole),
-       verdict_on_points}};
+      {"box_failures",
+       "Ways to find the least overlap",
+       axis_methods(),
+       verdict_on_overlap,
+       {"G1", "G2", "G3", "G6", "G9", "G9b", "G11", "G13", "G13-10-A-b", "G14"}},
+      {"box_failures_manifolds",
+       "Whole answers: decision, depth and normal",
+       manifold_methods(whole),
+       verdict_on_overlap,
+       {"G1", "G3", "G6", "G9", "G13", "G13-10-A-b", "K3", "K4", "X09", "X14"}},
+      {"box_failures_points",
+       "Ways to find contact points",
+       point_methods(whole),
+       verdict_on_points,
+       {"G2", "G4", "G6", "G8", "G9", "G9b", "G16", "X15", "X16", "X17"}}};
 }
 
 } // namespace cookbook

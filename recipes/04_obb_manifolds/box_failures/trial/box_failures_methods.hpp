@@ -5,6 +5,7 @@
 
 #include "04_obb_manifolds/box_failures/trial/box_verdicts.hpp"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct VerdictPart
   std::string caption;                                                 ///< above the table
   std::vector<BoxMethod> methods;                                      ///< its columns
   Verdict (*verdict)(const BoxCase&, const std::optional<BoxAnswer>&); ///< on each answer
+  std::set<std::string> telling; ///< ids of the cases that the page shows unfolded
 };
 
 /// The whole table.
@@ -54,7 +56,15 @@ inline Verdict verdict_on_decisions(const BoxMethod& method, bool needs_points)
   return {wrong == 0, wrong == 0 ? "none wrong" : std::to_string(wrong) + " wrong"};
 }
 
-/// What the methods make of all cases.
-std::vector<VerdictRow> verdict_rows(const VerdictPart& part);
+/// Which cases.
+enum class CaseChoice
+{
+  all,
+  telling, ///< those that tell most
+  others,  ///< all but these
+};
+
+/// What the methods make of the cases.
+std::vector<VerdictRow> verdict_rows(const VerdictPart& part, CaseChoice choice = CaseChoice::all);
 
 } // namespace cookbook

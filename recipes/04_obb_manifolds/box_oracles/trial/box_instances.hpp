@@ -23,7 +23,7 @@
   ELSEWHERE template std::optional<Manifold<REAL>> gjk_epa(const Obb<REAL>&, const Obb<REAL>&);    \
   ELSEWHERE template std::optional<REAL> overlap_on(const Obb<REAL>&, const Obb<REAL>&, int);      \
   ELSEWHERE template std::optional<Manifold<REAL, most_published_points>> box_as_published(        \
-      const Obb<REAL>&, const Obb<REAL>&, const PublishedFaults&);
+      const Obb<REAL>&, const Obb<REAL>&);
 
 /// The same for box_box() with its rows of type ROW.
 #define COOKBOOK_BOX_ROWS(ELSEWHERE, REAL, ...)                                                    \

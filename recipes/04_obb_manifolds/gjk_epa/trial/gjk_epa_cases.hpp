@@ -17,7 +17,7 @@
 namespace cookbook
 {
 
-/// Two shapes as GJK sees them: the solid of their differences, and how large it is.
+/// Two shapes as GJK sees them: their Minkowski difference, and how large it is.
 template <class Real>
 struct ConvexPair
 {

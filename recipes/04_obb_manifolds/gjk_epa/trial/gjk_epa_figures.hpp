@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief What gjk_epa draws: the solid of differences, the polytope in its solid, and the error
+/// \brief What gjk_epa draws: the Minkowski difference, the polytope in its solid, and the error
 /// while it grows.
 
 #include "04_obb_manifolds/gjk_epa/gjk_epa.hpp"
@@ -60,7 +60,7 @@ inline plot::Grid minkowski_grid()
     return Obb<double>{{x, y, 0}, turned(turn, {0, 0, 1}), {0.6, 0.4, 2}};
   };
   plot::Grid grid("gjk_epa_minkowski_difference", "", 2);
-  grid.describe("Two boxes and the solid of their differences, apart and overlapping.");
+  grid.describe("Two boxes and their Minkowski difference, apart and overlapping.");
   add_minkowski_difference(grid, a, b(1.7, 0.3), turn, "Apart", "0 is outside");
   add_minkowski_difference(grid, a, b(0.7, 0.3), turn, "Overlapping", "0 is inside");
   return grid;
@@ -129,7 +129,7 @@ inline plot::Grid polytope_steps(const Obb<double>& a, const Obb<double>& b)
   Expansion<double> expansion =
       start_expansion(support, gjk(support, boxes.offset, tolerance).simplex, tolerance);
   plot::Grid grid("gjk_epa", "", 2);
-  grid.describe("A tetrahedron in the solid of differences grows towards the closest face.");
+  grid.describe("A tetrahedron in the Minkowski difference grows towards the closest face.");
   for (bool more = true; more; more = expand(expansion, support))
   {
     const std::string corners = std::to_string(expansion.polytope.corner_count);

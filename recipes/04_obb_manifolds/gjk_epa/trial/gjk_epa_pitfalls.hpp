@@ -56,11 +56,12 @@ std::optional<Real> no_rebuild(const Support& support, const Vector3<Real>& star
 }
 // [no_rebuild]
 
-// [two_oracles]
+// [two_tolerances]
 /// GJK calls touching what is within a micrometre; EPA then has the distance of the closest face,
 /// which has no sign.
 template <class Real, class Support>
-std::optional<Real> two_oracles(const Support& support, const Vector3<Real>& start, Real tolerance)
+std::optional<Real>
+two_tolerances(const Support& support, const Vector3<Real>& start, Real tolerance)
 {
   const Real micrometre = Real(1e-6);
   const auto grown = [&](const Vector3<Real>& direction) -> SupportPoint<Real>
@@ -76,6 +77,6 @@ std::optional<Real> two_oracles(const Support& support, const Vector3<Real>& sta
   using std::abs;
   return abs(epa(support, gjk(support, start, tolerance).simplex, tolerance).depth);
 }
-// [two_oracles]
+// [two_tolerances]
 
 } // namespace cookbook

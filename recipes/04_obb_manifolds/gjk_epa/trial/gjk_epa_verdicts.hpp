@@ -37,15 +37,18 @@ inline std::vector<ConvexMethod> convex_methods()
       convex_method(
           "absolute_tolerance", [](const auto&... given) { return absolute_tolerance(given...); }),
       convex_method("no_rebuild", [](const auto&... given) { return no_rebuild(given...); }),
-      convex_method("two_oracles", [](const auto&... given) { return two_oracles(given...); })};
+      convex_method(
+          "two_tolerances", [](const auto&... given) { return two_tolerances(given...); })};
 }
 
 /// Right if the shapes are found apart, where `depth` [m] is negative, or as deep as that.
 inline Verdict verdict_on_depth(const std::optional<double>& answer, double depth, double tolerance)
 {
-  const std::string said = answer ? "depth " + number(*answer) : "apart";
+  const auto told = [](const std::optional<double>& x)
+  { return x ? "depth " + number(*x) : "apart"; };
   const bool holds = depth < 0 ? !answer : answer && std::abs(*answer - depth) <= tolerance;
-  return {holds, said};
+  const std::string right = told(depth < 0 ? std::nullopt : std::optional(depth));
+  return {holds, told(answer) + (holds ? "" : ", not " + right)};
 }
 
 /// How many random pairs of cubes [1] a method is asked about for the table.
