@@ -2,10 +2,12 @@
 /// What holds for the manifold of a sphere and a capsule.
 
 #include "02_primitives/shapes/trial/number_draw.hpp"
+#include "03_sphere_manifolds/plain_spheres/plain_sphere_capsule.hpp"
 #include "03_sphere_manifolds/sphere_capsule/sphere_capsule.hpp"
 
 #include "tests/catch.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -13,6 +15,9 @@ using namespace cookbook;
 
 namespace
 {
+
+/// The plain function and the hardened one.
+const std::array rungs{plain_sphere_capsule<double>, sphere_capsule<double>};
 
 constexpr double rounding = 1e-14;
 
@@ -24,7 +29,8 @@ const Capsule<double> slanted{{{0, 0, 0}, {6, 8, 0}}, 1};
 // [sphere_capsule]
 TEST_CASE("a ball 5 off a capsule's axis, radii 4.5 and 1, is 0.5 deep", "[P2][S1]")
 {
-  const Manifold<double> manifold = sphere_capsule<double>({{7, 1, 0}, 4.5}, slanted).value();
+  const auto manifold_of = rungs[GENERATE(0u, 1u)];
+  const Manifold<double> manifold = manifold_of({{7, 1, 0}, 4.5}, slanted).value();
   CHECK(manifold.depth == Catch::Approx(0.5).epsilon(rounding));
   CHECK((manifold.normal - Vector3<double>(-0.8, 0.6, 0)).norm() <= rounding);
   // 4.5 - 0.25 from the ball's centre.
@@ -34,8 +40,9 @@ TEST_CASE("a ball 5 off a capsule's axis, radii 4.5 and 1, is 0.5 deep", "[P2][S
 
 TEST_CASE("beyond a capsule's end a ball meets the ball at that end", "[S1]")
 {
+  const auto manifold_of = rungs[GENERATE(0u, 1u)];
   const Sphere<double> sphere{{9, 12, 0}, 4.5}; // 5 beyond the end, along the axis
-  const Manifold<double> capsule = sphere_capsule(sphere, slanted).value();
+  const Manifold<double> capsule = manifold_of(sphere, slanted).value();
   const Manifold<double> end = sphere_sphere<double>(sphere, {{6, 8, 0}, 1}).value();
   CHECK(capsule.depth == Catch::Approx(0.5).epsilon(rounding));
   CHECK((capsule.normal - end.normal).norm() <= rounding);

@@ -1,5 +1,6 @@
 #include "tools/program/verdicts.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace cookbook
@@ -18,11 +19,12 @@ std::string escaped(const std::string& text)
   return result;
 }
 
-std::string row_html(const VerdictRow& row, const std::string& mark)
+std::string row_html(const VerdictRow& row, const std::string& mark, bool right)
 {
   const std::string id = row.id.empty() ? "" : " id=\"" + mark + "-" + row.id + "\"";
   std::string html =
       "<tr" + id + "><th>" + escaped(row.id) + "</th><td>" + escaped(row.what) + "</td>";
+  html += right ? "<td>" + escaped(row.right) + "</td>" : "";
   for (const Verdict& verdict : row.verdicts)
   {
     const std::string kind = !verdict.applies ? "verdict-none"
@@ -39,8 +41,11 @@ std::string verdict_table(
     const std::string& caption, const std::vector<std::string>& methods,
     const std::vector<VerdictRow>& rows, const std::string& mark)
 {
+  const bool right = std::any_of(
+      rows.begin(), rows.end(), [](const VerdictRow& row) { return !row.right.empty(); });
   std::string html = "<table class=\"verdicts\">\n<caption>" + escaped(caption) +
                      "</caption>\n<thead><tr><th>case</th><th>set-up</th>";
+  html += right ? "<th>right</th>" : "";
   for (const std::string& method : methods)
   {
     html += "<th>" + escaped(method) + "</th>";
@@ -53,7 +58,7 @@ std::string verdict_table(
       throw std::logic_error(
           "case " + row.id + " has " + std::to_string(row.verdicts.size()) + " verdicts");
     }
-    html += row_html(row, mark);
+    html += row_html(row, mark, right);
   }
   return html + "</tbody>\n</table>\n";
 }

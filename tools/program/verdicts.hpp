@@ -29,6 +29,7 @@ struct VerdictRow
   std::string id;                ///< such as C4; empty for a neighbour of the case above it
   std::string what;              ///< the set-up, in a few words
   std::vector<Verdict> verdicts; ///< as many as there are methods
+  std::string right{}; ///< the right value, beside the wrong ones; a column where any row has it
 };
 
 /// The names of methods, in their order: the columns of a table.

@@ -2,7 +2,7 @@
 /// \brief Two balls that move: relative velocity, approach, nature, and how they share the way out.
 
 #include "03_sphere_manifolds/collision/collision.hpp"
-#include "03_sphere_manifolds/sphere_sphere/sphere_sphere.hpp"
+#include "03_sphere_manifolds/plain_spheres/plain_sphere_sphere.hpp"
 #include "tools/plot/figures/figure2d.hpp"
 #include "tools/program/program.hpp"
 #include "tools/program/table.hpp"
@@ -52,7 +52,7 @@ void print_meetings()
     const Vector3<double> center_b(meeting.distance, 0, 0);
     const Motion<double> a{sphere_a.center, {0, 0, 0}, {0, 0, 0}};
     const Motion<double> b{center_b, {meeting.speed, 0, 0}, {0, 0, 0}};
-    const std::optional<Manifold<double>> manifold = sphere_sphere(sphere_a, {center_b, 1});
+    const std::optional<Manifold<double>> manifold = plain_sphere_sphere(sphere_a, {center_b, 1});
     if (!manifold)
     {
       table.row({meeting.name, "apart", name_of(nature(manifold, tolerance)), "", "", ""});
@@ -89,7 +89,7 @@ void draw(const Arguments& arguments)
 {
   const Motion<double> a{{0, 0, 0}, {0.6, 0.1, 0}, {0, 0, 0.6}};
   const Motion<double> b{{1.7, 0, 0}, {-0.5, -0.35, 0}, {0, 0, -0.7}};
-  const Manifold<double> manifold = sphere_sphere(sphere_a, {b.center, 1}).value();
+  const Manifold<double> manifold = plain_sphere_sphere(sphere_a, {b.center, 1}).value();
   const Vector3<double> contact = manifold.points[0].position;
   const Eigen::Vector2d point = contact.head<2>();
   plot::Figure2d figure("collision", "", {{-1.1, -1.1}, {2.8, 1.1}, 400});

@@ -3,6 +3,7 @@
 
 #include "03_sphere_manifolds/sphere_box/sphere_box.hpp"
 #include "03_sphere_manifolds/manifold/trial/pairs_file.hpp"
+#include "03_sphere_manifolds/plain_spheres/plain_sphere_box.hpp"
 #include "tools/plot/figures/figure2d.hpp"
 #include "tools/program/program.hpp"
 #include "tools/program/table.hpp"
@@ -26,7 +27,7 @@ void print_path()
   Table table({"ball x", "ball y", "depth", "normal x", "normal y", "contact x", "contact y"});
   for (const Sphere<double>& sphere : path)
   {
-    const Manifold<double> manifold = sphere_box(sphere, box).value();
+    const Manifold<double> manifold = plain_sphere_box(sphere, box).value();
     const Vector3<double>& contact = manifold.points[0].position;
     table.row(
         {number(sphere.center.x()), number(sphere.center.y()), number(manifold.depth),
@@ -39,7 +40,7 @@ void print_path()
 /// Draws a ball, and where and by which move it leaves the box.
 void draw_sphere(plot::Figure2d& figure, const Sphere<double>& sphere, const std::string& move)
 {
-  const Manifold<double> manifold = sphere_box(sphere, box).value();
+  const Manifold<double> manifold = plain_sphere_box(sphere, box).value();
   const Eigen::Vector2d center = sphere.center.head<2>();
   const Eigen::Vector2d out = -manifold.normal.head<2>();
   figure

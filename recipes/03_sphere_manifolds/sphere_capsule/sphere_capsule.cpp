@@ -2,6 +2,7 @@
 /// \brief Moves a ball along a capsule, and draws the ball of the capsule that it meets.
 
 #include "03_sphere_manifolds/sphere_capsule/sphere_capsule.hpp"
+#include "03_sphere_manifolds/plain_spheres/plain_sphere_capsule.hpp"
 #include "tools/plot/figures/figure2d.hpp"
 #include "tools/program/program.hpp"
 #include "tools/program/table.hpp"
@@ -26,7 +27,7 @@ void print_flight()
   for (const double x : {-2.0, -1.5, -1.0, 0.0, 0.5, 1.25, 1.75})
   {
     const Vector3<double> closest = closest_point(capsule.segment, sphere_at(x).center);
-    const std::optional<Manifold<double>> manifold = sphere_capsule(sphere_at(x), capsule);
+    const std::optional<Manifold<double>> manifold = plain_sphere_capsule(sphere_at(x), capsule);
     if (!manifold)
     {
       table.row({number(x), number(closest.x()), "apart", "", ""});
@@ -42,7 +43,7 @@ void print_flight()
 void draw_sphere(plot::Figure2d& figure, double x)
 {
   const Sphere<double> sphere = sphere_at(x);
-  const Manifold<double> manifold = sphere_capsule(sphere, capsule).value();
+  const Manifold<double> manifold = plain_sphere_capsule(sphere, capsule).value();
   const Eigen::Vector2d closest = closest_point(capsule.segment, sphere.center).head<2>();
   const Eigen::Vector2d contact = manifold.points[0].position.head<2>();
   const Eigen::Vector2d center = sphere.center.head<2>();

@@ -140,7 +140,7 @@ std::vector<Contender> contenders()
       one_by_one<float>(
           "as published", [](Float a, Float b) { return sphere_sphere_as_published(a, b); }),
       one_by_one<float>(
-          "world float", [](Float a, Float b) { return sphere_sphere_world_float(a, b); }),
+          "plain_sphere_sphere, float", [](Float a, Float b) { return plain_sphere_sphere(a, b); }),
       one_by_one<float>(
           "reciprocal, 0 steps",
           [](Float a, Float b) { return sphere_sphere_reciprocal<0>(a, b); }),
@@ -265,7 +265,7 @@ plot::Look look_of(const MeasuredMethod& method)
                                                    : plot::Marker::circle;
   const plot::Ink ink = method.peer        ? plot::Ink::muted
                         : is("reciprocal") ? plot::Ink::series4
-                        : is("world")      ? plot::Ink::series2
+                        : is("plain")      ? plot::Ink::series2
                                            : plot::Ink::series1;
   return {ink, marker, {}};
 }

@@ -24,7 +24,7 @@ struct SpherePairs
   std::span<const float> br;         ///< [m], radii of the B's
 };
 
-/// What the pairs share, as seven lists of the pairs' length, which overlap no other list.
+/// What is found of the pairs, as seven lists of the pairs' length, which overlap no other list.
 struct SphereOverlaps
 {
   std::span<float> nx, ny, nz; ///< [1], unit, world, from A to B, also where they are apart

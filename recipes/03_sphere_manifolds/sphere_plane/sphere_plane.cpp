@@ -1,7 +1,7 @@
 /// \file
 /// \brief Lowers a ball through the ground, and draws it with its centre below the surface.
 
-#include "03_sphere_manifolds/sphere_plane/sphere_plane.hpp"
+#include "03_sphere_manifolds/plain_spheres/plain_sphere_plane.hpp"
 #include "tools/plot/figures/figure2d.hpp"
 #include "tools/program/program.hpp"
 #include "tools/program/table.hpp"
@@ -25,7 +25,7 @@ void print_descent()
   Table table({"height", "depth", "normal y", "contact y"});
   for (const double height : {0.75, 0.5, 0.25, 0.0, -0.25, -1.0})
   {
-    const std::optional<Manifold<double>> manifold = sphere_plane(sphere_at(height), ground);
+    const std::optional<Manifold<double>> manifold = plain_sphere_plane(sphere_at(height), ground);
     if (!manifold)
     {
       table.row({number(height), "apart", "", ""});
@@ -42,7 +42,7 @@ void print_descent()
 void draw_sphere(plot::Figure2d& figure, double height, double x)
 {
   const Sphere<double> sphere = sphere_at(height);
-  const Manifold<double> manifold = sphere_plane(sphere, ground).value();
+  const Manifold<double> manifold = plain_sphere_plane(sphere, ground).value();
   const Eigen::Vector2d center(x, height);
   const Eigen::Vector2d contact(x, manifold.points[0].position.y());
   const Eigen::Vector2d lowest(x + 0.62, height - sphere.radius);

@@ -3,6 +3,7 @@
 
 #include "03_sphere_manifolds/sphere_sphere/sphere_sphere.hpp"
 #include "03_sphere_manifolds/manifold/trial/pairs_file.hpp"
+#include "03_sphere_manifolds/plain_spheres/plain_sphere_sphere.hpp"
 #include "tools/plot/figures/figure2d.hpp"
 #include "tools/program/program.hpp"
 #include "tools/program/table.hpp"
@@ -26,7 +27,8 @@ void print_approach()
   Table table({"distance", "depth", "each moves", "normal x", "contact x"});
   for (const double distance : {2.5, 2.0, 1.9, 1.5, 1.0, 0.5, 0.0})
   {
-    const std::optional<Manifold<double>> manifold = sphere_sphere(sphere_a, sphere_b_at(distance));
+    const std::optional<Manifold<double>> manifold =
+        plain_sphere_sphere(sphere_a, sphere_b_at(distance));
     if (!manifold)
     {
       table.row({number(distance), "apart", "", "", ""});
@@ -42,7 +44,7 @@ void print_approach()
 void draw(const Arguments& arguments)
 {
   const Sphere<double> b = sphere_b_at(1.5);
-  const Manifold<double> manifold = sphere_sphere(sphere_a, b).value();
+  const Manifold<double> manifold = plain_sphere_sphere(sphere_a, b).value();
   const Eigen::Vector2d center_a = sphere_a.center.head<2>(), center_b = b.center.head<2>();
   const Eigen::Vector2d n = manifold.normal.head<2>();
   const Eigen::Vector2d deepest_a = center_a + sphere_a.radius * n;

@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief The cases that break ways to a sphere and box's manifold.
+/// \brief The cases that break methods for a sphere and a box.
 
 #include "03_sphere_manifolds/sphere_failures/trial/sphere_box_methods.hpp"
 #include "03_sphere_manifolds/sphere_failures/trial/sphere_verdicts.hpp"
@@ -19,7 +19,7 @@ struct SphereBoxCase
   std::string id;       ///< in the book
   std::string what;     ///< the set-up, in a few words
   Sphere<float> sphere; ///< A
-  Vector3<float> half;  ///< half extents of B, which is upright at the origin
+  Obb<float> box;       ///< B
   Right right;          ///< the answer
 };
 
@@ -27,8 +27,12 @@ struct SphereBoxCase
 inline std::vector<SphereBoxCase> box_cases()
 {
   const Vector3<double> down(0, -1, 0);
-  const Vector3<float> plate(10, 0.5f, 10);
-  const Vector3<float> cube(1, 1, 1);
+  const auto upright = [](float x, float y, float z) {
+    return Obb<float>{{0, 0, 0}, Matrix3<float>::Identity(), {x, y, z}};
+  };
+  const Obb<float> plate = upright(10, 0.5f, 10), cube = upright(1, 1, 1);
+  Matrix3<float> axes;
+  axes << 0.8f, -0.6f, 0, 0.6f, 0.8f, 0, 0, 0, 1;
   return {
       {"D1", "plate, centre 0.05 below its top", {{9, 0.45f, 0}, 0.1f}, plate, {0.15, down, 1e-6}},
       {"X05", "plate, centre 0.25 below its top", {{3, 0.25f, 0}, 0.1f}, plate, {0.35, down, 1e-6}},
@@ -45,51 +49,60 @@ inline std::vector<SphereBoxCase> box_cases()
        plate,
        {0.0998, down, 1e-6}},
       {"D4", "cube, centre on its corner", {{1, 1, 1}, 1}, cube, {1, {0, 0, 0}, 1e-6}},
+      {"",
+       "turned box, centre on its face but for rounding",
+       {{3.6f, 2.95f, 3}, 0.5f},
+       {{4, 2, 3}, axes, {2, 1, 1}},
+       {0.5, {0.6, -0.8, 0}, 1e-6}},
       {"D5",
        "box of 100 m, centre 0.5 below its top",
        {{0, 49.5f, 0}, 0.5f},
-       {50, 50, 50},
+       upright(50, 50, 50),
        {1, down, 1e-5}},
       {"D9",
        "thin box, centre 0.01 below its top",
        {{0, 0.24f, 0}, 0.005f},
-       {0.5f, 0.25f, 0.5f},
+       upright(0.5f, 0.25f, 0.5f),
        {0.015, down, 1e-6}},
       {"D8",
        "bar of 20 m, centre 4 above its top",
        {{0, 5, 0}, 0.5f},
-       {10, 1, 1},
+       upright(10, 1, 1),
        {-3.5, down, 1e-6}},
       {"X28",
        "bar of 20 m, centre 4 beside it",
        {{0, 0, -5}, 0.5f},
-       {10, 1, 1},
+       upright(10, 1, 1),
        {-3.5, down, 1e-6}}};
 }
 
-/// The names of the ways that compete.
+/// The names of the methods.
 inline std::vector<std::string> box_method_names()
 {
-  return {"as published", "published, upright", "outside formula only", "signed distance"};
+  return {
+      "as published", "published, upright", "outside formula only", "plain_sphere_box",
+      "sphere_box"};
 }
 
-/// What each way answers, in the order of their names.
+/// What each method answers, in the order of their names.
 inline std::vector<std::optional<Found>>
-box_answers(const Sphere<float>& sphere, const Vector3<float>& half_extents)
+box_answers(const Sphere<float>& sphere, const Obb<float>& box)
 {
-  const Obb<float> box{{0, 0, 0}, Matrix3<float>::Identity(), half_extents};
   return {
       found(sphere_box_as_published(sphere, box)), found(sphere_box_mixed_bounds(sphere, box)),
-      found(sphere_box_outside_only(sphere, box)), found(sphere_box(sphere, box))};
+      found(sphere_box_outside_only(sphere, box)), found(plain_sphere_box(sphere, box)),
+      found(sphere_box(sphere, box))};
 }
 
-/// The verdicts on all ways, case by case.
+/// The verdicts on all methods, case by case.
 inline std::vector<VerdictRow> box_verdicts()
 {
   std::vector<VerdictRow> rows;
   for (const SphereBoxCase& one : box_cases())
   {
-    rows.push_back({one.id, one.what, verdicts_of(box_answers(one.sphere, one.half), one.right)});
+    rows.push_back(
+        {one.id, one.what, verdicts_of(box_answers(one.sphere, one.box), one.right),
+         right_value(one.right)});
   }
   return rows;
 }

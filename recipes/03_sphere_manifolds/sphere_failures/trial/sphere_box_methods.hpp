@@ -1,11 +1,11 @@
 #pragma once
 
 /// \file
-/// \brief Competing ways to the manifold of a sphere and a box, each with the name of its idea.
+/// \brief Competing methods for the manifold of a sphere and a box, each named after its idea.
 
 #include "02_primitives/closest_point_box/trial/closest_point_box_pitfalls.hpp"
+#include "03_sphere_manifolds/plain_spheres/plain_sphere_box.hpp"
 #include "03_sphere_manifolds/sphere_box/sphere_box.hpp"
-#include "03_sphere_manifolds/sphere_methods/trial/sphere_methods.hpp"
 
 #include <cmath>
 #include <limits>
@@ -41,8 +41,8 @@ sphere_box_as_published(const Sphere<float>& sphere, const Obb<float>& box)
   }
   const float depth = sphere.radius - distance;
   normal /= normal.norm();
-  return one_point_manifold<float>(
-      normal, depth, sphere.center + normal * (sphere.radius - depth / 2));
+  const Vector3<float> point = sphere.center + normal * (sphere.radius - depth / 2);
+  return Manifold<float>{normal, depth, {{point, depth, 0}}};
 }
 
 /// The formula for the outside, given the way to the closest point: where that has no length, zero
@@ -57,8 +57,8 @@ outside_manifold(const Sphere<float>& sphere, const Vector3<float>& to_closest)
     return std::nullopt;
   }
   const Vector3<float> normal = to_closest / distance;
-  return one_point_manifold<float>(
-      normal, depth, sphere.center + normal * (sphere.radius - depth / 2));
+  const Vector3<float> point = sphere.center + normal * (sphere.radius - depth / 2);
+  return Manifold<float>{normal, depth, {{point, depth, 0}}};
 }
 
 /// The formula for the outside, used everywhere: inside, the closest point is the centre itself.

@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief The cases that break ways to two spheres' manifold.
+/// \brief The cases that break methods for two spheres.
 
 #include "03_sphere_manifolds/sphere_failures/trial/sphere_verdicts.hpp"
 #include "03_sphere_manifolds/sphere_methods/trial/sphere_methods.hpp"
@@ -54,11 +54,11 @@ inline std::vector<SphereCase> sphere_cases()
 }
 // [sphere_cases]
 
-/// The names of the ways that compete.
+/// The names of the methods.
 inline std::vector<std::string> sphere_method_names()
 {
-  return {"as published",        "world float",  "relative, float",
-          "reciprocal, 2 steps", "sphere_pairs", "sphere_sphere, double"};
+  return {"as published", "plain_sphere_sphere, float", "relative, float", "reciprocal, 2 steps",
+          "sphere_pairs", "sphere_sphere, double"};
 }
 
 /// The batch's answer for one pair.
@@ -74,7 +74,7 @@ inline std::optional<Found> found_by_batch(const Sphere<float>& a, const Sphere<
                    {{overlaps.nx[0], overlaps.ny[0], overlaps.nz[0]}, overlaps.depth[0]});
 }
 
-/// What each way answers, in the order of their names.
+/// What each method answers, in the order of their names.
 inline std::vector<std::optional<Found>>
 sphere_answers(const Sphere<double>& a, const Sphere<double>& b)
 {
@@ -83,20 +83,22 @@ sphere_answers(const Sphere<double>& a, const Sphere<double>& b)
   const Vector3<double> a_to_b = b.center - a.center;
   return {
       found(sphere_sphere_as_published(float_a, float_b)),
-      found(sphere_sphere_world_float(float_a, float_b)),
+      found(plain_sphere_sphere(float_a, float_b)),
       found(sphere_sphere_relative<float>(a_to_b.cast<float>(), float_a.radius, float_b.radius)),
       found(sphere_sphere_reciprocal<2>(float_a, float_b)),
       found_by_batch(float_a, float_b),
       found(sphere_sphere(a, b))};
 }
 
-/// The verdicts on all ways, case by case.
+/// The verdicts on all methods, case by case.
 inline std::vector<VerdictRow> sphere_verdicts()
 {
   std::vector<VerdictRow> rows;
   for (const SphereCase& one : sphere_cases())
   {
-    rows.push_back({one.id, one.what, verdicts_of(sphere_answers(one.a, one.b), one.right)});
+    rows.push_back(
+        {one.id, one.what, verdicts_of(sphere_answers(one.a, one.b), one.right),
+         right_value(one.right)});
   }
   return rows;
 }

@@ -40,6 +40,12 @@ struct Right
   double tolerance;       ///< [m] for the depth, and [rad] for the normal
 };
 
+/// The right answer as the table shows it.
+inline std::string right_value(const Right& right)
+{
+  return right.depth < 0 ? "apart" : number(right.depth);
+}
+
 // [verdict_of]
 /// Whether an answer is right, and what to say of it.
 inline Verdict verdict_of(const std::optional<Found>& answer, const Right& right)

@@ -3,6 +3,7 @@
 /// \file
 /// \brief The competing ways to the manifold of two spheres, each with the name of its idea.
 
+#include "03_sphere_manifolds/plain_spheres/plain_sphere_sphere.hpp"
 #include "03_sphere_manifolds/sphere_sphere/sphere_sphere.hpp"
 
 #include <bit>
@@ -13,14 +14,6 @@
 
 namespace cookbook
 {
-
-/// The manifold of one contact point.
-template <class Real>
-Manifold<Real>
-one_point_manifold(const Vector3<Real>& normal, Real depth, const Vector3<Real>& position)
-{
-  return {normal, depth, ContactPoints<Real, 8>({position, depth, 0})};
-}
 
 // [sphere_sphere_as_published]
 /// What the code published beside the seed book computes, in our own words; X01, X02.
@@ -41,30 +34,10 @@ sphere_sphere_as_published(const Sphere<float>& a, const Sphere<float>& b)
   }
   const Vector3<float> normal = a_to_b / std::sqrt(squared);
   const float half_depth = std::abs(1 - radii) / 2;
-  return one_point_manifold<float>(
-      normal, 2 * half_depth, a.center + normal * (a.radius - half_depth));
+  const Vector3<float> point = a.center + normal * (a.radius - half_depth);
+  return Manifold<float>{normal, 2 * half_depth, {{point, 2 * half_depth, 0}}};
 }
 // [sphere_sphere_as_published]
-
-// [sphere_sphere_world_float]
-/// The formula as it is written down, in world coordinates of type float, without any guard.
-///
-/// Centres that coincide, or whose difference has squares that do not fit, give NaN or the wrong
-/// verdict; far from the origin the rounding of the coordinates is all that is left.
-inline std::optional<Manifold<float>>
-sphere_sphere_world_float(const Sphere<float>& a, const Sphere<float>& b)
-{
-  const Vector3<float> a_to_b = b.center - a.center;
-  const float length = std::sqrt(a_to_b.dot(a_to_b));
-  const float depth = a.radius + b.radius - length;
-  if (depth < 0)
-  {
-    return std::nullopt;
-  }
-  const Vector3<float> normal = a_to_b / length;
-  return one_point_manifold<float>(normal, depth, a.center + normal * (a.radius - depth / 2));
-}
-// [sphere_sphere_world_float]
 
 // [reciprocal_square_root]
 /// 1/√x for ordinary x > 0: an estimate from the bits of x, good to 3.5 %, and Newton steps, each
@@ -102,7 +75,8 @@ sphere_sphere_reciprocal(const Sphere<float>& a, const Sphere<float>& b)
     return std::nullopt;
   }
   const Vector3<float> normal = a_to_b * reciprocal;
-  return one_point_manifold<float>(normal, depth, a.center + normal * (a.radius - depth / 2));
+  const Vector3<float> point = a.center + normal * (a.radius - depth / 2);
+  return Manifold<float>{normal, depth, {{point, depth, 0}}};
 }
 // [reciprocal_square_root]
 

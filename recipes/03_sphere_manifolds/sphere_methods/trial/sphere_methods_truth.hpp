@@ -4,8 +4,8 @@
 /// \brief Pairs of spheres by the name of what is hard about them, and how wrong a method is there.
 
 #include "03_sphere_manifolds/sphere_methods/trial/sphere_methods.hpp"
-#include "tools/exact/exact.hpp"
 #include "common/math/ulp.hpp"
+#include "tools/exact/exact.hpp"
 #include "tools/measure/statistics.hpp"
 
 #include <functional>
@@ -84,9 +84,9 @@ std::optional<Manifold<double>> as_double(const std::optional<Manifold<Real>>& m
   {
     return std::nullopt;
   }
-  return one_point_manifold<double>(
-      manifold->normal.template cast<double>(), static_cast<double>(manifold->depth),
-      manifold->points[0].position.template cast<double>());
+  const double depth = static_cast<double>(manifold->depth);
+  const Vector3<double> point = manifold->points[0].position.template cast<double>();
+  return Manifold<double>{manifold->normal.template cast<double>(), depth, {{point, depth, 0}}};
 }
 
 /// The method that rounds a world's coordinates to float, then calls `function`.
@@ -106,7 +106,7 @@ inline std::vector<SphereMethod> sphere_methods()
 {
   return {
       in_world_float("as published", sphere_sphere_as_published),
-      in_world_float("world float", sphere_sphere_world_float),
+      in_world_float("plain_sphere_sphere, float", plain_sphere_sphere<float>),
       in_world_float("reciprocal, 0 steps", sphere_sphere_reciprocal<0>),
       in_world_float("reciprocal, 1 step", sphere_sphere_reciprocal<1>),
       in_world_float("reciprocal, 2 steps", sphere_sphere_reciprocal<2>),
