@@ -2,8 +2,8 @@
 /// What every test reads first; CMake compiles it once.
 #pragma once
 
+#include "common/simd/choose.hpp"
 #include "tools/exact/exact.hpp"
 #include "tools/program/precompiled.hpp"
-#include "common/simd/choose.hpp"
 
 #include "tests/catch.hpp"

@@ -119,7 +119,7 @@ std::string failing_cases(const House& house)
         "<td>" + id + "</td><td>" + place + "</td><td>" + list(tests, "case:" + id) + "</td>";
   }
   return "# Where methods fail {#failing_cases}\n\nEvery case that breaks a method, where the book "
-         "shows it, and the tests that\nassert who fails and who survives.\n\n" +
+         "shows it, and the tests that\nassert which method fails and which survives.\n\n" +
          table("<th>Case</th><th>Shown in</th><th>Asserted by</th>", rows);
 }
 

@@ -1,5 +1,6 @@
 /// \file
-/// What a page gets that nobody types: the links to its neighbours, and the heads of its listings.
+/// What a page gets without being typed: the links to its neighbours, and the heads of its
+/// listings.
 #pragma once
 
 #include "docs/index/pages.hpp"

@@ -572,7 +572,8 @@ TEST_CASE("the origin on GJK's simplex: a contact is lost unless EPA rebuilds it
 // [K2]
 
 // [K3]
-TEST_CASE("0.1 µm apart or deep: one test has one answer, two tolerances call both a hit", "[case:K3]")
+TEST_CASE(
+    "0.1 µm apart or deep: one test has one answer, two tolerances call both a hit", "[case:K3]")
 {
   CHECK(failing("K3") == Names{"two_tolerances"});
   CHECK(failing("K3-b") == Names{"no_rebuild"});

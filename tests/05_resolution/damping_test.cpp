@@ -5,8 +5,8 @@
 #include "05_resolution/damping/trial/damping_cases.hpp"
 #include "05_resolution/damping/trial/damping_pitfalls.hpp"
 #include "05_resolution/damping/trial/damping_verdicts.hpp"
-#include "tools/exact/exact.hpp"
 #include "common/math/vector.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/verdicts.hpp"

@@ -7,8 +7,8 @@
 #include "05_resolution/impulse/trial/impulse_cases.hpp"
 #include "05_resolution/impulse/trial/impulse_pitfalls.hpp"
 #include "05_resolution/impulse/trial/impulse_scenes.hpp"
-#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/05_resolution/meetings.hpp"
 #include "tests/catch.hpp"

@@ -7,8 +7,8 @@
 #include "05_resolution/mass_properties/mass_properties.hpp"
 #include "05_resolution/mass_properties/trial/mass_properties_cases.hpp"
 #include "05_resolution/mass_properties/trial/mass_properties_figures.hpp"
-#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/verdicts.hpp"

@@ -4,8 +4,8 @@
 
 #include "05_resolution/impulse/impulse.hpp"
 #include "05_resolution/impulse/trial/conserved.hpp"
-#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
+#include "tools/exact/exact.hpp"
 
 #include <random>
 #include <tuple>

@@ -1,11 +1,11 @@
 /// \file
 /// What holds for the shared mathematics.
 
-#include "tools/exact/exact.hpp"
 #include "common/math/norm.hpp"
 #include "common/math/rotation.hpp"
 #include "common/math/ulp.hpp"
 #include "common/math/wide.hpp"
+#include "tools/exact/exact.hpp"
 
 #include "tests/catch.hpp"
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Takes every recipe that has a header home, as ./cookbook take does. Each compiles alone, with nothing
+# Exports every recipe that has a header, as ./cookbook take does. Each compiles alone, with nothing
 # but Eigen, and gives the same bits as the house: check_take.sh ROOT COMPILER EIGEN WORK
 set -eu
 root=$1 compiler=$2 eigen=$3 work=$4

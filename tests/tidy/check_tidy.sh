@@ -1,5 +1,5 @@
 #!/bin/sh
-# Reads all headers that are taken home with clang-tidy, in one go, since each would read Eigen anew:
+# Reads all headers that are exported with clang-tidy, in one go, since each would read Eigen anew:
 # check_tidy.sh ROOT EIGEN WORK
 set -eu
 root=$1 eigen=$2 work=$3

@@ -48,7 +48,7 @@ function(cookbook_lightly target)
   endif()
 endfunction()
 
-# cookbook_chapter(NAME [NEEDS CHAPTER]): the headers of this folder's rooms as the target cookbook::NAME.
+# cookbook_chapter(NAME [NEEDS CHAPTER]): the headers of this folder's recipes as the target cookbook::NAME.
 #
 # The folder's number and name are the chapter's label in ctest.
 function(cookbook_chapter name)
@@ -71,7 +71,7 @@ function(cookbook_chapter name)
   cmake_language(DEFER CALL cookbook_tests_together)
 endfunction()
 
-# cookbook_program(NAME): the target NAME from its room, NAME/NAME.cpp; part of a recipe and of a chart.
+# cookbook_program(NAME): the target NAME from its folder, NAME/NAME.cpp; part of a recipe and of a chart.
 #
 # Of a function that several files hold the linker takes the first, so what is optimised comes first.
 function(cookbook_program name)
@@ -82,7 +82,7 @@ function(cookbook_program name)
 endfunction()
 
 # cookbook_batch(NAME [LIBRARY…]): the library cookbook::NAME from NAME_dispatch.cpp, NAME_blocks.cpp
-# where there is one, and NAME_kernel.cpp in the room NAME; the last, the inner loop, is compiled once
+# where there is one, and NAME_kernel.cpp in the folder NAME; the last, the inner loop, is compiled once
 # for each instruction set.
 #
 # It is always optimised, and without Eigen's own vectors, so that no function of another file, compiled
@@ -130,11 +130,11 @@ function(cookbook_batch name)
   cookbook_install_target(${library})
 endfunction()
 
-# cookbook_helper(ROOM NAME [LIGHT|BUSY] [LIBRARY…]): ROOM/trial/NAME.cpp, compiled once for several
+# cookbook_helper(FOLDER NAME [LIGHT|BUSY] [LIBRARY…]): FOLDER/trial/NAME.cpp, compiled once for several
 # programs and tests. What is LIGHT, or BUSY, is not timed.
-function(cookbook_helper room name)
+function(cookbook_helper folder name)
   cmake_parse_arguments(PARSE_ARGV 2 helper "LIGHT;BUSY" "" "")
-  add_library(${name} STATIC EXCLUDE_FROM_ALL ${room}/trial/${name}.cpp)
+  add_library(${name} STATIC EXCLUDE_FROM_ALL ${folder}/trial/${name}.cpp)
   target_link_libraries(${name} PUBLIC ${COOKBOOK_CHAPTER_TARGET} ${helper_UNPARSED_ARGUMENTS})
   cookbook_warnings(${name})
   if(helper_LIGHT)
@@ -180,7 +180,7 @@ if(COOKBOOK_RECIPES)
   add_custom_target(recipes)
 endif()
 
-# cookbook_recipe(NAME [LONG|BUSY] [LIBRARY…]): NAME.hpp, NAME.cpp and NAME.expected in the room NAME make the
+# cookbook_recipe(NAME [LONG|BUSY] [LIBRARY…]): NAME.hpp, NAME.cpp and NAME.expected in the folder NAME make the
 # program NAME, the checks of its output and its figures, and the tests in tests/CHAPTER/NAME_test.cpp.
 # What is LONG runs for longer than it compiles, and is optimised.
 function(cookbook_recipe name)

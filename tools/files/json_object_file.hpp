@@ -3,10 +3,10 @@
 /// \file
 /// \brief The members of a JSON object, each checked as it is asked for.
 
+#include "common/math/vector.hpp"
 #include "tools/files/closest_name.hpp"
 #include "tools/files/csv.hpp"
 #include "tools/files/json_file.hpp"
-#include "common/math/vector.hpp"
 
 #include <cmath>
 #include <optional>

@@ -3,8 +3,8 @@
 /// \file
 /// \brief A row of the reader's own pairs: its numbers, and errors that say where it stands.
 
-#include "tools/files/csv.hpp"
 #include "common/math/vector.hpp"
+#include "tools/files/csv.hpp"
 
 #include <cmath>
 #include <cstddef>

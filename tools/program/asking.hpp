@@ -21,10 +21,11 @@ namespace cookbook
 template <class Real>
 struct Question
 {
-  std::string name;                                         ///< what --ask calls it
-  std::string columns;                                      ///< of the file, such as `ax,ay,az`
-  std::string answers;                                      ///< of what is printed, after `pair`
-  std::function<std::vector<Real>(const PairsRow&)> answer; ///< a number each; those left out are empty
+  std::string name;    ///< what --ask calls it
+  std::string columns; ///< of the file, such as `ax,ay,az`
+  std::string answers; ///< of what is printed, after `pair`
+  /// A number each; those left out are empty.
+  std::function<std::vector<Real>(const PairsRow&)> answer;
 };
 
 /// The answers to all rows as CSV: `pair,…`, pairs from zero; cells without an answer are empty.

@@ -69,7 +69,8 @@ angles_chart(const std::string& name, const std::string& title, const measure::E
           "as published", pairs, [](const Three& a, const Three& b) { return angle_acos(a, b); }),
       timed<Real>(
           "clamped", pairs, [](const Three& a, const Three& b) { return angle_clamped(a, b); }),
-      timed<Real>("atan2", pairs, [](const Three& a, const Three& b) { return plain::angle(a, b); }),
+      timed<Real>(
+          "atan2", pairs, [](const Three& a, const Three& b) { return plain::angle(a, b); }),
       timed<Real>("Kahan", pairs, [](const Three& a, const Three& b) { return angle_kahan(a, b); }),
       timed<Real>(
           "recommended", pairs, [](const Three& a, const Three& b) { return angle(a, b); })};

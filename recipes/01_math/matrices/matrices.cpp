@@ -2,8 +2,8 @@
 /// \brief Determinants, conditions and inverses of a few matrices, and of a reader's own.
 
 #include "01_math/matrices/matrices.hpp"
-#include "01_math/matrices/trial/matrix_instances.hpp"
 #include "01_math/matrices/trial/matrices_figures.hpp"
+#include "01_math/matrices/trial/matrix_instances.hpp"
 #include "tools/program/asking.hpp"
 #include "tools/program/table.hpp"
 

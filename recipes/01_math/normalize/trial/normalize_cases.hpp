@@ -4,8 +4,8 @@
 /// \brief Vectors that break some way of normalising, and how far an answer is from the truth.
 
 #include "01_math/normalize/normalize.hpp"
-#include "tools/exact/exact.hpp"
 #include "common/math/ulp.hpp"
+#include "tools/exact/exact.hpp"
 #include "tools/program/table.hpp"
 #include "tools/program/verdicts.hpp"
 

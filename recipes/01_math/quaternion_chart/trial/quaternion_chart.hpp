@@ -5,8 +5,8 @@
 
 #include "01_math/rotations/quaternion_of.hpp"
 #include "01_math/rotations/trial/rotations_pitfalls.hpp"
-#include "tools/exact/exact.hpp"
 #include "common/math/rotation.hpp"
+#include "tools/exact/exact.hpp"
 #include "tools/measure/statistics.hpp"
 
 #ifdef COOKBOOK_HAS_GLM
