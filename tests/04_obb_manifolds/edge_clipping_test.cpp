@@ -364,41 +364,6 @@ TEST_CASE("a tilted cube gets the depth of its deepest corner at every point", "
 }
 // [limits]
 
-TEST_CASE("boxes in one place have the four corners of a face", "[case:G5]")
-{
-  CHECK(clipped_points(unit_cube, unit_cube).size() == 4);
-}
-
-TEST_CASE("crossed beams keep four points without a corner in either", "[case:G8]")
-{
-  const Obb<double> along = upright({0, 0, 0}, {2, 0.1, 0.1});
-  const std::vector<Vector3<double>> points =
-      sorted_points(along, upright({0, 0.19, 0}, {0.1, 0.1, 2}));
-  REQUIRE(points.size() == 4);
-  CHECK((points[0] - Vector3<double>(-0.1, 0.095, -0.1)).norm() <= rounding);
-  CHECK((points[3] - Vector3<double>(0.1, 0.095, 0.1)).norm() <= rounding);
-  CHECK(untolerant_points(along, upright({0, 0.19, 0}, {0.1, 0.1, 2})).empty());
-}
-
-TEMPLATE_TEST_CASE("boxes 100 m apart have no manifold", "[case:X10]", float, double)
-{
-  const Obb<TestType> a{{0, 0, 0}, Matrix3<TestType>::Identity(), {1, 1, 1}};
-  const Obb<TestType> b{{60, 0, 80}, Matrix3<TestType>::Identity(), {1, 1, 1}};
-  CHECK_FALSE(separating_axes(a, b));
-  CHECK_FALSE(edge_clipping(a, b));
-}
-
-TEMPLATE_TEST_CASE("4 mm boxes keep four points, as 4 m ones do", "[case:X16]", float, double)
-{
-  for (const TestType size : {TestType(0.004), TestType(4)})
-  {
-    const Vector3<TestType> half(size, size, size);
-    const Obb<TestType> a{{0, 0, 0}, Matrix3<TestType>::Identity(), half};
-    const Obb<TestType> b{{0, TestType(1.9) * size, 0}, Matrix3<TestType>::Identity(), half};
-    CHECK(edge_clipping(a, b)->points.size() == 4);
-  }
-}
-
 TEST_CASE("boxes so large that squares do not fit are refused by file, line and column", "[pairs]")
 {
   const auto boxes = [](double x, double half)

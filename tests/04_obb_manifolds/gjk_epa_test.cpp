@@ -388,36 +388,6 @@ TEST_CASE(
 }
 // [bounds]
 
-TEST_CASE("at every case of the chapter depth and decision are right", "[gjk][epa]")
-{
-  for (const BoxCase& pair : box_cases())
-  {
-    CAPTURE(pair.id);
-    const auto manifold = gjk_epa(pair.a, pair.b);
-    REQUIRE(manifold.has_value() == (pair.depth >= 0));
-    if (!manifold)
-    {
-      continue;
-    }
-    CHECK(manifold->depth == Catch::Approx(pair.depth).margin(5e-8));
-    CHECK(manifold->normal.norm() == Catch::Approx(1).margin(rounding));
-    CHECK((pair.normal.isZero() || (manifold->normal - pair.normal).norm() <= 1e-12));
-    const ConvexPair<double> solid = convex_pair(pair.a, pair.b);
-    const double tolerance = tolerance_of(solid);
-    const Expansion<double> closest =
-        epa(solid.support, gjk(solid.support, solid.start, tolerance).simplex, tolerance);
-    CHECK(closest.closed);
-    // Among equal ways out the normal is that of the face which holds the contact.
-    CHECK(closest.normal == closest.polytope.faces[closest_face(closest.polytope)].normal);
-    REQUIRE(manifold->points.size() == 1);
-    CHECK(manifold->points[0].depth == manifold->depth);
-    if (pair.contacts.size() == 1)
-    {
-      CHECK((manifold->points[0].position - pair.contacts[0]).norm() <= 1e-12);
-    }
-  }
-}
-
 // [point]
 TEST_CASE(
     "the point is on the middle plane and no farther than half the depth from both", "[gjk][epa]")
@@ -601,30 +571,6 @@ TEST_CASE(
   CHECK(failing("G15") == Names{"no_rebuild"});
 }
 
-TEST_CASE(
-    "the middle of a face for its farthest point, as in that report, stops none of ours",
-    "[case:G14]")
-{
-  const BoxCase board = case_of(size_cases(), "G14");
-  const auto middle_of = [](const Obb<double>& box, const Vector3<double>& direction)
-  {
-    const Vector3<double> in_box = box.axes.transpose() * direction;
-    const Vector3<double> corner = in_box.cwiseSign().cwiseProduct(box.half_extents);
-    return Vector3<double>(box.center + box.axes * corner);
-  };
-  ConvexPair<double> pair = convex_pair(board.a, board.b);
-  pair.start = Vector3<double>::UnitX(); // along A's own axis: two components are zero
-  pair.support = [&](const Vector3<double>& direction) -> SupportPoint<double>
-  {
-    const Vector3<double> on_a = middle_of(board.a, direction);
-    return {on_a - middle_of(board.b, -direction), on_a};
-  };
-  for (const ConvexMethod& method : convex_methods())
-  {
-    INFO(method.name);
-    CHECK(verdict_on_depth(method.in_double(pair), board.depth, board.tolerance).holds);
-  }
-}
 // [reported]
 
 // [limits]

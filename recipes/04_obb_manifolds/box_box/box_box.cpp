@@ -77,7 +77,7 @@ int main(int argc, char** argv)
       .pairs_header = box_pairs_header,
       .options = {
           scalar_option(),
-          {"method", "who answers --pairs", "box_box", box_manifold_names(), {"pairs"}},
+          {"method", "what answers --pairs", "box_box", box_manifold_names(), {"pairs"}},
           {"compare",
            "time and check every method on --pairs instead",
            "",

@@ -14,21 +14,6 @@
 namespace cookbook
 {
 
-/// The axis of two boxes that overlap, as box_box() chooses it, without the contact.
-inline float depth_in_rows(const Obb<float>& a, const Obb<float>& b)
-{
-  using Row = Registers<float>;
-  const BoxesInRows<Row> boxes = boxes_in_rows<Row>(a, b);
-  const EdgeOverlaps<Row> edges[] = {
-      edge_overlaps(boxes, 0), edge_overlaps(boxes, 1), edge_overlaps(boxes, 2)};
-  const LeastFace<float> face = least_face(
-      face_overlaps(boxes.half_a, boxes.columns, boxes.half_b, boxes.offset_a),
-      face_overlaps(boxes.half_b, boxes.rows, boxes.half_a, boxes.offset_b));
-  const LeastEdge<float> edge =
-      least_edge(edges, edge_threshold(boxes, face.depth, tolerances_of(a, b)));
-  return edge.found() ? std::sqrt(edge.squared_depth) : face.depth;
-}
-
 /// What something costs, and of which earlier row it is the faster form.
 struct SpeedStep
 {
@@ -56,22 +41,19 @@ inline std::vector<SpeedStep> measured_steps(std::size_t pairs, const measure::E
 {
   const std::vector<BoxPair<float>> resting = box_workload("resting", pairs).pairs;
   const auto batch = std::make_shared<BoxBatch>(resting);
-  const auto plain_axes = [](const auto& a, const auto& b) { return separating_axes(a, b); };
   const auto plain = [](const auto& a, const auto& b) { return face_clipping(a, b); };
   const auto by_rows = [](const auto& a, const auto& b) { return box_box(a, b); };
   const auto fast = [](const auto& a, const auto& b) { return box_box_in_registers(a, b); };
   TimedColumn column;
-  column.add("depth, axis by axis", false, for_all(resting, plain_axes), pairs);
-  column.add("depth, three axes at a time", false, for_all(resting, depth_in_rows), pairs);
   column.add("manifold, clipped line by line", false, for_all(resting, plain), pairs);
   column.add("manifold, four edges at a time", false, for_all(resting, by_rows), pairs);
   column.add("the same in registers", false, for_all(resting, fast), pairs);
-  std::vector<std::size_t> faster_of{0, 0, 2, 2, 3};
+  std::vector<std::size_t> faster_of{0, 0, 1};
   for (const InstructionSet set : instruction_sets())
   {
     column.add(
         "manifolds of many pairs, " + name_of(set), false, run_batch(batch, set, false), pairs);
-    faster_of.push_back(4);
+    faster_of.push_back(2);
   }
   std::vector<SpeedStep> steps;
   for (const measure::Timing& timing : measure::time_interleaved(column.timed, effort))
