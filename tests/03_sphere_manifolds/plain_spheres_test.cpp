@@ -1,9 +1,7 @@
 /// \file
 /// The plain manifolds agree with the hardened ones in a room, and fail where those hold.
 
-#include "03_sphere_manifolds/plain_spheres/plain_sphere_box.hpp"
-#include "03_sphere_manifolds/plain_spheres/plain_sphere_capsule.hpp"
-#include "03_sphere_manifolds/plain_spheres/plain_sphere_plane.hpp"
+#include "03_sphere_manifolds/plain_spheres/plain_spheres.hpp"
 #include "03_sphere_manifolds/sphere_box/sphere_box.hpp"
 #include "03_sphere_manifolds/sphere_capsule/sphere_capsule.hpp"
 #include "03_sphere_manifolds/sphere_plane/sphere_plane.hpp"

@@ -1,7 +1,7 @@
 /// \file
 /// What holds for the manifold of a sphere and an oriented box: outside, on, and inside.
 
-#include "03_sphere_manifolds/plain_spheres/plain_sphere_box.hpp"
+#include "03_sphere_manifolds/plain_spheres/plain_spheres.hpp"
 #include "03_sphere_manifolds/sphere_box/sphere_box.hpp"
 #include "tools/exact/exact.hpp"
 

@@ -2,7 +2,7 @@
 /// What holds for the manifold of a sphere and a capsule.
 
 #include "02_primitives/shapes/trial/number_draw.hpp"
-#include "03_sphere_manifolds/plain_spheres/plain_sphere_capsule.hpp"
+#include "03_sphere_manifolds/plain_spheres/plain_spheres.hpp"
 #include "03_sphere_manifolds/sphere_capsule/sphere_capsule.hpp"
 
 #include "tests/catch.hpp"

@@ -1,7 +1,7 @@
 /// \file
 /// What holds for the manifold of a sphere and a plane, and when a plane is all that a scene needs.
 
-#include "03_sphere_manifolds/plain_spheres/plain_sphere_plane.hpp"
+#include "03_sphere_manifolds/plain_spheres/plain_spheres.hpp"
 #include "03_sphere_manifolds/sphere_plane/sphere_plane.hpp"
 
 #include "tests/catch.hpp"

@@ -2,7 +2,7 @@
 /// What holds for the manifold of two spheres: formulas S1 to S5, S9 and S10, and the cases in
 /// which other methods fail.
 
-#include "03_sphere_manifolds/plain_spheres/plain_sphere_sphere.hpp"
+#include "03_sphere_manifolds/plain_spheres/plain_spheres.hpp"
 #include "03_sphere_manifolds/sphere_sphere/sphere_sphere.hpp"
 #include "03_sphere_manifolds/sphere_sphere/trial/sphere_lens.hpp"
 

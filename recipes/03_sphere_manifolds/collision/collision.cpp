@@ -2,7 +2,7 @@
 /// \brief Two balls that move: relative velocity, approach, nature, and how they share the way out.
 
 #include "03_sphere_manifolds/collision/collision.hpp"
-#include "03_sphere_manifolds/plain_spheres/plain_sphere_sphere.hpp"
+#include "03_sphere_manifolds/plain_spheres/plain_spheres.hpp"
 #include "tools/plot/figures/figure2d.hpp"
 #include "tools/program/program.hpp"
 #include "tools/program/table.hpp"

@@ -3,7 +3,7 @@
 
 #include "03_sphere_manifolds/sphere_box/sphere_box.hpp"
 #include "03_sphere_manifolds/manifold/trial/pairs_file.hpp"
-#include "03_sphere_manifolds/plain_spheres/plain_sphere_box.hpp"
+#include "03_sphere_manifolds/plain_spheres/plain_spheres.hpp"
 #include "tools/plot/figures/figure2d.hpp"
 #include "tools/program/program.hpp"
 #include "tools/program/table.hpp"

@@ -2,7 +2,7 @@
 /// \brief Moves a ball along a capsule, and draws the ball of the capsule that it meets.
 
 #include "03_sphere_manifolds/sphere_capsule/sphere_capsule.hpp"
-#include "03_sphere_manifolds/plain_spheres/plain_sphere_capsule.hpp"
+#include "03_sphere_manifolds/plain_spheres/plain_spheres.hpp"
 #include "tools/plot/figures/figure2d.hpp"
 #include "tools/program/program.hpp"
 #include "tools/program/table.hpp"

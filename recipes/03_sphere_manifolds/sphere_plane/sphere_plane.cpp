@@ -1,7 +1,7 @@
 /// \file
 /// \brief Lowers a ball through the ground, and draws it with its centre below the surface.
 
-#include "03_sphere_manifolds/plain_spheres/plain_sphere_plane.hpp"
+#include "03_sphere_manifolds/plain_spheres/plain_spheres.hpp"
 #include "tools/plot/figures/figure2d.hpp"
 #include "tools/program/program.hpp"
 #include "tools/program/table.hpp"

@@ -3,7 +3,7 @@
 /// coordinates.
 
 // [example]
-#include "03_sphere_manifolds/plain_spheres/plain_sphere_sphere.hpp"
+#include "03_sphere_manifolds/plain_spheres/plain_spheres.hpp"
 #include "03_sphere_manifolds/sphere_sphere/sphere_sphere.hpp"
 
 #include <iostream>

@@ -4,7 +4,7 @@
 /// \brief Competing methods for the manifold of a sphere and a box, each named after its idea.
 
 #include "02_primitives/closest_point_box/trial/closest_point_box_pitfalls.hpp"
-#include "03_sphere_manifolds/plain_spheres/plain_sphere_box.hpp"
+#include "03_sphere_manifolds/plain_spheres/plain_spheres.hpp"
 #include "03_sphere_manifolds/sphere_box/sphere_box.hpp"
 
 #include <cmath>

@@ -3,7 +3,7 @@
 /// \file
 /// \brief The competing ways to the manifold of two spheres, each with the name of its idea.
 
-#include "03_sphere_manifolds/plain_spheres/plain_sphere_sphere.hpp"
+#include "03_sphere_manifolds/plain_spheres/plain_spheres.hpp"
 #include "03_sphere_manifolds/sphere_sphere/sphere_sphere.hpp"
 
 #include <bit>

@@ -2,9 +2,7 @@
 /// \brief A complete program: one sphere against the ground, a capsule and a box.
 
 // [example]
-#include "03_sphere_manifolds/plain_spheres/plain_sphere_box.hpp"
-#include "03_sphere_manifolds/plain_spheres/plain_sphere_capsule.hpp"
-#include "03_sphere_manifolds/plain_spheres/plain_sphere_plane.hpp"
+#include "03_sphere_manifolds/plain_spheres/plain_spheres.hpp"
 
 #include <iostream>
 

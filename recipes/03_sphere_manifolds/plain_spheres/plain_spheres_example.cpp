@@ -2,7 +2,7 @@
 /// \brief A complete program: two spheres, their normal, depth and contact point.
 
 // [example]
-#include "03_sphere_manifolds/plain_spheres/plain_sphere_sphere.hpp"
+#include "03_sphere_manifolds/plain_spheres/plain_spheres.hpp"
 
 #include <iostream>
 
