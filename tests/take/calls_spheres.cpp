@@ -23,6 +23,18 @@ int main()
         bits(moves.a, moves.b);
       });
 #endif
+#ifdef TAKE_plain_spheres
+  print(
+      "plain_spheres",
+      [](Draw& draw, Bits& bits)
+      {
+        const Sphere<double> a = draw.sphere<Sphere>(1), b = draw.sphere<Sphere>(1);
+        const Plane<double> plane{draw.unit(), draw.number(-1, 1)};
+        const Capsule<double> capsule{{draw.vector(1), draw.vector(1)}, b.radius};
+        bits(plain_sphere_sphere(a, b), plain_sphere_plane(a, plane));
+        bits(plain_sphere_capsule(a, capsule), plain_sphere_box(a, draw.box<Obb>(1)));
+      });
+#endif
 #ifdef TAKE_sphere_sphere
   print(
       "sphere_sphere",
