@@ -335,12 +335,11 @@ TEST_CASE(
        {"X30", {best}},
        {"E6", {best}},
        {"from inside a box", {best}},
-       {"from inside a box that is turned", {best}},
        {"E7", {best}},
        {"E9", {taught, best}},
        {"X34", {taught, best}},
        {"a direction of length 2", {taught, best}},
-       {"a ball of 1e-25 m, 3e-25 m away", {best}},
+       {"a sphere of 1e-25 m, 3e-25 m away", {best}},
        {"a triangle from behind", {taught, best}},
        {"a triangle with edges of 0.5 mm", {published, best}}});
 }

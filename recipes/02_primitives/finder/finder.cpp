@@ -56,29 +56,34 @@ void answer(const Arguments& given)
   std::cout << answers_csv(*question, given.pairs.string());
 }
 
-/// A row and a column a shape; in each cell the first letters of what is answered about the two.
+/// A row a shape and a column a shape that may be a target; in each cell a letter for each answer
+/// about the two.
 Cells table_of(const std::vector<std::string>& shapes)
 {
   Cells rows{{""}};
-  for (const std::string& b : shapes)
-  {
-    rows[0].push_back(b);
-  }
   for (const std::string& a : shapes)
   {
     rows.push_back({a});
-    for (const std::string& b : shapes)
+  }
+  for (const std::string& b : shapes)
+  {
+    if (b == "ray" || b == "ray2") // only cast, never a target
+    {
+      continue;
+    }
+    rows[0].push_back(b);
+    for (std::size_t i = 0; i < shapes.size(); ++i)
     {
       std::string cell;
       for (const std::string& ask : finder_asks())
       {
-        if (finder_question<double>(ask, a, b))
+        if (finder_question<double>(ask, shapes[i], b))
         {
           cell += cell.empty() ? "" : " ";
-          cell += ask.substr(0, 2);
+          cell += ask == "cast" ? "r" : ask.substr(0, 1);
         }
       }
-      rows.back().push_back(cell);
+      rows[i + 1].push_back(cell);
     }
   }
   return rows;
@@ -117,7 +122,7 @@ int main(int argc, char** argv)
         const std::vector<std::string>& all = finder_shapes();
         const auto plane = std::find(all.begin(), all.end(), "point2");
         const Cells space = table_of({all.begin(), plane}), flat = table_of({plane, all.end()});
-        std::cout << "ov: overlap, cl: closest, ca: cast of the row's shape at the column's\n\n";
+        std::cout << "o: overlap, c: closest, r: raycast of the row's shape at the column's\n\n";
         print(space);
         print(flat);
         save_figure(given, "finder_space.html", html_table(space));

@@ -72,15 +72,26 @@ inline std::optional<float> cast_at_many(
   return best;
 }
 
+/// The t of an answer as a table shows it: to a tenth where it is large.
+inline std::string t_text(const std::optional<float>& t)
+{
+  if (t && *t > 1000)
+  {
+    const long tenths = std::lround(10 * *t);
+    return "t = " + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
+  }
+  return t ? "t = " + number(*t) : "misses";
+}
+
 /// Right if the answer is as expected, to a part of a hundred thousand.
 inline Verdict cast_verdict(const std::optional<float>& t, const std::optional<double>& expected)
 {
   if (!t || !expected)
   {
-    return {!t && !expected, t ? "meets it at t = " + number(*t) : expected ? "misses" : "right"};
+    return {!t && !expected, t_text(t)};
   }
-  const bool right = std::abs(*t - *expected) <= 1e-5 * *expected * (*expected > 1000 ? 0.01 : 1);
-  return {right, right ? "right" : "t = " + number(*t)};
+  const double tolerance = 1e-5 * *expected * (*expected > 1000 ? 0.01 : 1);
+  return {std::abs(*t - *expected) <= tolerance, t_text(t)};
 }
 
 // [quad_diagonal]
@@ -100,7 +111,7 @@ inline Verdict quad_verdict(const CastMethod& method)
     const Vector3<float> origin(fraction() - 0.5f, 5 + fraction(), fraction() - 0.5f);
     through += cast_at_many(method, {origin, at - origin}, quad) ? 0 : 1;
   }
-  return {through == 0, through == 0 ? "right" : "some get through"};
+  return {through == 0, through == 0 ? "all are stopped" : "some get through"};
 }
 // [quad_diagonal]
 
