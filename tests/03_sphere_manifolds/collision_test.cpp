@@ -1,5 +1,5 @@
 /// \file
-/// What holds for relative velocity, approach, nature and the way apart.
+/// What holds for relative velocity, approach, nature and the separating moves.
 
 #include "03_sphere_manifolds/collision/collision.hpp"
 #include "03_sphere_manifolds/manifold/translated.hpp"

@@ -137,7 +137,7 @@ TEST_CASE("from the axis of an upright capsule the plain normal does not lead ou
 // [upright_capsule]
 
 // [on_a_face]
-TEST_CASE("on a turned box's face but for rounding the plain normal is off in 4 of 10", "[S7]")
+TEST_CASE("on an oriented box's face but for rounding the plain normal is off in 4 of 10", "[S7]")
 {
   Matrix3<double> axes;
   axes << 0.8, -0.6, 0, 0.6, 0.8, 0, 0, 0, 1;

@@ -46,7 +46,7 @@ SphereAndBox random_pair(Random& random, double ratio)
   return {{box.center + box.axes * local, radius}, box};
 }
 
-/// The truth from the definition: the closest point, or the face with the least way out.
+/// The truth from the definition: the closest point, or the nearest face.
 template <class Real>
 TrueOverlap<Real>
 true_overlap(const Vector3<Real>& center, const Real& radius, const Obb<Real>& box)

@@ -27,7 +27,7 @@ const Obb<double> plate{{0, 0, 0}, upright, {10, 0.5, 10}};
 const Obb<double> cube{{0, 0, 0}, upright, {1, 1, 1}};
 
 /// A box turned about z by the angle of the 3-4-5 triangle: x axis (0.8, 0.6, 0).
-Obb<double> turned_box()
+Obb<double> oriented_box()
 {
   Matrix3<double> axes;
   axes << 0.8, -0.6, 0, 0.6, 0.8, 0, 0, 0, 1;
@@ -53,10 +53,10 @@ TEST_CASE(
 // [S7]
 
 // [S7_more]
-TEST_CASE("a ball 1.5 beyond the face of a turned box, with radius 2, is 0.5 deep", "[S7]")
+TEST_CASE("a ball 1.5 beyond the face of an oriented box, with radius 2, is 0.5 deep", "[S7]")
 {
   const auto manifold_of = rungs[GENERATE(0u, 1u)];
-  const Obb<double> box = turned_box();
+  const Obb<double> box = oriented_box();
   const Vector3<double> face_normal(0.8, 0.6, 0);
   const Vector3<double> center = box.center + 3.5 * face_normal + Vector3<double>(0, 0, 0.25);
   const Manifold<double> manifold = manifold_of({center, 2}, box).value();
@@ -65,7 +65,7 @@ TEST_CASE("a ball 1.5 beyond the face of a turned box, with radius 2, is 0.5 dee
   CHECK((manifold.points[0].position - (center - 1.75 * face_normal)).norm() <= rounding);
 }
 
-TEST_CASE("a ball out of reach of the box has no manifold", "[S7]")
+TEST_CASE("a ball too far from the box has no manifold", "[S7]")
 {
   const auto manifold_of = rungs[GENERATE(0u, 1u)];
   CHECK_FALSE(manifold_of({{0, 2.6, 0}, 1.5}, cube));
@@ -88,10 +88,10 @@ TEST_CASE(
 // [S8]
 
 // [S8_more]
-TEST_CASE("inside a turned box the nearest face is one of the box's own", "[S8]")
+TEST_CASE("inside an oriented box the nearest face is one of the box's own", "[S8]")
 {
   const auto manifold_of = rungs[GENERATE(0u, 1u)];
-  const Obb<double> box = turned_box();
+  const Obb<double> box = oriented_box();
   const Vector3<double> face_normal(0.6, -0.8, 0); // minus the box's y axis
   const Vector3<double> center = box.center + 0.75 * face_normal;
   const Manifold<double> manifold = manifold_of({center, 1}, box).value();
@@ -150,9 +150,9 @@ TEST_CASE("a ball sinking into a large box answers as it does in a half-space", 
 
 TEST_CASE("a ball 4 above a long low box misses it", "[case:D8][case:X28]")
 {
-  const Obb<double> bar{{0, 0, 0}, upright, {10, 1, 1}};
-  CHECK_FALSE(sphere_box<double>({{0, 5, 0}, 0.5}, bar));
-  CHECK(sphere_box<double>({{0, 5, 0}, 4.5}, bar)->depth == 0.5);
+  const Obb<double> beam{{0, 0, 0}, upright, {10, 1, 1}};
+  CHECK_FALSE(sphere_box<double>({{0, 5, 0}, 0.5}, beam));
+  CHECK(sphere_box<double>({{0, 5, 0}, 4.5}, beam)->depth == 0.5);
 }
 
 TEST_CASE("a small ball far inside sinks one to one, to 1e-9", "[case:D9]")

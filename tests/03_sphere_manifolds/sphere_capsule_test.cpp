@@ -49,7 +49,7 @@ TEST_CASE("beyond a capsule's end a ball meets the ball at that end", "[S1]")
 }
 // [sphere_capsule]
 
-TEST_CASE("a capsule of length 0 is a sphere, and a ball out of reach has no manifold", "[S1]")
+TEST_CASE("a capsule of length 0 is a sphere, and a ball too far away has no manifold", "[S1]")
 {
   const Capsule<double> dot{{{1, 0, 0}, {1, 0, 0}}, 1};
   CHECK(sphere_capsule<double>({{0, 0, 0}, 0.5}, dot)->depth == 0.5);
@@ -57,7 +57,7 @@ TEST_CASE("a capsule of length 0 is a sphere, and a ball out of reach has no man
 }
 
 // [on_the_axis]
-TEST_CASE("a ball centred on a capsule's axis parts from it square to the axis", "[case:C3]")
+TEST_CASE("a ball centred on a capsule's axis leaves perpendicular to it", "[case:C3]")
 {
   const auto normal_of = [](const Capsule<double>& capsule)
   {
@@ -66,7 +66,7 @@ TEST_CASE("a ball centred on a capsule's axis parts from it square to the axis",
     CHECK(manifold.depth == 1.5);
     return manifold.normal;
   };
-  // As close to +y as is square to the axis; +x where the axis itself is y.
+  // As close to +y as is perpendicular to the axis; +x where the axis itself is y.
   CHECK((normal_of(slanted) - Vector3<double>(-0.8, 0.6, 0)).norm() <= rounding);
   CHECK(normal_of({{{-2, 0, 0}, {2, 0, 0}}, 1}) == Vector3<double>(0, 1, 0));
   CHECK(normal_of({{{0, 0, -2}, {0, 0, 2}}, 1}) == Vector3<double>(0, 1, 0));
@@ -74,7 +74,8 @@ TEST_CASE("a ball centred on a capsule's axis parts from it square to the axis",
   CHECK(normal_of({{{1, 2, 3}, {1, 2, 3}}, 1}) == Vector3<double>(0, 1, 0));
 }
 
-TEST_CASE("a ball centred on the axis but for rounding still parts square to it", "[case:C3]")
+TEST_CASE(
+    "a ball centred on the axis but for rounding still leaves perpendicular to it", "[case:C3]")
 {
   const Vector3<double> along = slanted.segment.end.normalized();
   for (int i = 1; i < 1000; ++i)
@@ -87,8 +88,8 @@ TEST_CASE("a ball centred on the axis but for rounding still parts square to it"
 }
 
 TEMPLATE_TEST_CASE(
-    "a ball centred on either end of a segment parts square to it, by both radii", "[case:C3]",
-    float, double)
+    "a ball centred on either end of a segment leaves perpendicular to it, by both radii",
+    "[case:C3]", float, double)
 {
   // start + (end - start) is the end but for rounding; in float, computed in double, it is the end
   // itself unless the start is far away.
@@ -99,7 +100,7 @@ TEMPLATE_TEST_CASE(
   CHECK(named.normal == Point(0, 1, 0));
   CHECK(named.depth == Real(0.75));
   NumberDraw<Real> draw(1);
-  int not_square = 0, not_deep = 0, not_the_end = 0;
+  int not_perpendicular = 0, not_deep = 0, not_the_end = 0;
   for (int i = 0; i < 1000; ++i)
   {
     Point start = draw.in_cube(1);
@@ -110,13 +111,13 @@ TEMPLATE_TEST_CASE(
     {
       const Manifold<Real> manifold = sphere_capsule<Real>({end, 0.5}, {segment, 0.25}).value();
       const Real tolerance = 8 * std::numeric_limits<Real>::epsilon();
-      not_square += std::abs(manifold.normal.dot(along)) <= tolerance ? 0 : 1;
+      not_perpendicular += std::abs(manifold.normal.dot(along)) <= tolerance ? 0 : 1;
       not_deep += manifold.depth == Real(0.75) ? 0 : 1;
       const Segment<double> wide{widen(segment.start), widen(segment.end)};
       not_the_end += closest_point<double>(wide, widen(end)) == widen(end) ? 0 : 1;
     }
   }
-  CHECK(not_square == 0);
+  CHECK(not_perpendicular == 0);
   CHECK(not_deep == 0);
   CHECK(not_the_end == 0);
 }
@@ -128,7 +129,7 @@ TEST_CASE("beside a slanted beam of 1 km, a float ball 5 off the axis is 2^-20 d
   for (int k = 1; k < 200; ++k)
   {
     CAPTURE(k);
-    // (3k, 4k) lies on the axis, and (-4, 3) is square to it: all numbers are whole.
+    // (3k, 4k) lies on the axis, and (-4, 3) is perpendicular to it: all numbers are whole.
     const Vector3<float> center(static_cast<float>(3 * k - 4), static_cast<float>(4 * k + 3), 0);
     const auto manifold = sphere_capsule<float>({center, 4.5f + 0x1p-20f}, beam);
     REQUIRE(manifold);

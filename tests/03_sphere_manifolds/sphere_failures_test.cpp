@@ -84,7 +84,7 @@ TEST_CASE(
        {"D3", {"as published", "outside formula only", "plain_sphere_box", "sphere_box"}},
        {"X06", {"outside formula only", "plain_sphere_box", "sphere_box"}},
        {"D4", {"as published", "plain_sphere_box", "sphere_box"}},
-       {"turned box, centre on its face but for rounding", {"sphere_box"}},
+       {"oriented box, centre on its face but for rounding", {"sphere_box"}},
        {"D5", {"plain_sphere_box", "sphere_box"}},
        {"D9", {"plain_sphere_box", "sphere_box"}},
        {"D8", {"as published", "outside formula only", "plain_sphere_box", "sphere_box"}},

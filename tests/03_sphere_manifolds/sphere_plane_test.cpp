@@ -75,8 +75,7 @@ constexpr double tolerance = 1e-5;
 
 } // namespace
 
-TEST_CASE(
-    "10 m away the ground may be a plane: a planet changes less than 0.01 mm", "[needs]")
+TEST_CASE("10 m away the ground may be a plane: a planet changes less than 0.01 mm", "[needs]")
 {
   CHECK(std::abs(change_of_depth(10)) < tolerance);
   // The sagitta x² / 2R.

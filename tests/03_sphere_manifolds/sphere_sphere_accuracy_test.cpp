@@ -18,9 +18,9 @@ std::pair<Sphere<double>, Sphere<double>> random_pair(Random& random, double rat
 {
   const double radius_a = random.between(0.05, 1);
   const double radius_b = ratio * random.between(0.05, 1);
-  const double reach = radius_a + radius_b;
+  const double radii = radius_a + radius_b;
   const double near_touching = 1 + random.between(-1, 1) * 1e-6;
-  const double distance = reach * (random.one_in(4) ? near_touching : random.between(0, 1.3));
+  const double distance = radii * (random.one_in(4) ? near_touching : random.between(0, 1.3));
   const Vector3<double> center = random.in_cube(1);
   return {{center, radius_a}, {center + distance * random.direction(), radius_b}};
 }

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Two balls that move: relative velocity, approach, nature, and how they share the way out.
+/// \brief Two balls that move: relative velocity, approach, nature, and how they are separated.
 
 #include "03_sphere_manifolds/collision/collision.hpp"
 #include "03_sphere_manifolds/plain_spheres/plain_spheres.hpp"
@@ -112,7 +112,8 @@ int main(int argc, char** argv)
 {
   const Arguments arguments{
       .name = "collision",
-      .summary = "Relative velocity, approach and nature of a collision, and the way apart."};
+      .summary =
+          "Relative velocity, approach and nature of a collision, and the separating moves."};
   return run_program(
       argc, argv, arguments,
       [](const Arguments& given)

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Prints and draws up which ways to a sphere's manifold survive the cases that break
+/// \brief Prints which methods for a sphere's manifold hold in the cases that break
 /// others.
 
 #include "03_sphere_manifolds/sphere_failures/trial/sphere_failures.hpp"
@@ -36,7 +36,7 @@ int main(int argc, char** argv)
 {
   const Arguments arguments{
       .name = "sphere_failures",
-      .summary = "Which ways to a sphere's manifold survive the cases that break others."};
+      .summary = "Which methods for a sphere's manifold hold in the cases that break others."};
   return run_program(
       argc, argv, arguments,
       [](const Arguments& given)

@@ -40,7 +40,7 @@ Real contact_offset(const Real& distance, const Real& radius_a, const Real& radi
 // [depth_at]
 
 // [sphere_overlap]
-/// What a sphere A shares with B along the line that joins them.
+/// How a sphere A overlaps B along the line that joins them.
 template <class Real>
 struct SphereOverlap
 {

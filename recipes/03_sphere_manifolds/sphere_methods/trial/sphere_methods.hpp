@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief The competing ways to the manifold of two spheres, each with the name of its idea.
+/// \brief The competing methods for the manifold of two spheres, each named after its idea.
 
 #include "03_sphere_manifolds/plain_spheres/plain_spheres.hpp"
 #include "03_sphere_manifolds/sphere_sphere/sphere_sphere.hpp"

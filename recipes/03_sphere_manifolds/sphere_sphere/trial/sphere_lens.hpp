@@ -18,7 +18,7 @@ struct LensDisc
   Real radius; ///< [m]
 };
 
-/// The disc of the lens that two spheres `distance` [m] apart share; S9.
+/// The disc of the lens that two spheres `distance` [m] apart have in common; S9.
 ///
 /// Nothing where the surfaces do not meet: the spheres are apart, or one is inside the other.
 template <class Real>
