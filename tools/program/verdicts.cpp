@@ -1,6 +1,7 @@
 #include "tools/program/verdicts.hpp"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 namespace cookbook
@@ -61,6 +62,38 @@ std::string verdict_table(
     html += row_html(row, mark, right);
   }
   return html + "</tbody>\n</table>\n";
+}
+
+std::string folded_verdict_table(
+    const std::string& caption, const std::vector<std::string>& methods,
+    const std::vector<VerdictRow>& rows, const std::string& mark)
+{
+  constexpr std::size_t most = 10;
+  std::vector<bool> is_shown;
+  std::set<std::vector<bool>> patterns;
+  std::size_t shown = 0;
+  for (const VerdictRow& row : rows)
+  {
+    std::vector<bool> pattern;
+    for (const Verdict& verdict : row.verdicts)
+    {
+      pattern.push_back(verdict.holds);
+    }
+    is_shown.push_back(patterns.insert(pattern).second || !row.id.empty());
+    shown += is_shown.back() ? 1 : 0;
+  }
+  std::vector<VerdictRow> telling, rest;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    const bool fills = !is_shown[i] && shown < most;
+    shown += fills ? 1 : 0;
+    (is_shown[i] || fills ? telling : rest).push_back(rows[i]);
+  }
+  const std::string others = rest.empty() ? "" : std::to_string(rest.size()) + " other cases";
+  return verdict_table(caption, methods, telling, mark) +
+         (rest.empty() ? ""
+                       : "<details class=\"more\">\n<summary>" + others + "</summary>\n" +
+                             verdict_table("The others.", methods, rest, mark) + "</details>\n");
 }
 
 } // namespace cookbook

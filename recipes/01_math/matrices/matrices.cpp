@@ -34,7 +34,7 @@ std::string verdicts()
   std::vector<VerdictRow> all = inverse_verdicts<float>();
   const std::vector<VerdictRow> doubles = inverse_verdicts<double>();
   all.insert(all.end(), doubles.begin(), doubles.end());
-  return verdict_table(
+  return folded_verdict_table(
       "Ways to invert a matrix: right means off by at most 16 roundings of its entries, or "
       "saying so where it is singular.",
       names_of(inverse_methods<float>()), all);

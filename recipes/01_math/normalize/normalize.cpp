@@ -43,7 +43,7 @@ std::string verdicts()
   std::vector<VerdictRow> rows = normalize_verdicts(normalize_cases(0.0f));
   const std::vector<VerdictRow> doubles = normalize_verdicts(normalize_cases(0.0));
   rows.insert(rows.end(), doubles.begin(), doubles.end());
-  return verdict_table(
+  return folded_verdict_table(
       "Ways to normalise: right means within four ulps, in length and direction.",
       {"naive", "threshold", "wider", "scaled"}, rows);
 }
@@ -53,7 +53,7 @@ std::string libraries()
   std::vector<VerdictRow> rows = library_verdicts(normalize_cases(0.0f));
   const std::vector<VerdictRow> doubles = library_verdicts(normalize_cases(0.0));
   rows.insert(rows.end(), doubles.begin(), doubles.end());
-  return verdict_table(
+  return folded_verdict_table(
       "What libraries make of the same vectors.", names_of(normalize_libraries<float>()), rows,
       "library");
 }

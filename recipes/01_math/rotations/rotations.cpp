@@ -121,7 +121,7 @@ int main(int argc, char** argv)
         save_figure(given, "rotations_slerp.svg", slerp_figure().svg());
         save_figure(
             given, "rotations_cases.html",
-            verdict_table(
+            folded_verdict_table(
                 "Rotations in float: right means within 1e-6.", rotation_ways,
                 rotation_verdicts()));
       });

@@ -109,7 +109,7 @@ std::vector<VerdictRow> angles_verdicts(const std::vector<AngleCase<Real>>& case
   std::vector<VerdictRow> rows;
   for (const AngleCase<Real>& one : cases)
   {
-    rows.push_back({one.id, one.what, {}});
+    rows.push_back({one.id, one.what, {}, number(one.truth)});
     for (const AngleMethod<Real>& method : angle_methods<Real>())
     {
       rows.back().verdicts.push_back(angle_verdict(method.angle(one.a, one.b), one.truth));

@@ -124,7 +124,8 @@ std::vector<VerdictRow> normalize_verdicts(const std::vector<NormalizeCase<Real>
   std::vector<VerdictRow> rows;
   for (const NormalizeCase<Real>& one : cases)
   {
-    rows.push_back({one.id, one.what, {}});
+    rows.push_back(
+        {one.id, one.what, {}, number(one.v.template cast<double>().stableNorm()) + " long"});
     for (const NormalizeMethod<Real>& method : normalize_methods<Real>())
     {
       rows.back().verdicts.push_back(normalize_verdict(method.normalize(one.v), one.v));

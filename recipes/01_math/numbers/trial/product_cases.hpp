@@ -78,7 +78,7 @@ std::vector<VerdictRow> product_verdicts(const std::vector<ProductCase<Real>>& c
   std::vector<VerdictRow> rows;
   for (const ProductCase<Real>& one : cases)
   {
-    rows.push_back({"", one.what, {}});
+    rows.push_back({"", one.what, {}, number(static_cast<double>(one.right))});
     for (const ProductMethod<Real>& method : product_methods<Real>())
     {
       const Real answer = method.difference(one.a, one.d, one.b, one.c);

@@ -92,7 +92,9 @@ inline std::vector<VerdictRow> wrap_verdicts()
   std::vector<VerdictRow> rows;
   for (const WrapCase& one : wrap_cases())
   {
-    rows.push_back({one.id, one.what, {}});
+    const bool known = !std::isnan(one.right);
+    rows.push_back(
+        {one.id, one.what, {}, known ? number(static_cast<double>(one.right)) + "°" : "none"});
     for (const WrapMethod& method : wrap_methods())
     {
       const float answer = method.wrap(one.degrees);

@@ -117,7 +117,7 @@ std::vector<VerdictRow> sum_verdicts()
   std::vector<VerdictRow> rows;
   for (const SumCase<Real>& one : sum_cases(Real()))
   {
-    rows.push_back({"", one.what, {}});
+    rows.push_back({"", one.what, {}, number(static_cast<double>(one.right))});
     for (const SumMethod<Real>& method : sum_methods<Real>())
     {
       const Real answer = method.sum(one.numbers);

@@ -80,22 +80,23 @@ inline std::vector<VectorsCase> vectors_cases()
        D(3, 5, 0) - D(1, 2, 0), D(2, 3, 0)}};
 }
 
+/// The components of a vector as text.
+inline std::string components(const Vector3<double>& v)
+{
+  std::string cells = number(v.x());
+  return cells.append(", ").append(number(v.y())).append(", ").append(number(v.z()));
+}
+
 /// Right is within 18 roundings of float of the longest of truth; exactly where the truth is exact.
 inline Verdict vectors_verdict(const Vector3<double>& answer, const Vector3<double>& truth)
 {
   const double allowed = truth.x() == 20.0 / 9 ? 18 * 0x1p-24 * truth.norm() : 0;
   const bool holds = !answer.hasNaN() && (answer - truth).cwiseAbs().maxCoeff() <= allowed;
-  const auto text = [](const Vector3<double>& v)
-  {
-    std::string cells = number(v.x());
-    cells.append(", ").append(number(v.y())).append(", ").append(number(v.z()));
-    return cells;
-  };
-  const std::string what = holds                         ? "right"
-                           : answer.hasNaN()             ? "not a number"
-                           : !answer.allFinite()         ? "infinite"
-                           : text(answer) == text(truth) ? "a rounding off"
-                                                         : text(answer);
+  const std::string what = holds                                     ? "right"
+                           : answer.hasNaN()                         ? "not a number"
+                           : !answer.allFinite()                     ? "infinite"
+                           : components(answer) == components(truth) ? "a rounding off"
+                                                                     : components(answer);
   return {holds, what};
 }
 
@@ -111,7 +112,8 @@ inline std::vector<VerdictRow> vectors_verdicts()
     rows.push_back(
         {one.id,
          one.what,
-         {vectors_verdict(one.textbook, one.truth), vectors_verdict(one.recommended, one.truth)}});
+         {vectors_verdict(one.textbook, one.truth), vectors_verdict(one.recommended, one.truth)},
+         components(one.truth)});
   }
   return rows;
 }
