@@ -43,8 +43,7 @@ Real kept_separation(const Real& depth, const Real& margin, const Real& toleranc
 // [lines]
 /// Where a segment meets a plane that its ends are at signed distances g_0 and g_1 from; O11.
 template <class Real>
-Vector3<Real>
-point_at_plane(const Vector3<Real>& x_0, const Vector3<Real>& x_1, const Real& g_0, const Real& g_1)
+Vector3<Real> point_at_plane(const Vector3<Real>& x_0, const Vector3<Real>& x_1, Real g_0, Real g_1)
 {
   return x_0 + (x_1 - x_0) * (g_0 / (g_0 - g_1));
 }

@@ -50,8 +50,7 @@ best_axis(const Obb<Real>& a, const Obb<Real>& b, Real margin, Real tolerance)
 // [best_axis]
 
 // [clipped]
-/// The part of a polygon where n · p ≤ o: Sutherland–Hodgman clipping; O11. A corner's feature is
-/// the number of the side that leads to the next.
+/// The part of a polygon where n · p ≤ o: Sutherland–Hodgman clipping; O11. Features number sides.
 template <class Real>
 ContactPoints<Real, 12> clipped(
     const ContactPoints<Real, 12>& polygon, const Vector3<Real>& n, Real o, unsigned side,
@@ -106,12 +105,11 @@ ContactPoints<Real, 8> face_contact(
     const Vector3<Real> out = box.axes.col(u) * Real(side % 2 == 0 ? 1 : -1);
     polygon = clipped(polygon, out, out.dot(box.center) + box.half_extents[u], side, tolerance);
   }
-  const Real top = n.dot(box.center) + box.half_extents[k];
   ContactPoints<Real, 8> points;
   for (std::size_t i = 0; i < polygon.size() && points.size() < 8; ++i)
   {
     const ContactPoint<Real>&before = polygon[i > 0 ? i - 1 : polygon.size() - 1], &at = polygon[i];
-    const Real d = top - n.dot(at.position);
+    const Real d = box.half_extents[k] - n.dot(at.position - box.center);
     if (d >= -kept)
     {
       points.push_back({at.position + n * (d / 2), d, 8 * before.feature + at.feature});
@@ -122,13 +120,15 @@ ContactPoints<Real, 8> face_contact(
 // [face_contact]
 
 // [edge_contact]
-/// The middle of the edge of a box along axis k that lies farthest along a direction.
+/// The middle of the edge along axis k that lies farthest along a direction; feature: which of
+/// four.
 template <class Real>
-Vector3<Real> support_edge(const Obb<Real>& box, int k, const Vector3<Real>& direction)
+ContactPoint<Real> support_edge(const Obb<Real>& box, int k, const Vector3<Real>& direction)
 {
   Vector3<Real> arm = (box.axes.transpose() * direction).cwiseSign().cwiseProduct(box.half_extents);
   arm[k] = 0;
-  return box.center + box.axes * arm;
+  const unsigned number = (arm[(k + 1) % 3] > 0 ? 1 : 0) + (arm[(k + 2) % 3] > 0 ? 2 : 0);
+  return {box.center + box.axes * arm, 0, number};
 }
 
 /// The point midway between an edge of A along axis i and one of B along axis j; O13.
@@ -136,12 +136,12 @@ template <class Real>
 ContactPoints<Real, 8> edge_contact(
     const Obb<Real>& a, const Obb<Real>& b, int i, int j, const Vector3<Real>& n, Real depth)
 {
-  const Vector3<Real> on_a = support_edge(a, i, n), on_b = support_edge<Real>(b, j, -n);
-  const Vector3<Real> e_a = a.axes.col(i), e_b = b.axes.col(j), q = on_b - on_a;
-  const auto on_edge = [](Real s, Real half) { return std::clamp(s, -half, half); };
-  const Real s = on_edge(closest_on_line(q, e_a, e_b), a.half_extents[i]);
-  const Real r = on_edge(closest_on_line<Real>(-q, e_b, e_a), b.half_extents[j]);
-  return ContactPoint<Real>{(on_a + s * e_a + on_b + r * e_b) / 2, depth, 0};
+  const ContactPoint<Real> edge_a = support_edge(a, i, n), edge_b = support_edge<Real>(b, j, -n);
+  const Vector3<Real> e_a = a.axes.col(i), e_b = b.axes.col(j);
+  const Vector3<Real> q = edge_b.position - edge_a.position;
+  const Vector3<Real> on_a = edge_a.position + closest_on_line(q, e_a, e_b) * e_a;
+  const Vector3<Real> on_b = edge_b.position + closest_on_line<Real>(-q, e_b, e_a) * e_b;
+  return ContactPoint<Real>{(on_a + on_b) / 2, depth, 4 * edge_a.feature + edge_b.feature};
 }
 // [edge_contact]
 
