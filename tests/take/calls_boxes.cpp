@@ -43,6 +43,10 @@ int main()
         }
       });
 #endif
+#ifdef TAKE_plain_box_box
+  print_pairs<Obb>(
+      "plain_box_box", [](const auto& a, const auto& b, Bits& bits) { bits(plain_box_box(a, b)); });
+#endif
 #ifdef TAKE_face_clipping
   print_pairs<Obb>(
       "face_clipping", [](const auto& a, const auto& b, Bits& bits) { bits(face_clipping(a, b)); });

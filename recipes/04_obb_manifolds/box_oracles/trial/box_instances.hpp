@@ -10,6 +10,7 @@
 #include "04_obb_manifolds/face_clipping/face_clipping.hpp"
 #include "04_obb_manifolds/feature_memory/feature_memory.hpp"
 #include "04_obb_manifolds/gjk_epa/gjk_epa.hpp"
+#include "04_obb_manifolds/plain_box_box/plain_box_box.hpp"
 
 /// Declares every method for a number type: with `extern` as compiled elsewhere, without as
 /// compiled here.
@@ -17,6 +18,8 @@
   ELSEWHERE template std::optional<LeastOverlap<REAL>> separating_axes(                            \
       const Obb<REAL>&, const Obb<REAL>&);                                                         \
   ELSEWHERE template std::optional<Manifold<REAL, most_crossings>> edge_clipping(                  \
+      const Obb<REAL>&, const Obb<REAL>&);                                                         \
+  ELSEWHERE template std::optional<Manifold<REAL>> plain_box_box(                                  \
       const Obb<REAL>&, const Obb<REAL>&);                                                         \
   ELSEWHERE template std::optional<Manifold<REAL>> face_clipping(                                  \
       const Obb<REAL>&, const Obb<REAL>&);                                                         \

@@ -9,6 +9,7 @@
 #include "04_obb_manifolds/edge_clipping/edge_clipping.hpp"
 #include "04_obb_manifolds/face_clipping/face_clipping.hpp"
 #include "04_obb_manifolds/gjk_epa/gjk_epa.hpp"
+#include "04_obb_manifolds/plain_box_box/plain_box_box.hpp"
 
 #include <optional>
 
@@ -33,6 +34,7 @@ void for_every_box_method(const Visit& visit)
         const auto manifold = box_box_in_registers(a, b);
         return manifold ? std::optional(reduced(*manifold)) : std::nullopt;
       });
+  visit("plain_box_box", [](const auto& a, const auto& b) { return plain_box_box(a, b); });
   visit("face_clipping", [](const auto& a, const auto& b) { return face_clipping(a, b); });
   visit("edge_clipping", [](const auto& a, const auto& b) { return edge_clipping(a, b); });
   visit("gjk_epa", [](const auto& a, const auto& b) { return gjk_epa(a, b); });
