@@ -1,6 +1,10 @@
+/// \file
+/// \brief A crate on the edge of a table.
+
+// [example]
 #include "04_obb_manifolds/plain_box_box/plain_box_box.hpp"
 
-#include <cstdio>
+#include <iostream>
 
 int main()
 {
@@ -9,12 +13,13 @@ int main()
   const cookbook::Obb<double> crate{{0.7, 0.98, 0}, tilt.toRotationMatrix(), {0.5, 0.5, 0.5}};
   if (const auto manifold = cookbook::plain_box_box(table, crate))
   {
-    const Eigen::Vector3d& n = manifold->normal;
-    std::printf("normal %g %g %g, depth %.4f m\n", n.x(), n.y(), n.z(), manifold->depth);
+    std::cout.precision(4);
+    std::cout << "normal " << manifold->normal.transpose() << ", depth " << manifold->depth << '\n';
     for (const auto& [position, depth, feature] : manifold->points)
     {
-      std::printf("point %.4f %.4f %4.1f, ", position.x(), position.y(), position.z());
-      std::printf("depth %.4f m, feature %u\n", depth, feature);
+      std::cout << "point " << position.transpose() << ", depth " << depth << ", id " << feature
+                << '\n';
     }
   }
 }
+// [example]
