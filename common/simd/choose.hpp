@@ -1,9 +1,9 @@
 #pragma once
 
 /// \file
-/// \brief One of three: which number of a group is meant, for one pair or for each pair of a pack.
+/// \brief One of three: which number of a row is meant, for one pair or for each pair of a pack.
 
-#include "common/simd/group.hpp"
+#include "common/simd/number.hpp"
 
 #include <type_traits>
 
@@ -87,20 +87,6 @@ decltype(auto) chosen(const Things& things, int i)
   return things[i];
 }
 // [which]
-
-/// An index divided by three, without the rest.
-inline int third(int i)
-{
-  return i / 3;
-}
-
-/// An index of 0 to 8 divided by three, without the rest.
-template <class Number>
-Number third(const Number& i)
-{
-  const Number zero(0), one(1);
-  return select(Number(2.5f) < i, one, zero) + select(Number(5.5f) < i, one, zero);
-}
 
 } // namespace COOKBOOK_INSTRUCTION_SET
 } // namespace cookbook

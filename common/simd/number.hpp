@@ -3,6 +3,7 @@
 /// \file
 /// \brief What plain numbers and packs of numbers have in common.
 
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 
@@ -51,6 +52,12 @@ Number smaller(const Number& x, const Number& y)
 
 /// Whether a test holds, where it is of one pair: itself.
 inline bool any(bool mask)
+{
+  return mask;
+}
+
+/// A bit for a test, where it is of one pair.
+inline std::uint32_t bits_of(bool mask)
 {
   return mask;
 }

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 #if defined(__GNUC__)
 #pragma GCC diagnostic push
@@ -65,6 +66,25 @@ struct Pack
     return pack;
   }
 
+  /// Lanes by their places in a, followed by those of b; as many as there are places.
+  template <std::size_t... Places>
+  static Pack<Real, sizeof...(Places)> shuffled(const Pack& a, const Pack& b)
+  {
+    return Pack<Real, sizeof...(Places)>::of(cookbook::shuffled<Places...>(a.lanes, b.lanes));
+  }
+
+  /// Of each four lanes of a, places 0 to 3, and the same four of b, places 4 to 7, these.
+  template <std::size_t... Places>
+  static Pack fours(const Pack& a, const Pack& b)
+  {
+    return [&]<std::size_t... I>(std::index_sequence<I...>)
+    {
+      constexpr std::size_t at[] = {Places...};
+      return shuffled<(I - I % 4 + at[I % 4] % 4 + (at[I % 4] < 4 ? 0 : Width))...>(a, b);
+    }
+    (std::make_index_sequence<Width>());
+  }
+
   friend Pack operator+(const Pack& a, const Pack& b) { return of(a.lanes + b.lanes); }
   friend Pack operator-(const Pack& a, const Pack& b) { return of(a.lanes - b.lanes); }
   friend Pack operator*(const Pack& a, const Pack& b) { return of(a.lanes * b.lanes); }
@@ -72,20 +92,9 @@ struct Pack
   friend Pack operator-(const Pack& a) { return of(-a.lanes); }
   Pack& operator+=(const Pack& other) { return *this = *this + other; } ///< adds lane by lane
   Pack& operator-=(const Pack& other) { return *this = *this - other; } ///< takes away
-  friend Pack max(const Pack& a, const Pack& b)
-  {
-    return of(picked(a.lanes > b.lanes, a.lanes, b.lanes));
-  }
-  friend Pack min(const Pack& a, const Pack& b)
-  {
-    return of(picked(a.lanes < b.lanes, a.lanes, b.lanes));
-  }
-  friend Pack abs(const Pack& a)
-  {
-    using Bits = decltype(Mask::lanes);
-    const Bits sign = std::bit_cast<Bits>(-Lanes{}); // the bits of minus zero
-    return of(std::bit_cast<Lanes>(std::bit_cast<Bits>(a.lanes) & ~sign));
-  }
+  friend Pack max(const Pack& a, const Pack& b) { return select(a > b, a, b); }
+  friend Pack min(const Pack& a, const Pack& b) { return select(a < b, a, b); }
+  friend Pack abs(const Pack& a) { return copysign(a, Pack(0)); }
   friend Pack copysign(const Pack& size, const Pack& sign)
   {
     using Bits = decltype(Mask::lanes);
@@ -131,6 +140,20 @@ Pack<Real, Width> select(
     const Pack<Real, Width>& no)
 {
   return Pack<Real, Width>::of(picked(mask.lanes, yes.lanes, no.lanes));
+}
+
+/// Four packs as rows of four lanes made columns; in wider packs each four of the lanes.
+template <class P>
+void transpose_fours(P& a, P& b, P& c, P& d)
+{
+  const P low_ab = P::template fours<0, 4, 1, 5>(a, b),
+          low_cd = P::template fours<0, 4, 1, 5>(c, d);
+  const P high_ab = P::template fours<2, 6, 3, 7>(a, b);
+  const P high_cd = P::template fours<2, 6, 3, 7>(c, d);
+  a = P::template fours<0, 1, 4, 5>(low_ab, low_cd);
+  b = P::template fours<2, 3, 6, 7>(low_ab, low_cd);
+  c = P::template fours<0, 1, 4, 5>(high_ab, high_cd);
+  d = P::template fours<2, 3, 6, 7>(high_ab, high_cd);
 }
 
 /// The square root of every lane: a loop that becomes one instruction.

@@ -21,13 +21,13 @@ namespace
 
 /// Rows of C for two boxes turned against each other about (1, 1, 1), by an angle in degrees.
 template <class Real>
-BoxesInRows<Group<Real, 3>> turned_by(double degrees)
+BoxesInRows<RowOf<Real, 3>> turned_by(double degrees)
 {
   const Matrix3<Real> c = turned(degrees * std::atan(1.0) / 45, {1, 1, 1}).cast<Real>();
-  BoxesInRows<Group<Real, 3>> boxes{};
+  BoxesInRows<RowOf<Real, 3>> boxes{};
   for (int i = 0; i < 3; ++i)
   {
-    boxes.rows[i] = group<Real>(c(i, 0), c(i, 1), c(i, 2));
+    boxes.rows[i] = RowOf<Real, 3>(c(i, 0), c(i, 1), c(i, 2));
   }
   return boxes;
 }
@@ -68,7 +68,7 @@ TEMPLATE_TEST_CASE(
   for (const double degrees : {0.0, 1.1, 120.0})
   {
     CAPTURE(degrees);
-    const BoxesInRows<Group<Real, 3>> parallel = turned_by<Real>(degrees);
+    const BoxesInRows<RowOf<Real, 3>> parallel = turned_by<Real>(degrees);
     CHECK(edge_threshold(parallel, Real(4), tolerances) == Catch::Approx(3.8));
     CHECK(edge_threshold(parallel, Real(0.5), tolerances) == Catch::Approx(0.4375));
     CHECK(edge_threshold(parallel, Real(0.05), tolerances) == 0);
@@ -76,7 +76,7 @@ TEMPLATE_TEST_CASE(
   for (const double degrees : {1.4, 60.0, 121.5})
   {
     CAPTURE(degrees);
-    const BoxesInRows<Group<Real, 3>> oblique = turned_by<Real>(degrees);
+    const BoxesInRows<RowOf<Real, 3>> oblique = turned_by<Real>(degrees);
     CHECK(edge_threshold(oblique, Real(4), tolerances) == Catch::Approx(3.999).epsilon(1e-6));
     CHECK(edge_threshold(oblique, Real(0.0005), tolerances) == 0);
   }
@@ -91,8 +91,8 @@ TEMPLATE_TEST_CASE("of six faces the first of least overlap is taken", "[O9]", f
   {
     const auto overlap = [&](int i) { return i < least ? Real(2) : Real(1); };
     const LeastFace<Real> face = least_face(
-        group<Real>(overlap(0), overlap(1), overlap(2)),
-        group<Real>(overlap(3), overlap(4), overlap(5)));
+        RowOf<Real, 3>(overlap(0), overlap(1), overlap(2)),
+        RowOf<Real, 3>(overlap(3), overlap(4), overlap(5)));
     CHECK(face.index == least);
     CHECK(face.depth == 1);
   }
@@ -106,12 +106,12 @@ TEMPLATE_TEST_CASE(
   for (int least = 0; least < 9; ++least)
   {
     CAPTURE(least);
-    EdgeOverlaps<Group<Real, 3>> edges[3];
+    EdgeOverlaps<RowOf<Real, 3>> edges[3];
     for (int i = 0; i < 3; ++i)
     {
       // Overlap 2 along all axes, which are half as long as the unit; 1 along the least.
       const auto raw = [&](int j) { return 3 * i + j == least ? Real(0.5) : Real(1); };
-      edges[i] = {group<Real>(raw(0), raw(1), raw(2)), Group<Real, 3>(Real(0.25))};
+      edges[i] = {RowOf<Real, 3>(raw(0), raw(1), raw(2)), RowOf<Real, 3>(Real(0.25))};
     }
     const LeastEdge<Real> found = least_edge(edges, Real(1.5));
     CHECK(found.found());
@@ -128,10 +128,10 @@ TEMPLATE_TEST_CASE("axes of edges that are parallel are no axes", "[O4]", float,
   using Real = TestType;
   const auto with_squared_length = [](double squared)
   {
-    const Group<Real, 3> none(Real(1)), unit(Real(1));
-    EdgeOverlaps<Group<Real, 3>> edges[3] = {{none, unit}, {none, unit}, {none, unit}};
-    edges[1].overlap = group<Real>(1, Real(1e-9), 1);
-    edges[1].squared = group<Real>(1, static_cast<Real>(squared), 1);
+    const RowOf<Real, 3> none(Real(1)), unit(Real(1));
+    EdgeOverlaps<RowOf<Real, 3>> edges[3] = {{none, unit}, {none, unit}, {none, unit}};
+    edges[1].overlap = RowOf<Real, 3>(1, Real(1e-9), 1);
+    edges[1].squared = RowOf<Real, 3>(1, static_cast<Real>(squared), 1);
     return least_edge(edges, Real(0.5));
   };
   CHECK(with_squared_length(1e-13).index == 4);

@@ -34,7 +34,7 @@ using Memory = ContactMemory<double, int>;
 /// A frame of which is known on which axis it was.
 Memory frame_on(int axis, const Obb<double>& a, const Obb<double>& b)
 {
-  return {box_box_on<Group<double, 3>>(a, b, axis, overlap_on(a, b, axis).value()), {}};
+  return {box_box_on<RowOf<double, 3>>(a, b, axis, overlap_on(a, b, axis).value()), {}};
 }
 
 constexpr int a1 = 1, b1 = 4;
@@ -55,7 +55,7 @@ TEST_CASE("on the axis that box_box() takes, box_box_on() is the same", "[O17]")
         continue;
       }
       const int axis = axis_of(right);
-      const auto same = box_box_on<Group<double, 3>>(a, b, axis, overlap_on(a, b, axis).value());
+      const auto same = box_box_on<RowOf<double, 3>>(a, b, axis, overlap_on(a, b, axis).value());
       // Both are computed from numbers of size 3 at most, each rounded.
       CHECK(difference(right, same, 1) <= 1e-13);
       REQUIRE(right->points.size() == same->points.size());
@@ -77,7 +77,7 @@ TEST_CASE("features name the axis, and no two points of a manifold share one", "
     for (const int axis : {least, axis_of(box_box(a, b)), 6, 14})
     {
       const auto manifold =
-          box_box_on<Group<double, 3>>(a, b, axis, overlap_on(a, b, axis).value());
+          box_box_on<RowOf<double, 3>>(a, b, axis, overlap_on(a, b, axis).value());
       std::set<std::uint32_t> features;
       for (const ContactPoint<double>& point : manifold->points)
       {

@@ -1,13 +1,18 @@
 /// \file
-/// \brief What holds for packs of every width.
+/// \brief What holds for packs of every width, for lanes moved together, and for copies past the
+/// cache.
 
-#include "common/simd/registers.hpp"
+#include "common/simd/compress.hpp"
+#include "common/simd/row.hpp"
+#include "common/simd/stream.hpp"
 
 #include "tests/catch.hpp"
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <numeric>
 
 using namespace cookbook;
 
@@ -92,11 +97,11 @@ TEMPLATE_TEST_CASE("max and min of 0, 1, 2 … and 3 choose in every lane", "[pa
 TEMPLATE_TEST_CASE("all holds only where every lane does", "[pack]", WIDTHS)
 {
   using Real = typename Lane<TestType>::Real;
-  const std::size_t width = Lane<TestType>::width;
+  const std::size_t count = Lane<TestType>::width;
   const TestType a = Lane<TestType>::counting_from(0);
   CHECK(all(a >= TestType(Real(0))));
-  CHECK(all(a <= TestType(static_cast<Real>(width - 1))));
-  CHECK_FALSE(all(a < TestType(static_cast<Real>(width - 1))));
+  CHECK(all(a <= TestType(static_cast<Real>(count - 1))));
+  CHECK_FALSE(all(a < TestType(static_cast<Real>(count - 1))));
   CHECK_FALSE(all(a > TestType(Real(0))));
   CHECK_FALSE(all((a >= TestType(Real(0))) & (a > TestType(Real(0)))));
 }
@@ -151,9 +156,9 @@ TEST_CASE("vectors of packs have four dot products at once: (1, 2, 3)·(k, 0, 1)
 TEMPLATE_TEST_CASE("a mask has a bit for each lane, the first lowest", "[pack]", WIDTHS)
 {
   using Real = typename Lane<TestType>::Real;
-  constexpr std::size_t width = Lane<TestType>::width;
+  constexpr std::size_t count = Lane<TestType>::width;
   const TestType counted = Lane<TestType>::counting_from(0);
-  for (std::size_t limit = 0; limit <= width; ++limit)
+  for (std::size_t limit = 0; limit <= count; ++limit)
   {
     CAPTURE(limit);
     CHECK(bits_of(counted < TestType(static_cast<Real>(limit))) == (1u << limit) - 1);
@@ -185,12 +190,55 @@ TEST_CASE("a square of packs is mirrored", "[pack]")
   {
     rows[i] = Lane<P>::counting_from(static_cast<float>(10 * i));
   }
-  transpose(rows);
+  transpose_fours(rows[0], rows[1], rows[2], rows[3]);
   for (int i = 0; i < 4; ++i)
   {
     for (int j = 0; j < 4; ++j)
     {
       CHECK(rows[i][j] == static_cast<float>(10 * j + i));
+    }
+  }
+}
+
+TEST_CASE("lanes that are set come first, in their order", "[pack]")
+{
+  Lanes lanes;
+  for (std::size_t i = 0; i < width; ++i)
+  {
+    lanes.lanes[i] = static_cast<float>(10 + i);
+  }
+  for (std::uint32_t bits = 0; bits < 1u << width; ++bits)
+  {
+    const Lanes moved = Compress(bits)(lanes);
+    std::size_t place = 0;
+    for (std::size_t i = 0; i < width; ++i)
+    {
+      if ((bits >> i & 1) != 0)
+      {
+        CHECK(moved[place++] == lanes[i]);
+      }
+    }
+  }
+}
+
+TEST_CASE("0 to 70 bytes from anywhere to anywhere arrive, and nothing beside them", "[pack]")
+{
+  std::array<unsigned char, 96> from;
+  std::iota(from.begin(), from.end(), static_cast<unsigned char>(1));
+  for (std::size_t count = 0; count <= 70; ++count)
+  {
+    for (std::size_t offset = 1; offset <= 17; ++offset)
+    {
+      alignas(16) std::array<unsigned char, 96> to{};
+      stream(from.data() + 3, to.data() + offset, count);
+      end_of_stream();
+      bool right = true;
+      for (std::size_t i = 0; i < to.size(); ++i)
+      {
+        const bool inside = i >= offset && i < offset + count;
+        right = right && to[i] == (inside ? from[3 + i - offset] : 0);
+      }
+      REQUIRE(right);
     }
   }
 }

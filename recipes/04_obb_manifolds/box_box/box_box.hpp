@@ -33,14 +33,13 @@ box_choice(const BoxesInRows<Row>& boxes, const Tolerances<Real>& tolerances)
 {
   const Row face_a = face_overlaps(boxes.half_a, boxes.columns, boxes.half_b, boxes.offset_a);
   const Row face_b = face_overlaps(boxes.half_b, boxes.rows, boxes.half_a, boxes.offset_b);
-  if (!RowTraits<Row>::all(
-          (Row(0) <= face_a) & (Row(0) <= face_b))) // boxes too far apart for numbers are NaN
+  if (!((Row(0) <= face_a) & (Row(0) <= face_b)).all()) // boxes too far apart for numbers are NaN
   {
     return std::nullopt;
   }
   const EdgeOverlaps<Row> edges[] = {
       edge_overlaps(boxes, 0), edge_overlaps(boxes, 1), edge_overlaps(boxes, 2)};
-  if (RowTraits<Row>::any(min(min(edges[0].overlap, edges[1].overlap), edges[2].overlap) < Row(0)))
+  if ((min(min(edges[0].overlap, edges[1].overlap), edges[2].overlap) < Row(0)).any())
   {
     return std::nullopt;
   }
@@ -87,7 +86,7 @@ box_box_at_unit_size(const Obb<Real>& a, const Obb<Real>& b)
   const Obb<Real> close_by{{0, 0, 0}, a.axes, scaled(a.half_extents, -exponent)};
   const Obb<Real> other{scaled(quarter, 2 - exponent), b.axes, scaled(b.half_extents, -exponent)};
   const auto found = box_manifold(
-      close_by, other, boxes_in_rows<Group<Real, 3>>(close_by, other),
+      close_by, other, boxes_in_rows<RowOf<Real, 3>>(close_by, other),
       tolerances_of(close_by, other));
   return found ? translated(std::optional(scaled(*found, exponent)), a.center) : std::nullopt;
 }
@@ -120,7 +119,7 @@ template <class Row, class Real>
 template <class Real>
 std::optional<Manifold<Real>> box_box(const Obb<Real>& a, const Obb<Real>& b)
 {
-  return box_box_in<Group<Real, 3>>(a, b);
+  return box_box_in<RowOf<Real, 3>>(a, b);
 }
 // [box_box]
 

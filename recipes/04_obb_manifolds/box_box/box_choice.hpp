@@ -53,7 +53,7 @@ struct LeastFace
 
 /// The least number of a row.
 template <class Row>
-RowNumber<Row> least_of(const Row& row)
+typename Row::Number least_of(const Row& row)
 {
   using std::min;
   return min(row[0], min(row[1], row[2]));
@@ -61,10 +61,10 @@ RowNumber<Row> least_of(const Row& row)
 
 /// The first of the six least overlaps.
 template <class Row>
-LeastFace<RowNumber<Row>> least_face(const Row& face_a, const Row& face_b)
+LeastFace<typename Row::Number> least_face(const Row& face_a, const Row& face_b)
 {
-  const RowNumber<Row> depth = least_of(min(face_a, face_b));
-  return {depth, RowTraits<Row>::first_set({face_a <= Row(depth), face_b <= Row(depth)})};
+  const typename Row::Number depth = least_of(min(face_a, face_b));
+  return {depth, first_set({face_a <= Row(depth), face_b <= Row(depth)})};
 }
 // [least_face]
 
@@ -79,7 +79,7 @@ Real edge_threshold(
 {
   using std::max;
   const Row largest = max(max(abs(boxes.rows[0]), abs(boxes.rows[1])), abs(boxes.rows[2]));
-  const auto parallel = RowTraits<Row>::any(Row(Real(parallel_cosine)) < largest);
+  const auto parallel = (Row(Real(parallel_cosine)) < largest).any();
   const Real preference = face_preference(face_depth, tolerances.margin);
   return max(face_depth - select(parallel, preference, tolerances.length), Real(0));
 }
@@ -102,10 +102,10 @@ struct LeastEdge
 ///
 /// Squares are compared: s² < threshold² |L|² needs no root. Axes shorter than ε are left out.
 template <class Row>
-LeastEdge<RowNumber<Row>>
-least_edge(const EdgeOverlaps<Row> (&edges)[3], const RowNumber<Row>& threshold)
+LeastEdge<typename Row::Number>
+least_edge(const EdgeOverlaps<Row> (&edges)[3], const typename Row::Number& threshold)
 {
-  using Real = RowNumber<Row>;
+  using Real = typename Row::Number;
   constexpr float epsilon = std::numeric_limits<float>::epsilon();
   const Real none(LeastEdge<Real>::none);
   Row square[3];
@@ -116,7 +116,7 @@ least_edge(const EdgeOverlaps<Row> (&edges)[3], const RowNumber<Row>& threshold)
     under[i] = (square[i] < Row(threshold * threshold) * edges[i].squared) &
                (Row(Real(epsilon * epsilon)) < edges[i].squared);
   }
-  if (!any(RowTraits<Row>::any(under[0] | under[1] | under[2])))
+  if (!any((under[0] | under[1] | under[2]).any()))
   {
     return {none, index<Real>(0)};
   }
@@ -127,7 +127,7 @@ least_edge(const EdgeOverlaps<Row> (&edges)[3], const RowNumber<Row>& threshold)
   }
   const Real least = least_of(min(min(squared_depth[0], squared_depth[1]), squared_depth[2]));
   return {
-      least, RowTraits<Row>::first_set(
+      least, first_set(
                  {squared_depth[0] <= Row(least), squared_depth[1] <= Row(least),
                   squared_depth[2] <= Row(least)})};
 }

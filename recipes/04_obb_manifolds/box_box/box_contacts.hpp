@@ -99,8 +99,8 @@ edge_contact(const Obb<Real>& a, const BoxesInRows<Row>& boxes, const Which& i, 
 template <class Row>
 struct FaceContact
 {
-  using Real = RowNumber<Row>;
-  using Four = FourOf<Row>;
+  using Real = typename Row::Number;
+  using Four = typename Row::Four;
 
   Vector3<Real> normal;        ///< [1], unit, world, from A to B
   Four position[2][3];         ///< [m], world: x, y and z of twice four points
@@ -121,7 +121,7 @@ FaceContact<Row> face_contact(
     const Obb<Real>& box, const Obb<Real>& other, const Row (&c)[3], const Row& offset,
     const Which& k, const Real& separation, const Real& tolerance)
 {
-  using Four = FourOf<Row>;
+  using Four = typename Row::Four;
   using std::copysign, std::max;
   const Which u = next(k), v = next(u);
   const Row& row_k = chosen(c, k);
@@ -132,7 +132,7 @@ FaceContact<Row> face_contact(
 
   const Row slant = abs(row_k);
   const Real most = max(slant[0], max(slant[1], slant[2]));
-  const Index<Real> incident = RowTraits<Row>::first_set({Row(most) <= slant});
+  const Index<Real> incident = first_set({Row(most) <= slant});
   const auto m = which(incident);
   const auto p = next(m), q = next(p);
   const auto half = [](const Obb<Real>& of, const auto& axis)

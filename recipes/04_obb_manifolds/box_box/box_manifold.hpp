@@ -19,7 +19,7 @@ inline namespace COOKBOOK_INSTRUCTION_SET
 
 /// The three numbers of a row as a vector.
 template <class Row>
-Vector3<RowNumber<Row>> vector_of(const Row& row)
+Vector3<typename Row::Number> vector_of(const Row& row)
 {
   return {row[0], row[1], row[2]};
 }
@@ -114,14 +114,14 @@ std::optional<Manifold<Real>> face_manifold(
     const auto feature = static_cast<std::uint32_t>(64 * face.index + 8 * contact.incident);
     for (std::uint32_t part = 0; part < 2; ++part)
     {
-      FourOf<Row> points[] = {
+      typename Row::Four points[] = {
           contact.position[part][0], contact.position[part][1], contact.position[part][2],
           contact.depth[part]};
       transpose(points);
-      const std::uint32_t kept = RowTraits<Row>::bits(contact.kept[part]);
+      const std::uint32_t kept = contact.kept[part].bits();
       for (std::uint32_t i = 0; i < 4; ++i)
       {
-        const FourOf<Row>& from = points[i];
+        const typename Row::Four& from = points[i];
         manifold.points.emplace_back_if(
             kept >> i & 1,
             [&](ContactPoint<Real>& point) {

@@ -54,7 +54,7 @@ template <class Four, class Real>
 Four round(const Real& p, const Real& q)
 {
   const Real one(1), minus(-1);
-  return RowTraits<Four>::four(p, q, p, q) * RowTraits<Four>::four(one, one, minus, minus);
+  return Four(p, q, p, q) * Four(one, one, minus, minus);
 }
 
 /// 1/x, but no larger than 1/least.
@@ -70,7 +70,7 @@ Number bounded_reciprocal(const Number& x, const Number& least)
 template <class Four>
 struct Pieces
 {
-  using Real = RowNumber<Four>;
+  using Real = typename Four::Number;
 
   Four enter = Four(Real(0));  ///< where each edge comes in
   Four leave = Four(Real(1));  ///< where it goes out
@@ -86,7 +86,7 @@ struct Pieces
       const Real& least)
   {
     using std::max;
-    const Four per_step = bounded_reciprocal(RowTraits<Four>::four(p, q, p, q), Four(least));
+    const Four per_step = bounded_reciprocal(Four(p, q, p, q), Four(least));
     const Four per_length = abs(per_step),
                middle = start * per_step * round<Four>(Real(-1), Real(-1));
     const Four radius = Four(max(half + tie, Real(0))) * per_length;
@@ -111,8 +111,7 @@ template <class Four, class Real>
 Four corners(const Real& center, const Real& p, const Real& q)
 {
   const Real one(1);
-  return Four(center) + Four(p) * RowTraits<Four>::four(-one, one, one, -one) +
-         Four(q) * RowTraits<Four>::four(-one, -one, one, one);
+  return Four(center) + Four(p) * Four(-one, one, one, -one) + Four(q) * Four(-one, -one, one, one);
 }
 
 /// Corners at which a piece of the other's edges begins; within `tolerance` outside this rectangle

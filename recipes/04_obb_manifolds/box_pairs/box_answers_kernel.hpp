@@ -20,7 +20,10 @@ inline void answer_edges(
     const Obb<Lanes>& a, const BoxesInRows<Three>& boxes, const LeastEdge<Lanes>& edge,
     const Words& pair, SixteenEdgeManifolds& out, std::size_t at)
 {
-  const Lanes i = third(edge.index), j = edge.index - i * Lanes(3.0f);
+  const Lanes zero(0.0f), one(1.0f);
+  const Lanes i = select(Lanes(2.5f) < edge.index, one, zero) +
+                  select(Lanes(5.5f) < edge.index, one, zero); // a third of it
+  const Lanes j = edge.index - i * Lanes(3.0f);
   const EdgeContact<Three> contact = edge_contact(a, boxes, which(i), which(j));
   for (int x = 0; x < 3; ++x)
   {
@@ -51,7 +54,7 @@ Lanes::Mask answer_faces(
   {
     const std::size_t part = slot / 4;
     const int i = static_cast<int>(slot % 4);
-    kept = kept | (contact.kept[part].at[i].lanes & spread<Words>(1 << slot));
+    kept = kept | (contact.kept[part].part[i].lanes & spread<Words>(1 << slot));
     for (int x = 0; x < 3; ++x)
     {
       store_pack(contact.position[part][x][i], out.position[slot][x] + at);

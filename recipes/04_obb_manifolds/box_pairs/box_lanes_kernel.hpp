@@ -15,7 +15,7 @@ namespace cookbook
 inline namespace COOKBOOK_INSTRUCTION_SET
 {
 
-using Three = Group<Lanes, 3>;
+using Three = RowOf<Lanes, 3>;
 
 /// Whole numbers, a lane each.
 using Words = VectorOf<std::int32_t, width>::type;

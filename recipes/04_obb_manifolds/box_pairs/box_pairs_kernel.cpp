@@ -33,7 +33,7 @@ struct Overlaps
   {
     const Three zero(Lanes(0.0f));
     const Three edge = min(min(edges[0].overlap, edges[1].overlap), edges[2].overlap);
-    return RowTraits<Three>::all((zero <= face_a) & (zero <= face_b) & (zero <= edge));
+    return ((zero <= face_a) & (zero <= face_b) & (zero <= edge)).all();
   }
 };
 // [overlaps]

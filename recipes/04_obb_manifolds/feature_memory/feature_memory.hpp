@@ -144,7 +144,7 @@ template <class Real, class Warm>
 ContactMemory<Real, Warm>
 next_frame(const ContactMemory<Real, Warm>& before, const Obb<Real>& a, const Obb<Real>& b)
 {
-  return next_frame_in<Group<Real, 3>>(before, a, b);
+  return next_frame_in<RowOf<Real, 3>>(before, a, b);
 }
 // [feature_memory]
 

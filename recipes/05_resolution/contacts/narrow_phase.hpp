@@ -4,11 +4,11 @@
 /// \brief Where two bodies of a world touch, or will within a margin: manifolds of chapters 3
 /// and 4.
 
+#include "04_obb_manifolds/box_box/box_box_in_registers.hpp"
 #include "04_obb_manifolds/feature_memory/feature_memory.hpp"
 #include "05_resolution/contacts/ghost_contact.hpp"
 #include "05_resolution/contacts/near_shapes.hpp"
 #include "05_resolution/contacts/world_contact.hpp"
-#include "common/simd/registers.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -42,7 +42,7 @@ meet(int before, const Obb<double>& a, const Obb<double>& b, double margin)
 {
   const Obb<double> grown_a = grown(a, margin / 2), grown_b = grown(b, margin / 2);
   const std::optional<std::pair<int, double>> found =
-      box_axis_in<Registers<double>>(grown_a, grown_b);
+      box_axis_in<RowInRegisters<double>>(grown_a, grown_b);
   if (!found)
   {
     return std::nullopt;
@@ -53,7 +53,7 @@ meet(int before, const Obb<double>& a, const Obb<double>& b, double margin)
                         ((a.axes.transpose() * normal).cwiseAbs().sum() +
                          (b.axes.transpose() * normal).cwiseAbs().sum());
   const double hair = share_of_hair * tolerances_of(a, b).size;
-  return box_box_on<Registers<double>>(a, b, axis, overlap - growth, growth + margin, hair);
+  return box_box_on<RowInRegisters<double>>(a, b, axis, overlap - growth, growth + margin, hair);
 }
 
 /// The axis on which the manifold of a contact was built in the frame before; −1 if it had none.

@@ -4,12 +4,12 @@
 /// \brief Impacts of boxes that are foreseen, so that solvers know of them before they are deep.
 
 #include "04_obb_manifolds/box_box/box_box.hpp"
+#include "04_obb_manifolds/box_box/box_box_in_registers.hpp"
 #include "05_resolution/contacts/broad_phase.hpp"
 #include "05_resolution/contacts/moved_body.hpp"
 #include "05_resolution/contacts/narrow_phase.hpp"
 #include "05_resolution/sweeps/box_on_course.hpp"
 #include "05_resolution/sweeps/step_courses.hpp"
-#include "common/simd/registers.hpp"
 
 #include <algorithm>
 #include <span>
@@ -28,7 +28,7 @@ struct DepthBetween
 
   double operator()(const BoxShape& box, const BoxShape& other) const
   {
-    const auto found = box_axis_in<Registers<double>>(placed(a, box), placed(b, other));
+    const auto found = box_axis_in<RowInRegisters<double>>(placed(a, box), placed(b, other));
     return found ? found->second : -1;
   }
   template <class Shape, class Other>

@@ -4,10 +4,10 @@
 /// \brief Contenders of the chart that are more than a function of two boxes: the batch, and the
 /// recipe with a memory.
 
+#include "04_obb_manifolds/box_box/box_box_in_registers.hpp"
 #include "04_obb_manifolds/box_oracles/trial/timed_methods.hpp"
 #include "04_obb_manifolds/box_pairs/box_pairs.hpp"
 #include "04_obb_manifolds/feature_memory/feature_memory.hpp"
-#include "common/simd/registers.hpp"
 
 #include <memory>
 #include <string>
@@ -77,19 +77,20 @@ template <class Real>
 TimedMethod memory_contender(const std::string& name)
 {
   const auto first_frame = [](const Obb<Real>& a, const Obb<Real>& b)
-  { return next_frame_in<Registers<Real>>(ContactMemory<Real, Real>{}, a, b).manifold; };
+  { return next_frame_in<RowInRegisters<Real>>(ContactMemory<Real, Real>{}, a, b).manifold; };
   const auto prepare = [](const BoxPairLists& lists) -> std::function<void()>
   {
     std::vector<ContactMemory<Real, Real>> before;
     for (const auto& [a, b] : lists.in<Real>())
     {
-      before.push_back(next_frame_in<Registers<Real>>(ContactMemory<Real, Real>{}, a, b));
+      before.push_back(next_frame_in<RowInRegisters<Real>>(ContactMemory<Real, Real>{}, a, b));
     }
     return [before, pairs = lists.in<Real>()]
     {
       for (std::size_t i = 0; i < pairs.size(); ++i)
       {
-        const auto now = next_frame_in<Registers<Real>>(before[i], pairs[i].first, pairs[i].second);
+        const auto now =
+            next_frame_in<RowInRegisters<Real>>(before[i], pairs[i].first, pairs[i].second);
         measure::keep(now);
       }
     };

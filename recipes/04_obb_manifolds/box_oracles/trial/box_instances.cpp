@@ -6,10 +6,10 @@
 namespace cookbook
 {
 
-COOKBOOK_BOX_ROWS(, float, Group<float, 3>)
-COOKBOOK_BOX_ROWS(, float, Registers<float>)
-COOKBOOK_BOX_ROWS(, double, Group<double, 3>)
-COOKBOOK_BOX_ROWS(, double, Registers<double>)
+COOKBOOK_BOX_ROWS(, float, RowOf<float, 3>)
+COOKBOOK_BOX_ROWS(, float, RowInRegisters<float>)
+COOKBOOK_BOX_ROWS(, double, RowOf<double, 3>)
+COOKBOOK_BOX_ROWS(, double, RowInRegisters<double>)
 COOKBOOK_BOX_METHODS(, float)
 COOKBOOK_BOX_METHODS(, double)
 

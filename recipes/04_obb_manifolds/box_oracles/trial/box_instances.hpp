@@ -40,10 +40,10 @@
 namespace cookbook
 {
 
-COOKBOOK_BOX_ROWS(extern, float, Group<float, 3>)
-COOKBOOK_BOX_ROWS(extern, float, Registers<float>)
-COOKBOOK_BOX_ROWS(extern, double, Group<double, 3>)
-COOKBOOK_BOX_ROWS(extern, double, Registers<double>)
+COOKBOOK_BOX_ROWS(extern, float, RowOf<float, 3>)
+COOKBOOK_BOX_ROWS(extern, float, RowInRegisters<float>)
+COOKBOOK_BOX_ROWS(extern, double, RowOf<double, 3>)
+COOKBOOK_BOX_ROWS(extern, double, RowInRegisters<double>)
 
 COOKBOOK_BOX_METHODS(extern, float)
 COOKBOOK_BOX_METHODS(extern, double)
