@@ -41,7 +41,7 @@ std::size_t points_of(const Obb<double>& a, const Obb<double>& b)
 
 } // namespace
 
-TEMPLATE_TEST_CASE("hair and margin go with the boxes' sizes", "[O9]", float, double)
+TEMPLATE_TEST_CASE("tolerance and margin go with the boxes' sizes", "[O9]", float, double)
 {
   using Real = TestType;
   const Obb<Real> a = box_in<Real>(upright({0, 0, 0}, {1, 2, 3}));
@@ -59,7 +59,7 @@ TEMPLATE_TEST_CASE("hair and margin go with the boxes' sizes", "[O9]", float, do
 TEMPLATE_TEST_CASE(
     "where faces are parallel an edge must be better by a twentieth or half the margin, elsewhere "
     "by "
-    "a hair",
+    "a tolerance",
     "[O9][O19]", float, double)
 {
   using Real = TestType;

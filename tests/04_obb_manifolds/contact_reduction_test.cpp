@@ -184,7 +184,7 @@ TEST_CASE("of equal points those that come first are kept, also on a line or in 
 
 TEST_CASE("areas that differ by rounding are ties, those that differ by more are not", "[O15]")
 {
-  // From (−3, 0) the farthest is (3, 0). A hair of z makes 6 of them in doubled area; rounding of
+  // From (−3, 0) the farthest is (3, 0). A step in z makes 6 of it in doubled area; rounding of
   // coordinates of 3 may make 32 · 3 · 6 of 2.2e-16.
   for (const auto& [tolerance, third] : {std::pair(5e-15, 2u), std::pair(1e-13, 3u)})
   {
@@ -245,7 +245,7 @@ TEST_CASE("the same points are kept wherever the manifold is, and mirrored, at a
 
 // [four_deepest]
 TEST_CASE(
-    "leaning by a hair, the octagon's four deepest span 2 (√2 − 1): a quarter, all on one side",
+    "leaning a little, the octagon's four deepest span 2 (√2 − 1): a quarter, all on one side",
     "[case:G19]")
 {
   for (const double leaning : {1e-12, 1e-6, 1e-3})

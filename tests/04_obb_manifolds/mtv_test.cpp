@@ -548,7 +548,7 @@ TEST_CASE("in fractions a ball touches a box once it has left its nearest face",
   {
     const Exact3 local = half.cwiseProduct(exact<Rational>(point));
     const Direction<Rational> out = nearest_face(local, half);
-    // The ball's normal is into the box: the box moves against the way out.
+    // The ball's normal is into the box: the box moves against the MTV.
     const SphereOverlap<Rational> overlap =
         sphere_overlap<Rational>({-out.unit, out.length}, radius, 0);
     CHECK(overlap.depth >= radius);

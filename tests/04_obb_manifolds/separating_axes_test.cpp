@@ -183,12 +183,13 @@ TEST_CASE("leaving out edges whose sine is ε or less keeps the depth to roundin
 }
 
 // [O6]
-TEST_CASE("a cube through a plate overlaps it by 0.6, not by the shorter shadow", "[O6][case:G3]")
+TEST_CASE(
+    "a cube through a plate overlaps it by 0.6, not by the shorter projection", "[O6][case:G3]")
 {
   const Obb<double> plate = upright({0, 0, 0}, {5, 0.1, 5});
   const Obb<double> sunk = upright({0, 0.5, 0}, {1, 1, 1});
   const AxisOverlap<double> up = axis_overlap(relative_boxes(plate, sunk), 1);
-  // Shadows [−0.1, 0.1] and [−0.5, 1.5]: out upwards by 0.1 + 0.5, down by 1.5 + 0.1.
+  // Projections [−0.1, 0.1] and [−0.5, 1.5]: out upwards by 0.1 + 0.5, down by 1.5 + 0.1.
   CHECK(up.overlap == Catch::Approx(0.6).margin(rounding));
   CHECK(separating_axes(plate, sunk)->depth == Catch::Approx(0.6).margin(rounding));
   CHECK(separating_axes(plate, sunk)->normal == Vector3<double>(0, 1, 0));

@@ -64,8 +64,8 @@ template <class Real>
 
 // [touching_corners]
 /// Adds the one or two ends of what boxes have in common that touch along edges or at a corner: the
-/// corners of each that lie in the other but for a few hairs [m], none of them twice. Features only
-/// count them.
+/// corners of each that lie in the other within a few tolerances [m], none of them twice. Features
+/// only count them.
 template <class Real>
 [[gnu::noinline]] void add_touching_corners(
     Manifold<Real>& manifold, const Obb<Real>& box, const Obb<Real>& other, const Real& tolerance,
