@@ -99,6 +99,22 @@ void print(const Cells& rows)
   std::cout << table.text() << "\n";
 }
 
+/// The table for a page, with cells narrow enough for its width.
+std::string narrow_table(const Cells& rows)
+{
+  std::string html = html_table(rows);
+  for (const std::string& cell : {std::string("<th>"), std::string("<td>")})
+  {
+    const std::string narrow =
+        cell.substr(0, 3) + " style=\"padding: 0.3em 0.4em; font-size: 0.82em\">";
+    for (std::size_t at = html.find(cell); at != html.npos; at = html.find(cell, at + 1))
+    {
+      html.replace(at, cell.size(), narrow);
+    }
+  }
+  return html;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -125,7 +141,7 @@ int main(int argc, char** argv)
         std::cout << "o: overlap, c: closest, r: raycast of the row's shape at the column's\n\n";
         print(space);
         print(flat);
-        save_figure(given, "finder_space.html", html_table(space));
-        save_figure(given, "finder_plane.html", html_table(flat));
+        save_figure(given, "finder_space.html", narrow_table(space));
+        save_figure(given, "finder_plane.html", narrow_table(flat));
       });
 }

@@ -27,26 +27,26 @@ struct BvhNode
 
 /// The tree around some triangles of a mesh, cut in halves along the longest side of each box.
 template <class Real>
-std::unique_ptr<BvhNode<Real>> build_bvh(const TriangleMesh<Real>& mesh, std::vector<int> triangles)
+std::unique_ptr<BvhNode<Real>> build_bvh(const TriangleMesh<Real>& mesh, std::vector<int> some)
 {
   auto node = std::make_unique<BvhNode<Real>>();
-  for (const int i : triangles)
+  for (const int i : some)
   {
     node->box.extend(box_of_triangle(mesh, i));
   }
-  if (triangles.size() <= 4)
+  if (some.size() <= 4)
   {
-    node->triangles = triangles;
+    node->triangles = some;
     return node;
   }
   Eigen::Index axis = 0;
   node->box.sizes().maxCoeff(&axis);
   const auto before = [&](int i, int j)
   { return box_of_triangle(mesh, i).center()[axis] < box_of_triangle(mesh, j).center()[axis]; };
-  const auto middle = triangles.begin() + static_cast<std::ptrdiff_t>(triangles.size() / 2);
-  std::nth_element(triangles.begin(), middle, triangles.end(), before);
-  node->low = build_bvh(mesh, std::vector<int>(triangles.begin(), middle));
-  node->high = build_bvh(mesh, std::vector<int>(middle, triangles.end()));
+  const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
+  std::nth_element(some.begin(), middle, some.end(), before);
+  node->low = build_bvh(mesh, std::vector<int>(some.begin(), middle));
+  node->high = build_bvh(mesh, std::vector<int>(middle, some.end()));
   return node;
 }
 

@@ -26,10 +26,11 @@ bool spheres_overlap(const Sphere<Real>& a, const Sphere<Real>& b)
 template <class Real>
 bool aabbs_overlap(const Aabb<Real>& a, const Aabb<Real>& b)
 {
-  return (a.min().array() <= b.max().array()).all() && (b.min().array() <= a.max().array()).all();
+  const bool before_b_ends = (a.min().array() <= b.max().array()).all();
+  return before_b_ends && (b.min().array() <= a.max().array()).all();
 }
 
-/// Whether a sphere and a box along the axes have: from its centre to the closest point of the box.
+/// Whether a sphere and a box along the axes have.
 template <class Real>
 bool sphere_aabb_overlap(const Sphere<Real>& sphere, const Aabb<Real>& box)
 {
