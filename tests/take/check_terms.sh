@@ -19,13 +19,13 @@ euler              euler_angles
 obb                shapes                  Obb
 plane              shapes                  Plane
 aabb               more_shapes             Aabb
-ray_box            cast_box
-ray_sphere         cast_sphere
-ray_triangle       cast_triangle
-frustum_culling    frustum
+ray_box            plain_casts             ray_box
+ray_sphere         plain_casts             ray_sphere
+ray_triangle       plain_casts             ray_triangle
+frustum_culling    plain_camera            is_culled
 closest_points     closest_points          closest_points
-barycentric        closest_point_triangle
-bvh                meshes
+barycentric        plain_closest           barycentric
+bvh                plain_bvh               BvhNode
 sphere_box         sphere_box              sphere_box
 sat                separating_axes         separating_axes
 clipping           face_clipping           face_clipping

@@ -29,7 +29,7 @@ bool is_separating(const Vector2<Real>& axis, const Polygon<Real>& a, const Poly
 
 /// Whether an axis perpendicular to an edge of `edges` separates two polygons.
 template <class Real>
-bool has_edge_axis(const Polygon<Real>& edges, const Polygon<Real>& a, const Polygon<Real>& b)
+bool an_edge_separates(const Polygon<Real>& edges, const Polygon<Real>& a, const Polygon<Real>& b)
 {
   for (std::size_t i = 0; i < edges.size(); ++i)
   {
@@ -46,7 +46,7 @@ bool has_edge_axis(const Polygon<Real>& edges, const Polygon<Real>& a, const Pol
 template <class Real>
 bool polygons_overlap(const Polygon<Real>& a, const Polygon<Real>& b)
 {
-  return !has_edge_axis(a, a, b) && !has_edge_axis(b, a, b);
+  return !an_edge_separates(a, a, b) && !an_edge_separates(b, a, b);
 }
 // [polygons_overlap]
 
