@@ -265,7 +265,7 @@ with_sizes(const fs::path& root, const std::string& page, const std::vector<std:
     {
       continue;
     }
-    const std::string taken = printed(take + name);
+    const std::string taken = printed(take + name + " 2>/dev/null");
     std::smatch files;
     if (std::regex_search(taken, files, count))
     {

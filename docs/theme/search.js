@@ -53,7 +53,8 @@ const searchBook = (query) => {
   const found = [];
   prepare().sections.forEach((section, order) => {
     const { title, terms, shown, prose } = section;
-    const named = Math.max(agreement(title, asked), ...terms.map((term) => 0.95 * agreement(term, asked)),
+    const weight = terms.length > 9 ? 0.85 : 0.95; // a list of many terms introduces none
+    const named = Math.max(agreement(title, asked), ...terms.map((term) => weight * agreement(term, asked)),
       ...shown.map((mark) => 0.6 * agreement(mark, asked)));
     const told = times(prose, " " + asked + " ");
     const scattered = words.every((word) => (" " + title + " " + prose).includes(" " + word));
