@@ -291,6 +291,19 @@ TEST_CASE("pairs repeated at random are each there equally often", "[compare_pai
   CHECK(std::count_if(many.in_double.begin(), many.in_double.end(), is_two) == 34);
 }
 
+TEST_CASE("times are compared with box_box in the same scalar type", "[compare_pairs]")
+{
+  const auto timed = [](const std::string& name, double ns) {
+    return MeasuredBoxMethod{{{name, ns, ns}}, {}};
+  };
+  const Cells table = compared_table(
+      {timed("fast, float", 50), timed("fast, double", 100), timed("box_box, float", 100),
+       timed("box_box, double", 400)});
+  CHECK(table[1][2] == "0.5");
+  CHECK(table[2][2] == "0.25");
+  CHECK(table[4][2] == "1");
+}
+
 TEST_CASE("a wrong verdict, an error of the depth and lost points are found", "[compare_pairs]")
 {
   const Obb<double> above = upright({0, 1.9, 0}, {1, 1, 1});

@@ -19,30 +19,17 @@ namespace
 
 const double infinity = std::numeric_limits<double>::infinity();
 
-BoxAccuracy within(double depth)
+measure::ChartedPoint point(const std::string& name, double ns, double error)
 {
-  BoxAccuracy accuracy;
-  accuracy.compared = 1;
-  accuracy.depth_p99 = depth;
-  return accuracy;
+  return {{name, ns, ns}, {error, error}, {}};
 }
 
-BoxAccuracy wrong()
-{
-  BoxAccuracy accuracy = within(1e-9);
-  accuracy.wrong = 1;
-  return accuracy;
-}
-
-/// A rough one, the knee, a fine one, one that fails, and a peer.
-std::vector<MeasuredBoxMethod> methods()
+/// A rough one, the knee, a fine one in two scalar types, one that fails.
+std::vector<measure::ChartedPoint> points()
 {
   return {
-      {{"rough", false, {10, 10}}, within(1e-2)},
-      {{"knee", false, {20, 20}}, within(1e-6)},
-      {{"fine", false, {80, 80}}, within(2e-7)},
-      {{"broken", false, {1, 1}}, wrong()},
-      {{"peer", true, {100, 200}}, within(0.05)}};
+      point("rough", 10, 1e-2), point("knee", 20, 1e-6), point("fine, float", 80, 2e-7),
+      point("fine, double", 90, 1e-15), point("broken", 1, infinity)};
 }
 
 bool has(const std::string& text, const std::string& part)
@@ -59,41 +46,41 @@ Obb<float> cube_at(float x, float y, float z)
 
 TEST_CASE("a wrong verdict takes a method off the chart", "[box_chart]")
 {
-  CHECK(depth_error_of(methods()[0]) == 1e-2);
-  CHECK(depth_error_of(methods()[3]) == infinity);
-  CHECK(jump_of(methods()[0]) == infinity);
+  BoxAccuracy accuracy;
+  accuracy.depth_p99 = 1e-2;
+  CHECK(depth_error_of({{}, accuracy}) == 1e-2);
+  accuracy.wrong = 1;
+  CHECK(depth_error_of({{}, accuracy}) == infinity);
+  CHECK(jump_of({{}, accuracy}) == infinity); // nothing compared
 }
 
 TEST_CASE("the sentence names the knee, the cheapest and the finest", "[box_chart]")
 {
   CHECK(
-      box_knee_sentence(methods(), depth_error_of, 0, "99 % within") ==
+      measure::knee_sentence(points(), "99 % within", " of the size", 1e-16) ==
       "The knee: knee, at 20 ns a pair, has 99 % within 1e-06 of the size. The cheapest: rough, at "
-      "10 ns a pair, has 99 % within 0.01 of the size. The finest: fine, at 80 ns a pair, has 99 % "
-      "within 2e-07 of the size.");
+      "10 ns a pair, has 99 % within 0.01 of the size. The finest: fine, float, at 80 ns a pair, "
+      "has 99 % within 2e-07 of the size.");
 }
 
 TEST_CASE("ratios are to the fastest peer, and without one a dash", "[box_chart]")
 {
-  std::vector<MeasuredTimes> all;
-  for (const MeasuredBoxMethod& method : methods())
-  {
-    all.push_back(method.times);
-  }
-  const std::string html = box_times_html("in cache", {"first", "second"}, all);
+  std::vector<measure::TimingRow> rows;
+  measure::add_column(rows, {{"ours", 20, 20}, {"peer", 100, 100, true}});
+  measure::add_column(rows, {{"ours", std::nan(""), 1}, {"peer", 200, 200, true}});
+  const std::string html = html_table(measure::times_table("in cache", {"first", "second"}, rows));
   CHECK(has(html, "<th>in cache [ns a pair]</th><th>first</th><th>× peer</th><th>second</th>"));
-  CHECK(has(html, "<td>knee</td><td>20</td><td>5</td><td>20</td><td>10</td>"));
-  CHECK(has(box_times_html("", {"first"}, {{"alone", false, {1}}}), "<td>1</td><td>–</td>"));
+  CHECK(has(html, "<td>ours</td><td>20</td><td>5</td><td>machine was busy</td><td>–</td>"));
+  rows.pop_back();
+  CHECK(has(html_table(measure::times_table("", {"first"}, rows)), "<td>20</td><td>–</td>"));
 }
 
-// [peak]
-TEST_CASE("246 operations in 3 ns are half of a peak of 164 a nanosecond", "[box_chart]")
+TEST_CASE("246 operations in 3.075 ns are half of a peak of 160 a nanosecond", "[box_chart]")
 {
   CHECK(overlap_operations == 246);
-  // Told to two digits: 164 as 160.
-  CHECK(peak_row("x", 3, 1 / 164.0) == std::vector<std::string>{"x", "3", "82", "160", "50 %"});
+  CHECK(
+      peak_row("x", 3.075, 1 / 160.0) == std::vector<std::string>{"x", "3.1", "80", "160", "50 %"});
 }
-// [peak]
 
 TEST_CASE("a core's peak is asked for by lanes that there are", "[box_chart]")
 {
@@ -153,7 +140,8 @@ TEST_CASE("other libraries find that two cubes overlap, and how deep", "[box_cha
 
 TEST_CASE("a step is told beside the row that it is the faster form of", "[box_chart]")
 {
-  const std::string html = steps_html({{"plain", 120, 0}, {"quick", 40, 0}, {"other", 90, 2}});
+  const std::string html = html_table(
+      steps_table({{{"plain", 120, 120}, 0}, {{"quick", 40, 40}, 0}, {{"other", 90, 90}, 2}}));
   CHECK(has(html, "<td>quick</td><td>40</td><td>plain</td><td>3</td>"));
   CHECK(has(html, "<td>other</td><td>90</td><td></td><td></td>"));
 }

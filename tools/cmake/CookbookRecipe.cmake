@@ -72,8 +72,6 @@ function(cookbook_chapter name)
 endfunction()
 
 # cookbook_program(NAME): the target NAME from its folder, NAME/NAME.cpp; part of a recipe and of a chart.
-#
-# Of a function that several files hold the linker takes the first, so what is optimised comes first.
 function(cookbook_program name)
   add_executable(${name} ${name}/${name}.cpp)
   target_link_libraries(${name} PRIVATE ${COOKBOOK_CHAPTER_TARGET} ${ARGN} cookbook_tools)
@@ -155,13 +153,25 @@ function(cookbook_compiled target kind)
   elseif(kind STREQUAL "busy")
     set(kind light)
   endif()
-  set(headers cookbook_timed_headers)
+  set(headers cookbook_tools)
   if(kind STREQUAL "light")
     cookbook_lightly(${target})
-    set(headers cookbook_tools)
+    set(headers cookbook_light_headers)
   endif()
   if(TARGET ${headers})
     target_precompile_headers(${target} REUSE_FROM ${headers})
+  endif()
+endfunction()
+
+# cookbook_timed(PROGRAM): a program that measures time: the build fails where two of its objects hold the
+# same function, compiled in two ways. Other programs may mix -Og and -O3, which changes no number of
+# theirs; what is compiled for newer processors shares no function with anything, as check_kernel.sh holds.
+function(cookbook_timed program)
+  cookbook_compiled(${program} timed)
+  if(CMAKE_EXPORT_COMPILE_COMMANDS AND CMAKE_GENERATOR STREQUAL "Ninja")
+    add_custom_command(TARGET ${program} POST_BUILD WORKING_DIRECTORY ${CMAKE_BINARY_DIR} VERBATIM
+      COMMAND sh -c "sh '${PROJECT_SOURCE_DIR}/tools/cmake/check_instances.sh' compile_commands.json \
+        $('${CMAKE_MAKE_PROGRAM}' -t inputs ${program} | grep '\\.o$')")
   endif()
 endfunction()
 
@@ -180,15 +190,18 @@ if(COOKBOOK_RECIPES)
   add_custom_target(recipes)
 endif()
 
-# cookbook_recipe(NAME [LONG|BUSY] [LIBRARY…]): NAME.hpp, NAME.cpp and NAME.expected in the folder NAME make the
-# program NAME, the checks of its output and its figures, and the tests in tests/CHAPTER/NAME_test.cpp.
-# What is LONG runs for longer than it compiles, and is optimised.
+# cookbook_recipe(NAME [LONG|BUSY|TIMED] [LIBRARY…]): NAME.hpp, NAME.cpp and NAME.expected in the folder NAME
+# make the program NAME, the checks of its output and its figures, and the tests in
+# tests/CHAPTER/NAME_test.cpp. What is LONG runs for longer than it compiles, and is optimised; what is TIMED
+# measures time when it is asked to.
 function(cookbook_recipe name)
   set_property(GLOBAL APPEND PROPERTY COOKBOOK_RECIPE_NAMES ${name})
-  cmake_parse_arguments(PARSE_ARGV 1 recipe "LONG;BUSY" "" "")
+  cmake_parse_arguments(PARSE_ARGV 1 recipe "LONG;BUSY;TIMED" "" "")
   if(COOKBOOK_RECIPES)
     cookbook_program(${name} ${recipe_UNPARSED_ARGUMENTS})
-    if(recipe_LONG)
+    if(recipe_TIMED)
+      cookbook_timed(${name})
+    elseif(recipe_LONG)
       cookbook_compiled(${name} timed)
     elseif(recipe_BUSY)
       cookbook_compiled(${name} busy)
@@ -248,8 +261,8 @@ endfunction()
 # large.
 function(cookbook_chart name)
   if(COOKBOOK_RECIPES AND COOKBOOK_BOOK)
-    cookbook_program(${name} cookbook_measure ${ARGN})
-    cookbook_compiled(${name} timed)
+    cookbook_program(${name} ${ARGN})
+    cookbook_timed(${name})
     set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL TRUE)
     set(charts ${CMAKE_BINARY_DIR}/charts)
     add_custom_command(OUTPUT ${charts}/${name}.measured
@@ -260,7 +273,7 @@ function(cookbook_chart name)
     set_property(GLOBAL APPEND PROPERTY COOKBOOK_CHART_TARGETS ${name}.chart)
   endif()
   if(NOT COOKBOOK_SANITIZE)
-    cookbook_test(${name} cookbook_measure ${ARGN})
+    cookbook_test(${name} ${ARGN})
   endif()
 endfunction()
 

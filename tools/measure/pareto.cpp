@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 
 namespace cookbook::measure
@@ -11,8 +10,14 @@ namespace cookbook::measure
 
 std::vector<std::size_t> pareto_front(const std::vector<CostAndError>& methods)
 {
-  std::vector<std::size_t> order(methods.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < methods.size(); ++i)
+  {
+    if (std::isfinite(methods[i].error))
+    {
+      order.push_back(i);
+    }
+  }
   std::stable_sort(
       order.begin(), order.end(),
       [&](std::size_t i, std::size_t k)
@@ -20,15 +25,23 @@ std::vector<std::size_t> pareto_front(const std::vector<CostAndError>& methods)
         return methods[i].cost != methods[k].cost ? methods[i].cost < methods[k].cost
                                                   : methods[i].error < methods[k].error;
       });
-  // From cheap to dear, each new least error is on the front.
+  // From cheap to dear, each that is clearly better than all before is on the front.
   std::vector<std::size_t> front;
   double least = std::numeric_limits<double>::infinity();
   for (const std::size_t i : order)
   {
-    if (methods[i].error < least)
+    const auto& [cost, error, answer] = methods[i];
+    if (error < 0.8 * least)
     {
-      least = methods[i].error;
-      front.push_back(i);
+      least = error;
+      const bool there = std::any_of(
+          front.begin(), front.end(),
+          [&same = answer, &methods](std::size_t k)
+          { return !same.empty() && methods[k].answer == same; });
+      if (!there)
+      {
+        front.push_back(i);
+      }
     }
   }
   return front;

@@ -1,11 +1,15 @@
 #include "tools/measure/timing.hpp"
 
 #include "tools/measure/statistics.hpp"
+#include "tools/program/table.hpp"
 
-#include <benchmark/benchmark.h>
-
+#include <algorithm>
+#include <cmath>
+#include <ctime>
 #include <fstream>
-#include <map>
+#include <limits>
+#include <numeric>
+#include <random>
 
 #if !defined(COOKBOOK_FLAGS)
 #define COOKBOOK_FLAGS "flags unknown"
@@ -16,36 +20,46 @@ namespace cookbook::measure
 namespace
 {
 
-/// Keeps the times of all repetitions instead of printing them.
-class Collector : public benchmark::BenchmarkReporter
+/// The processor's time [s] for as many runs.
+double seconds_of(const Timed& method, std::size_t runs)
 {
-public:
-  bool ReportContext(const Context&) override { return true; }
-
-  void ReportRuns(const std::vector<Run>& runs) override
+  const double start = processor_seconds();
+  for (std::size_t i = 0; i < runs; ++i)
   {
-    for (const Run& run : runs)
+    method.run();
+  }
+  return processor_seconds() - start;
+}
+
+/// How many runs take at least so long; it also warms up.
+std::size_t runs_for(const Timed& method, double seconds)
+{
+  std::size_t runs = 1;
+  while (seconds_of(method, runs) < seconds)
+  {
+    runs *= 2;
+  }
+  return runs;
+}
+
+/// Times [ns] of a call of each method in all repetitions.
+std::vector<std::vector<double>>
+repeated(const std::vector<Timed>& methods, const std::vector<std::size_t>& runs, int repetitions)
+{
+  std::vector<std::vector<double>> ns(methods.size());
+  std::vector<std::size_t> turns(methods.size());
+  std::iota(turns.begin(), turns.end(), std::size_t{0});
+  std::mt19937 random(1);
+  for (int repetition = 0; repetition < repetitions; ++repetition)
+  {
+    std::shuffle(turns.begin(), turns.end(), random);
+    for (const std::size_t i : turns)
     {
-      if (run.run_type == Run::RT_Iteration)
-      {
-        ns[run.run_name.function_name].push_back(
-            run.real_accumulated_time / static_cast<double>(run.iterations) * 1e9);
-      }
+      const double calls = methods[i].calls * static_cast<double>(runs[i]);
+      ns[i].push_back(seconds_of(methods[i], runs[i]) * 1e9 / calls);
     }
   }
-
-  std::map<std::string, std::vector<double>> ns; ///< of a run, by method
-};
-
-void initialize(const Effort& effort)
-{
-  std::string words[] = {
-      "measure", "--benchmark_enable_random_interleaving=true",
-      "--benchmark_repetitions=" + std::to_string(effort.repetitions),
-      "--benchmark_min_time=" + std::to_string(effort.seconds)};
-  char* arguments[] = {words[0].data(), words[1].data(), words[2].data(), words[3].data(), nullptr};
-  int count = 4;
-  benchmark::Initialize(&count, arguments);
+  return ns;
 }
 
 std::string processor()
@@ -75,39 +89,80 @@ std::string compiler()
 
 Effort effort_named(const std::string& name)
 {
-  return name == "quick" ? Effort{5, 0.002} : Effort{};
+  return name == "quick" ? Effort{7, Effort{}.seconds} : Effort{};
 }
 
-std::vector<Timing> time_interleaved(const std::vector<Timed>& methods, const Effort& effort)
+double processor_seconds()
 {
-  initialize(effort);
-  for (const Timed& method : methods)
+  std::timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+std::vector<std::size_t>
+doubtful(const std::vector<Timing>& timings, const std::vector<AtLeast>& limits)
+{
+  constexpr double most_spread = 1.5, least_of_limit = 0.9;
+  const auto of_name = [&](const std::string& name)
   {
-    benchmark::RegisterBenchmark(
-        method.name.c_str(),
-        [run = method.run](benchmark::State& state)
-        {
-          for ([[maybe_unused]] auto turn : state)
-          {
-            run();
-          }
-        })
-        ->UseRealTime();
+    return std::find_if(
+        timings.begin(), timings.end(), [&](const Timing& timing) { return timing.name == name; });
+  };
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < timings.size(); ++i)
+  {
+    bool doubted = !(timings[i].usual <= most_spread * timings[i].ns);
+    for (const AtLeast& limit : limits)
+    {
+      const auto slower = of_name(limit.slower), faster = of_name(limit.faster);
+      const bool named = timings[i].name == limit.slower || timings[i].name == limit.faster;
+      doubted |= named && slower != timings.end() && faster != timings.end() &&
+                 slower->ns < least_of_limit * limit.factor * faster->ns;
+    }
+    if (doubted)
+    {
+      found.push_back(i);
+    }
   }
-  Collector collector;
-  benchmark::RunSpecifiedBenchmarks(&collector);
-  benchmark::ClearRegisteredBenchmarks();
+  return found;
+}
+
+std::vector<Timing> time_interleaved(
+    const std::vector<Timed>& methods, const Effort& effort, const std::vector<AtLeast>& limits)
+{
+  std::vector<std::size_t> runs;
   std::vector<Timing> timings;
+  const double none = std::numeric_limits<double>::infinity();
   for (const Timed& method : methods)
   {
-    timings.push_back({method.name, median(collector.ns.at(method.name)) / method.calls});
+    runs.push_back(runs_for(method, effort.seconds));
+    timings.push_back({method.name, none, none, method.peer});
+  }
+  for (int attempt = 0; attempt < 3 && (attempt == 0 || !doubtful(timings, limits).empty());
+       ++attempt)
+  {
+    const std::vector<std::vector<double>> ns = repeated(methods, runs, effort.repetitions);
+    for (std::size_t i = 0; i < ns.size(); ++i)
+    {
+      timings[i].ns = std::min(timings[i].ns, *std::min_element(ns[i].begin(), ns[i].end()));
+      timings[i].usual = std::min(timings[i].usual, percentile(ns[i], 75));
+    }
+  }
+  for (const std::size_t i : doubtful(timings, limits))
+  {
+    timings[i].ns = std::numeric_limits<double>::quiet_NaN();
   }
   return timings;
 }
 
+std::string time_text(double ns)
+{
+  return std::isnan(ns) ? "machine was busy" : rounded(ns);
+}
+
 std::string machine_line()
 {
-  return processor() + ", one thread; " + compiler() + ", " + COOKBOOK_FLAGS;
+  return processor() + ", one thread, least processor time; " + compiler() + ", " + COOKBOOK_FLAGS;
 }
 
 } // namespace cookbook::measure

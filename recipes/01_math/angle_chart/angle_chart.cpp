@@ -5,7 +5,6 @@
 #include "01_math/vectors/trial/vectors_cases.hpp"
 #include "01_math/vectors/vectors.hpp"
 #include "tools/measure/cost_chart.hpp"
-#include "tools/plot/charts/bar_chart.hpp"
 #include "tools/program/program.hpp"
 
 #ifdef COOKBOOK_HAS_GLM
@@ -137,7 +136,7 @@ plot::BarChart cost_chart(const measure::Effort& effort)
   for (const measure::Timing& one : measure::time_interleaved(all, effort))
   {
     const bool ours = one.name.find(", ") == std::string::npos || one.name.find("accurate") == 0;
-    chart.bar(one.name, one.ns, ours ? plot::Ink::a : plot::Ink::muted);
+    measure::add_bar(chart, one, ours ? plot::Ink::a : plot::Ink::muted);
   }
   chart.describe("The time of the recommended functions beside others'.").width(400);
   return chart;

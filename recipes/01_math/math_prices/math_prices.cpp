@@ -2,7 +2,7 @@
 /// \brief Times the chapter's functions that have no other chart, beside those of Eigen and GLM.
 
 #include "01_math/math_prices/trial/math_prices.hpp"
-#include "tools/plot/charts/bar_chart.hpp"
+#include "tools/measure/cost_chart.hpp"
 #include "tools/program/program.hpp"
 
 int main(int argc, char** argv)
@@ -28,7 +28,7 @@ int main(int argc, char** argv)
         for (std::size_t i = 0; i < calls.size(); ++i)
         {
           const plot::Ink ink = calls[i].whose.empty() ? plot::Ink::a : plot::Ink::muted;
-          chart.bar(timings[i].name, timings[i].ns, ink);
+          measure::add_bar(chart, timings[i], ink);
         }
         chart.describe("The time of functions beside Eigen's and GLM's.")
             .note(measure::machine_line())

@@ -5,7 +5,9 @@
 #include "tools/measure/timing.hpp"
 #include "tools/plot/charts/chart.hpp"
 #include "tools/program/program.hpp"
+#include "tools/program/table.hpp"
 
+#include <cmath>
 #include <functional>
 #include <map>
 
@@ -46,7 +48,14 @@ public:
       {
         names_.push_back(timing.name);
       }
-      lines_[timing.name].emplace_back(triangles, timing.ns);
+      if (std::isnan(timing.ns))
+      {
+        chart_.leave_out(timing.name + " of " + number(triangles), measure::time_text(timing.ns));
+      }
+      else
+      {
+        lines_[timing.name].emplace_back(triangles, timing.ns);
+      }
     }
   }
 
@@ -144,7 +153,7 @@ int main(int argc, char** argv)
       [](const Arguments& given)
       {
         const bool quick = given.value("effort") == "quick";
-        const measure::Effort effort{quick ? 3 : 7, quick ? 0.001 : 0.02};
+        const measure::Effort effort{quick ? 5 : 15, quick ? 0.001 : 0.01};
         Curves rays("rays", "A ray at a ball of triangles", "time of a ray [ns]");
         Curves points("points", "The closest point of it", "time of a point [ns]");
         Curves building("building", "Building the tree", "time of a triangle [ns]");

@@ -5,8 +5,7 @@
 #include "03_sphere_manifolds/sphere_chart/trial/sphere_chart_peers.hpp"
 #include "03_sphere_manifolds/sphere_methods/trial/sphere_methods_truth.hpp"
 #include "03_sphere_manifolds/sphere_pairs/sphere_pairs.hpp"
-#include "tools/measure/timing.hpp"
-#include "tools/plot/charts/chart.hpp"
+#include "tools/measure/cost_chart.hpp"
 #include "tools/program/program.hpp"
 
 #include <cstring>
@@ -142,15 +141,16 @@ std::vector<Contender> contenders()
       one_by_one<float>(
           "plain_sphere_sphere, float", [](Float a, Float b) { return plain_sphere_sphere(a, b); }),
       one_by_one<float>(
-          "reciprocal, 0 steps",
+          "reciprocal in 0 steps",
           [](Float a, Float b) { return sphere_sphere_reciprocal<0>(a, b); }),
       one_by_one<float>(
-          "reciprocal, 1 step", [](Float a, Float b) { return sphere_sphere_reciprocal<1>(a, b); }),
+          "reciprocal in 1 step",
+          [](Float a, Float b) { return sphere_sphere_reciprocal<1>(a, b); }),
       one_by_one<float>(
-          "reciprocal, 2 steps",
+          "reciprocal in 2 steps",
           [](Float a, Float b) { return sphere_sphere_reciprocal<2>(a, b); }),
       one_by_one<float>(
-          "reciprocal, 3 steps",
+          "reciprocal in 3 steps",
           [](Float a, Float b) { return sphere_sphere_reciprocal<3>(a, b); }),
       one_by_one<float>(
           "sphere_sphere, float", [](Float a, Float b) { return sphere_sphere<float>(a, b); }),
@@ -203,39 +203,41 @@ errors_of(const std::vector<Contender>& all, std::size_t count)
 std::vector<MeasuredMethod> measured_methods(const Extent& extent)
 {
   const std::vector<Contender> all = contenders();
-  const auto errors = errors_of(all, extent.for_errors);
   std::vector<MeasuredMethod> methods;
-  for (std::size_t m = 0; m < all.size(); ++m)
+  for (const measure::ErrorStatistics& errors : errors_of(all, extent.for_errors))
   {
-    methods.push_back({all[m].name, all[m].peer, {}, errors[m]});
+    methods.push_back({{}, errors});
   }
   for (std::size_t w = 0; w < 3; ++w)
   {
     const FloatPairs pairs = float_pairs(sphere_workload_recipes()[w], extent.in_cache);
+    const double count = static_cast<double>(pairs.size());
     std::vector<measure::Timed> timed;
     for (const Contender& contender : all)
     {
-      timed.push_back(
-          {contender.name, contender.prepare(pairs), static_cast<double>(pairs.size())});
+      timed.push_back({contender.name, contender.prepare(pairs), count, contender.peer});
     }
     const auto timings = measure::time_interleaved(timed, extent.effort);
     for (std::size_t m = 0; m < all.size(); ++m)
     {
-      methods[m].ns[w] = timings[m].ns;
+      methods[m].times.push_back(timings[m]);
     }
   }
   return methods;
 }
 
-std::vector<MeasuredStream> measured_streams(const Extent& extent)
+constexpr double bytes_of_pair = 15 * sizeof(float);
+
+std::vector<measure::Timing> measured_streams(const Extent& extent)
 {
   const FloatPairs pairs = float_pairs(sphere_workload_recipes()[0], extent.in_memory);
   const double count = static_cast<double>(pairs.size());
-  constexpr double bytes = 15 * sizeof(float);
   std::vector<measure::Timed> timed;
+  std::vector<measure::AtLeast> limits;
   for (const InstructionSet set : instruction_sets())
   {
     timed.push_back({"sphere_pairs, " + name_of(set), batch_on(pairs, set), count});
+    limits.push_back({timed.back().name, "plain copy of as many bytes"});
   }
   // A copy reads as much as it writes: half of what the batch moves in all.
   std::vector<char> from(pairs.size() * 30, 1), to(pairs.size() * 30);
@@ -245,29 +247,37 @@ std::vector<MeasuredStream> measured_streams(const Extent& extent)
     measure::keep(to[0]);
   };
   timed.push_back({"plain copy of as many bytes", copy, count});
-  std::vector<MeasuredStream> streams;
-  for (const measure::Timing& timing : measure::time_interleaved(timed, extent.effort))
-  {
-    streams.push_back({timing.name, timing.ns, bytes});
-  }
-  return streams;
+  return measure::time_interleaved(timed, extent.effort, limits);
 }
 
 /// The look of a method: circles one by one in float, squares in double, triangles many at once,
 /// diamonds other libraries.
-plot::Look look_of(const MeasuredMethod& method)
+plot::Look look_of(const measure::Timing& timing)
 {
-  const auto is = [&method](const char* word)
-  { return method.name.find(word) != std::string::npos; };
-  const plot::Marker marker = method.peer          ? plot::Marker::diamond
+  const auto is = [&timing](const char* word)
+  { return timing.name.find(word) != std::string::npos; };
+  const plot::Marker marker = timing.peer          ? plot::Marker::diamond
                               : is("sphere_pairs") ? plot::Marker::triangle
                               : is("double")       ? plot::Marker::square
                                                    : plot::Marker::circle;
-  const plot::Ink ink = method.peer        ? plot::Ink::muted
+  const plot::Ink ink = timing.peer        ? plot::Ink::muted
                         : is("reciprocal") ? plot::Ink::series4
                         : is("plain")      ? plot::Ink::series2
                                            : plot::Ink::series1;
   return {ink, marker, {}};
+}
+
+/// The methods on mixed pairs; the batch answers as sphere_sphere does.
+std::vector<measure::ChartedPoint> charted_points(const std::vector<MeasuredMethod>& methods)
+{
+  std::vector<measure::ChartedPoint> points;
+  for (const MeasuredMethod& method : methods)
+  {
+    const measure::Timing& timing = method.times[0];
+    const bool batch = measure::method_of(timing.name) == "sphere_pairs";
+    points.push_back({timing, method.errors, look_of(timing), batch ? "sphere_sphere" : ""});
+  }
+  return points;
 }
 
 std::string chart_svg(const std::vector<MeasuredMethod>& methods)
@@ -279,26 +289,8 @@ std::string chart_svg(const std::vector<MeasuredMethod>& methods)
   chart.describe("Time of each method against its largest error and its 99th percentile.")
       .note(measure::machine_line())
       .size(800, 520);
-  const auto points = costs_and_errors(methods);
-  for (std::size_t m = 0; m < methods.size(); ++m)
-  {
-    const MeasuredMethod& method = methods[m];
-    if (method_fails(method))
-    {
-      chart.fails(method.name, method.ns[0]);
-    }
-    else
-    {
-      chart.whisker(
-          method.name, method.ns[0], method.errors.p99, method.errors.maximum, look_of(method));
-    }
-  }
-  std::vector<Eigen::Vector2d> front;
-  for (const std::size_t i : measure::pareto_front(points))
-  {
-    front.push_back({points[i].cost, points[i].error});
-  }
-  return chart.front(front).svg();
+  measure::draw_methods(chart, charted_points(methods), useless_error);
+  return chart.svg();
 }
 
 } // namespace
@@ -316,13 +308,16 @@ int main(int argc, char** argv)
         Extent extent;
         if (given.value("effort") == "quick")
         {
-          extent = {2048, 200'000, 300, {5, 0.002}};
+          extent = {2048, 200'000, 300, measure::effort_named("quick")};
         }
         const std::vector<MeasuredMethod> methods = measured_methods(extent);
-        const std::vector<MeasuredStream> streams = measured_streams(extent);
-        const std::string html = times_html(methods) + streams_html(streams) + "<p>" +
-                                 knee_sentence(methods) + "</p>\n<p>" + measure::machine_line() +
-                                 ".</p>\n";
+        const std::string html =
+            html_table(methods_table(methods)) +
+            html_table(streams_table(measured_streams(extent), bytes_of_pair)) + "<p>" +
+            measure::knee_sentence(
+                charted_points(methods), "no depth more than", " ulp of the larger radius off",
+                1e-3, useless_error) +
+            "</p>\n<p>" + measure::machine_line() + ".</p>\n";
         save_figure(given, "sphere_chart.svg", chart_svg(methods));
         save_figure(given, "sphere_chart.html", html);
         std::cout << html;

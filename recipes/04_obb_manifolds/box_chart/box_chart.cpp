@@ -13,9 +13,9 @@ namespace
 
 using namespace cookbook;
 
-constexpr std::size_t random_pairs = 0, resting_pairs = 2; // places in timed_workloads
+using Points = std::vector<measure::ChartedPoint>;
 
-std::string depth_chart(const std::vector<MeasuredBoxMethod>& methods)
+std::string depth_chart(const Points& points)
 {
   plot::Chart chart(
       "box_chart", "Two boxes: cost against depth error, random pairs in cache",
@@ -23,35 +23,17 @@ std::string depth_chart(const std::vector<MeasuredBoxMethod>& methods)
       {"error of the depth, 99 % below [1, of the size]", plot::Scale::log});
   chart.describe("Time of each method against the 99th percentile of its depth's error.")
       .name_failures("wrong verdicts");
-  return box_chart_svg(chart, methods, depth_error_of, random_pairs);
+  return box_chart_svg(chart, points);
 }
 
-std::string jump_chart(const std::vector<MeasuredBoxMethod>& methods)
+std::string jump_chart(const Points& points)
 {
   plot::Chart chart(
       "box_chart_jumps", "Two boxes: cost against jitter, resting pairs in cache",
       {"time [ns a pair]", plot::Scale::log},
       {"jump of the contact's middle, 99 % below [1, of the size]", plot::Scale::log});
   chart.describe("Time of each method against how far its points jump when a box moves a little.");
-  return box_chart_svg(chart, methods, jump_of, resting_pairs);
-}
-
-/// Where boxes only touch or not, in cache and from memory.
-std::string overlaps_html(const BoxExtent& extent)
-{
-  std::vector<MeasuredTimes> rows;
-  time_overlaps("random", extent.in_cache, extent.cache, rows);
-  time_overlaps("resting", extent.in_cache, extent.cache, rows);
-  time_overlaps("random", extent.in_memory, extent.memory, rows);
-  return box_times_html("overlap only", {"random", "resting", "random, from memory"}, rows);
-}
-
-std::string streams_html(const BoxExtent& extent)
-{
-  std::vector<MeasuredTimes> rows;
-  time_streams("random", extent, rows);
-  time_streams("resting", extent, rows);
-  return box_times_html("from memory", {"random", "resting"}, rows);
+  return box_chart_svg(chart, points);
 }
 
 void run(const Arguments& given)
@@ -59,29 +41,35 @@ void run(const Arguments& given)
   BoxExtent extent;
   if (given.value("effort") == "quick")
   {
-    extent = {2048, 100'000, 1000, {3, 0.002}, {3, 0.002}};
+    extent = {2048, 1000, measure::effort_named("quick")};
   }
   const std::vector<MeasuredBoxMethod> methods = measured_methods(extent);
-  std::vector<MeasuredTimes> times;
+  std::vector<measure::TimingRow> times, overlaps;
   for (const MeasuredBoxMethod& method : methods)
   {
     times.push_back(method.times);
   }
+  for (const char* const workload : {"random", "resting"})
+  {
+    measure::add_column(overlaps, overlap_times(workload, extent));
+  }
+  constexpr std::size_t resting = 2; // its place in timed_workloads
+  const Points depths = box_points(methods, depth_error_of, same_depth);
+  const Points jumps = box_points(methods, jump_of, {"box_box_in_registers", "box_pairs"}, resting);
   const auto paragraph = [](const std::string& text) { return "<p>" + text + "</p>\n"; };
+  const auto knee = [](const Points& points, const std::string& what)
+  { return measure::knee_sentence(points, what, " of the size", 1e-16); };
   const std::string html =
-      box_times_html("in cache", timed_workloads, times) + streams_html(extent) +
-      overlaps_html(extent) + peaks_html(extent) + box_errors_html(methods) +
-      paragraph(
-          "Depths: " +
-          box_knee_sentence(methods, depth_error_of, random_pairs, "99 % of its depths within")) +
-      paragraph(
-          "Jitter: " +
-          box_knee_sentence(methods, jump_of, resting_pairs, "99 % of its jumps within")) +
+      html_table(measure::times_table("in cache", timed_workloads, times)) +
+      html_table(measure::times_table("overlap only", {"random", "resting"}, overlaps)) +
+      html_table(peak_table(extent)) + html_table(errors_table(methods)) +
+      paragraph("Depths. " + knee(depths, "99 % of its depths within")) +
+      paragraph("Jitter. " + knee(jumps, "99 % of its jumps within")) +
       paragraph(measure::machine_line() + ".");
-  save_figure(given, "box_chart.svg", depth_chart(methods));
-  save_figure(given, "box_chart_jumps.svg", jump_chart(methods));
+  save_figure(given, "box_chart.svg", depth_chart(depths));
+  save_figure(given, "box_chart_jumps.svg", jump_chart(jumps));
   save_figure(given, "box_chart.html", html);
-  const std::string steps = steps_html(measured_steps(extent.in_cache, extent.cache));
+  const std::string steps = html_table(steps_table(measured_steps(extent.in_cache, extent.effort)));
   save_figure(given, "box_chart_steps.html", steps);
   std::cout << html << steps;
 }

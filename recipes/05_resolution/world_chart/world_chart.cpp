@@ -119,7 +119,7 @@ Cells crossover(const measure::Effort& effort)
           effort);
       for (const auto& timing : timings)
       {
-        row.push_back(number(timing.ns / 1e3));
+        row.push_back(measure::time_text(timing.ns / 1e3));
       }
     }
     table.push_back(row);

@@ -152,6 +152,12 @@ Chart& Chart::note(std::string text)
   return *this;
 }
 
+Chart& Chart::leave_out(const std::string& label, const std::string& why)
+{
+  left_out_ += label + ": " + why + ". ";
+  return *this;
+}
+
 Chart& Chart::name_failures(std::string label)
 {
   failures_name_ = std::move(label);
@@ -318,8 +324,9 @@ Chart::Layout Chart::layout() const
   layout.failures_height = rows == 0 ? 0 : 6 + rows * failure_row;
   const double name_lines = static_cast<double>(wrapped(y_.label, axis_name_size, width_).size());
   layout.plot.top = title_height(title_, width_) + 10 + 16 * name_lines + layout.failures_height;
-  layout.note_height = note_line * static_cast<double>(wrapped(note_, note_size, width_).size());
-  layout.note_height += note_.empty() ? 0 : note_gap;
+  layout.note_height =
+      note_line * static_cast<double>(wrapped(whole_note(), note_size, width_).size());
+  layout.note_height += whole_note().empty() ? 0 : note_gap;
   layout.entries = legend_corners(layout.legend);
   const double legend_height = layout.entries.empty() ? 0 : layout.entries.back().y() + 24;
   layout.plot.bottom = height_ - 24 - (x_.label.empty() ? 0 : 21) - layout.note_height -
@@ -375,7 +382,7 @@ void Chart::draw_frame(Sketch& sketch, const Layout& layout) const
       {(plot.left + plot.right) / 2, bottom + 40}, x_.label,
       {Ink::muted, axis_name_size, false, "middle", 0});
   baseline = height_ - layout.note_height + note_gap + note_line - 4;
-  for (const std::string& words : wrapped(note_, note_size, width_))
+  for (const std::string& words : wrapped(whole_note(), note_size, width_))
   {
     sketch.body += svg::text({0, baseline}, words, {Ink::muted, note_size});
     baseline += note_line;
@@ -509,7 +516,7 @@ void Chart::draw_points(Sketch& sketch, const Layout& layout) const
   }
 }
 
-void Chart::draw_rail(Sketch& sketch, const Layout& layout) const
+void Chart::draw_failures(Sketch& sketch, const Layout& layout) const
 {
   if (failures_.empty())
   {
@@ -692,7 +699,7 @@ Panel Chart::panel(const std::string& id) const
       where.bottom() - plot.top + 2 * bleed);
   sketch.labels = data.labels;
   sketch.obstacles = data.obstacles;
-  draw_rail(sketch, where);
+  draw_failures(sketch, where);
   switch (where.legend)
   {
   case Legend::direct:

@@ -55,6 +55,9 @@ public:
   /// Writes a small line under the chart, e.g. machine, compiler and flags.
   Chart& note(std::string text);
 
+  /// Says before the note that something is not drawn, and why.
+  Chart& leave_out(const std::string& label, const std::string& why);
+
   /// Adds a line through `points`, in their order.
   Chart& line(const std::string& name, std::vector<Eigen::Vector2d> points, Look look);
   Chart& line(const std::string& name, std::vector<Eigen::Vector2d> points);
@@ -120,6 +123,7 @@ private:
   struct Layout;
 
   void check(const std::string& element, double x, double y) const;
+  std::string whole_note() const { return left_out_ + note_; }
   std::vector<Eigen::Vector2d> all_values() const;
   Layout layout() const;
   void draw_frame(Sketch& sketch, const Layout& layout) const;
@@ -127,7 +131,7 @@ private:
   void draw_front(Sketch& sketch, const Layout& layout) const;
   void draw_series(Sketch& sketch, const Layout& layout) const;
   void draw_points(Sketch& sketch, const Layout& layout) const;
-  void draw_rail(Sketch& sketch, const Layout& layout) const;
+  void draw_failures(Sketch& sketch, const Layout& layout) const;
   void draw_direct_names(Sketch& sketch, const Layout& layout) const;
   void draw_corner_legend(Sketch& sketch, const Layout& layout) const;
   void draw_legend_below(Sketch& sketch, const Layout& layout) const;
@@ -138,6 +142,7 @@ private:
   std::string title_;
   std::string description_;
   std::string note_;
+  std::string left_out_;
   std::string failures_name_ = "fails";
   Axis x_;
   Axis y_;

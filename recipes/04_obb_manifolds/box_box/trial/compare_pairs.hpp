@@ -59,31 +59,36 @@ inline std::vector<MeasuredBoxMethod>
 compared_methods(const BoxPairLists& given, const measure::Effort& effort)
 {
   const std::vector<TimedMethod> all = own_contenders();
-  const std::vector<double> ns = box_times(all, repeated_at_random(given, 2048), effort);
+  const auto times = box_times(all, repeated_at_random(given, 2048), effort);
   std::vector<MeasuredBoxMethod> methods;
   for (std::size_t m = 0; m < all.size(); ++m)
   {
-    methods.push_back({{all[m].name, all[m].peer, {ns[m]}}, box_accuracy(all[m].checks(given))});
+    methods.push_back({{times[m]}, box_accuracy(all[m].checks(given))});
   }
   return methods;
 }
 
-/// The table of methods: what each costs, and what it gets wrong.
-inline Table compared_table(const std::vector<MeasuredBoxMethod>& methods)
+/// The table of methods: what each costs, also as a multiple of box_box in the same scalar type,
+/// and what it gets wrong.
+inline Cells compared_table(const std::vector<MeasuredBoxMethod>& methods)
 {
-  Table table(
-      {"method", "ns a pair", "x box_box", "wrong", "depth error 99 %", "greatest", "points lost"});
+  Cells cells{
+      {"method", "ns a pair", "x box_box", "wrong", "depth error 99 %", "greatest", "points lost"}};
   for (const MeasuredBoxMethod& method : methods)
   {
     const BoxAccuracy& found = method.accuracy;
     const auto error = [&](double value) { return found.compared > 0 ? rounded(value) : "none"; };
-    table.row(
-        {method.times.name, rounded(method.times.ns[0]),
-         rounded(method.times.ns[0] / methods[0].times.ns[0]),
+    const auto& [name, ns, usual, peer] = method.times[0];
+    const auto box_box = std::find_if(
+        methods.begin(), methods.end(),
+        [type = name.substr(name.find(','))](const auto& other)
+        { return other.times[0].name == "box_box" + type; });
+    cells.push_back(
+        {name, measure::time_text(ns), rounded(ns / box_box->times[0].ns),
          std::to_string(found.wrong + found.not_finite), error(found.depth_p99),
          error(found.depth_max), std::to_string(found.points_lost)});
   }
-  return table;
+  return cells;
 }
 
 /// Times and checks every method on the pairs of --pairs: a table, and a chart in --out.
@@ -97,14 +102,16 @@ inline void compare_box_methods(const Arguments& arguments)
             << " rest face on face.\nErrors are parts of a pair's size. Points are lost where they "
                "span less "
                "than 99 % of\nwhat two resting faces have in common.\n\n"
-            << compared_table(methods).text() << '\n'
+            << text_table(compared_table(methods)) << '\n'
             << measure::machine_line() << '\n';
   plot::Chart chart(
       "box_compare", "Your pairs of boxes: cost against error",
       {"time [ns a pair]", plot::Scale::log},
       {"error of the depth, 99 % below [1, of the size]", plot::Scale::log});
   chart.describe("Time of each method against the 99th percentile of its depth's error.");
-  save_figure(arguments, "box_compare.svg", box_chart_svg(chart, methods, depth_error_of));
+  save_figure(
+      arguments, "box_compare.svg",
+      box_chart_svg(chart, box_points(methods, depth_error_of, same_depth)));
 }
 
 } // namespace cookbook

@@ -4,11 +4,10 @@
 /// \brief Times of methods for two boxes, side by side, and the chart of cost against error.
 
 #include "04_obb_manifolds/box_oracles/trial/timed_methods.hpp"
-#include "tools/measure/pareto.hpp"
-#include "tools/measure/statistics.hpp"
-#include "tools/plot/charts/chart.hpp"
-#include "tools/program/table.hpp"
+#include "tools/measure/cost_chart.hpp"
+#include "tools/measure/times_table.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <string>
@@ -17,38 +16,30 @@
 namespace cookbook
 {
 
-/// What something costs on several workloads.
-struct MeasuredTimes
-{
-  std::string name;
-  bool peer;              ///< whether it is another library's
-  std::vector<double> ns; ///< [ns a pair], on each workload
-};
-
 /// What was measured of a method for two boxes.
 struct MeasuredBoxMethod
 {
-  MeasuredTimes times;
+  measure::TimingRow times;       ///< on each workload
   BoxAccuracy accuracy;           ///< on the first workload
   RestingSteadiness steadiness{}; ///< of resting contacts
 };
 
-/// The times of contenders on the same pairs [ns a pair], all in one run.
-inline std::vector<double> box_times(
-    const std::vector<TimedMethod>& all, const BoxPairLists& lists, const measure::Effort& effort)
+/// All of `contenders` on the same pairs, timed in one run. No manifold with fewer points costs
+/// less than the one that it is made from.
+inline std::vector<measure::Timing> box_times(
+    const std::vector<TimedMethod>& contenders, const BoxPairLists& lists,
+    const measure::Effort& effort)
 {
   std::vector<measure::Timed> timed;
-  for (const TimedMethod& contender : all)
+  for (const TimedMethod& each : contenders)
   {
-    timed.push_back(
-        {contender.name, contender.prepare(lists), static_cast<double>(lists.in_float.size())});
+    const double count = static_cast<double>(lists.in_float.size());
+    timed.push_back({each.name, each.prepare(lists), count, each.peer});
   }
-  std::vector<double> ns;
-  for (const measure::Timing& timing : measure::time_interleaved(timed, effort))
-  {
-    ns.push_back(timing.ns);
-  }
-  return ns;
+  return measure::time_interleaved(
+      timed, effort,
+      {{"contact_reduction, float", "box_box_in_registers, float"},
+       {"contact_reduction, double", "box_box_in_registers, double"}});
 }
 
 /// What a chart of methods shows upwards: infinite where a method fails.
@@ -68,26 +59,13 @@ inline double jump_of(const MeasuredBoxMethod& method)
   return found.compared > 0 ? found.jump : std::numeric_limits<double>::infinity();
 }
 
-/// Costs on a workload, and errors, as the Pareto front needs them.
-inline std::vector<measure::CostAndError> box_costs_and_errors(
-    const std::vector<MeasuredBoxMethod>& methods, const BoxErrorOf& error, std::size_t workload)
-{
-  std::vector<measure::CostAndError> points;
-  for (const MeasuredBoxMethod& method : methods)
-  {
-    points.push_back({method.times.ns[workload], error(method)});
-  }
-  return points;
-}
-
-/// The look of a method: a colour for each recipe, a marker for each number type. box_pairs is
+/// The look of a method: a colour for each recipe, a marker for each scalar type. box_pairs is
 /// box_box.
 inline plot::Look box_look(const std::vector<MeasuredBoxMethod>& methods, std::size_t m)
 {
-  const auto recipe = [&](std::size_t i)
-  { return methods[i].times.name.substr(0, methods[i].times.name.find(',')); };
-  const std::string type = methods[m].times.name.substr(recipe(m).size());
-  if (methods[m].times.peer)
+  const auto recipe = [&](std::size_t i) { return measure::method_of(methods[i].times[0].name); };
+  const std::string type = methods[m].times[0].name.substr(recipe(m).size());
+  if (methods[m].times[0].peer)
   {
     return {plot::Ink::muted, plot::Marker::diamond, {}};
   }
@@ -102,25 +80,33 @@ inline plot::Look box_look(const std::vector<MeasuredBoxMethod>& methods, std::s
   return {plot::series_ink(recipe(m) == "box_pairs" ? 0 : colour), marker, {}};
 }
 
-/// Fills a chart whose axes stand: a point for each method, its name beside it, and the front.
-inline std::string box_chart_svg(
-    plot::Chart chart, const std::vector<MeasuredBoxMethod>& methods, const BoxErrorOf& error,
-    std::size_t workload = 0)
+/// The methods on a workload with an error each. Those in `same` give the same answer by
+/// construction.
+inline std::vector<measure::ChartedPoint> box_points(
+    const std::vector<MeasuredBoxMethod>& methods, const BoxErrorOf& error,
+    const std::vector<std::string>& same, std::size_t workload = 0)
 {
-  const auto points = box_costs_and_errors(methods, error, workload);
+  std::vector<measure::ChartedPoint> points;
   for (std::size_t m = 0; m < methods.size(); ++m)
   {
-    const MeasuredBoxMethod& method = methods[m];
-    std::isfinite(points[m].error)
-        ? chart.point(method.times.name, {points[m].cost, points[m].error}, box_look(methods, m))
-        : chart.fails(method.times.name, points[m].cost);
+    const measure::Timing& timing = methods[m].times[workload];
+    const bool is_same = std::count(same.begin(), same.end(), measure::method_of(timing.name)) > 0;
+    const double off = error(methods[m]);
+    points.push_back({timing, {off, off}, box_look(methods, m), is_same ? "box_box" : ""});
   }
-  std::vector<Eigen::Vector2d> front;
-  for (const std::size_t i : measure::pareto_front(points))
-  {
-    front.push_back({points[i].cost, points[i].error});
-  }
-  return chart.front(front).note(measure::machine_line()).size(800, 560).svg();
+  return points;
+}
+
+/// Those whose depth is box_box's.
+inline const std::vector<std::string> same_depth{
+    "box_box_in_registers", "contact_reduction", "feature_memory", "box_pairs"};
+
+/// Fills a chart whose axes stand: a point for each method, its name beside it, and the front.
+inline std::string
+box_chart_svg(plot::Chart chart, const std::vector<measure::ChartedPoint>& points)
+{
+  measure::draw_methods(chart, points);
+  return chart.note(measure::machine_line()).size(800, 560).svg();
 }
 
 } // namespace cookbook

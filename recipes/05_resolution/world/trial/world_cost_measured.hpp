@@ -3,8 +3,9 @@
 /// \file
 /// \brief What a step of a world costs, several worlds in one run.
 
+#include "tools/measure/timing.hpp"
+
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -23,12 +24,12 @@ struct TimedWorld
   std::function<std::function<void()>()> build; ///< gives what takes a step; not timed
 };
 
-/// The time [s] that something takes.
+/// The processor's time [s] for something.
 inline double seconds_of(const std::function<void()>& run)
 {
-  const auto start = std::chrono::steady_clock::now();
+  const double start = measure::processor_seconds();
   run();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return measure::processor_seconds() - start;
 }
 
 /// The time [s] of each step of each world, from the start on: a list of steps for each world.
