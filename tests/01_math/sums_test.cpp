@@ -111,15 +111,15 @@ TEST_CASE("each way to add holds or fails as the table says", "[sums]")
   check_verdicts(
       sum_verdicts<float>(), methods,
       {{"1 to 100", methods},
-       {"2^24 and 1000 ones", {"sorted", "pairwise", "wider", "Kahan", "Neumaier", "compensated"}},
+       {"2^24 and 1000 ones", {"pairwise", "wider", "Kahan", "compensated"}},
        {"an hour of 1/60 s", {"pairwise", "wider", "Kahan", "compensated"}},
-       {"1, 1e30, 1, −1e30", {"Eigen", "pairwise", "Neumaier", "compensated"}},
+       {"1, 1e30, 1, −1e30", {"Eigen", "pairwise", "compensated"}},
        {"largest, 0, largest, −largest", {"wider", "compensated"}}});
   check_verdicts(
       sum_verdicts<double>(), methods,
-      {{"1 and 4096 times 2^-53", {"sorted", "pairwise", "Kahan", "Neumaier", "compensated"}},
-       {"1, 1e100, 1, −1e100", {"Eigen", "pairwise", "Neumaier", "compensated"}},
-       {"1, 1e100, −1e100, 1", {"Neumaier", "compensated"}},
+      {{"1 and 4096 times 2^-53", {"pairwise", "Kahan", "compensated"}},
+       {"1, 1e100, 1, −1e100", {"Eigen", "pairwise", "compensated"}},
+       {"1, 1e100, −1e100, 1", {"compensated"}},
        {"1e200, 1e100, 1, −1e200, −1e100", {}}});
 }
 // [sum_verdicts]
@@ -181,12 +181,10 @@ TEMPLATE_TEST_CASE(
     const ExactSum exact = exact_sum(numbers);
     const int roundings = most_roundings(n);
     CHECK(is_within(sum_naive<TestType>(numbers), exact, n - 1));
-    CHECK(is_within(sum_sorted<TestType>(numbers), exact, n - 1));
     CHECK(is_within(sum_eigen<TestType>(numbers), exact, n - 1));
     CHECK(is_within(sum_pairwise<TestType>(numbers), exact, roundings));
     CHECK(is_within(sum_wide<TestType>(numbers), exact, sizeof(TestType) == 4 ? 1 : n - 1));
     CHECK(is_within(sum_kahan<TestType>(numbers), exact, 3));
-    CHECK(is_compensated(sum_neumaier<TestType>(numbers), exact, 2L * n * n));
     CHECK(is_compensated(sum_compensated<TestType>(numbers), exact, 4 * (n + 32)));
   }
 }

@@ -159,8 +159,8 @@ int main()
           one = draw.number(-1, 1) * draw.scale();
         }
         const std::span<const double> all(numbers);
-        bits(sum_naive(all), sum_sorted(all), sum_pairwise(all), sum_wide(all));
-        bits(sum_kahan(all), sum_neumaier(all), sum_compensated(all));
+        bits(sum_naive(all), sum_pairwise(all), sum_wide(all));
+        bits(sum_kahan(all), sum_compensated(all));
         RunningSum<double> running;
         running.add(numbers[0]);
         running.add(numbers[1]);

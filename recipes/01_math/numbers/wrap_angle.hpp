@@ -38,12 +38,6 @@ Real wrap_degrees(Real degrees)
 // [wrap_degrees]
 
 // [wrap_radians]
-/// A turn, 2π, in three parts; the first two have 33 digits, so that up to 2²⁰ turns are exact.
-inline constexpr double turn_parts[] = {0x1.921fb544p+2, 0x1.0b4611a6p-32, 0x1.3198a2e037073p-67};
-
-/// Half a turn, π, rounded to double.
-inline constexpr double half_turn_radians = 3.14159265358979311600;
-
 /// An angle [rad] as the same direction, from −π to π, for every finite number.
 ///
 /// Off by at most an ulp of π [rad] from the exact angle, taking the input as exact. Infinite and
@@ -51,21 +45,8 @@ inline constexpr double half_turn_radians = 3.14159265358979311600;
 template <class Real>
 Real wrap_radians(Real angle)
 {
-  const double x = static_cast<double>(angle);
-  if (std::abs(x) <= half_turn_radians)
-  {
-    return angle;
-  }
-  if (std::abs(x) < 1 << 22)
-  {
-    const auto less = [x](double turns)
-    { return ((x - turns * turn_parts[0]) - turns * turn_parts[1]) - turns * turn_parts[2]; };
-    const double turns = nearest_whole(x * 0.15915494309189533577), rest = less(turns);
-    // Half a turn from a whole number of them, the rounded product may name the wrong one.
-    const double beyond = rest > half_turn_radians ? 1 : rest < -half_turn_radians ? -1 : 0;
-    return static_cast<Real>(beyond == 0 ? rest : less(turns + beyond));
-  }
-  return static_cast<Real>(std::atan2(std::sin(x), std::cos(x)));
+  const double x = static_cast<double>(angle), half_turn = 3.14159265358979311600;
+  return std::abs(x) <= half_turn ? angle : static_cast<Real>(std::atan2(std::sin(x), std::cos(x)));
 }
 // [wrap_radians]
 

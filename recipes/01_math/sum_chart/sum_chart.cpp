@@ -161,7 +161,7 @@ int main(int argc, char** argv)
       {
         const measure::Effort effort = measure::effort_named(given.value("effort"));
         plot::Grid grid("sum_chart", "", 1);
-        grid.describe("Cost against error of eight ways to add; " + measure::machine_line())
+        grid.describe("Cost against error of six ways to add; " + measure::machine_line())
             .add(sums("positive", "A million positive floats", Signs::positive, effort))
             .add(sums("random", "Random signs", Signs::random, effort))
             .add(sums("opposite", "Nearly all cancel", Signs::opposite, effort)

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Adds many numbers in eight ways, and draws the order in which two of them add.
+/// \brief Adds many numbers in six ways, and draws the order in which two of them add.
 
 #include "01_math/sums/sums.hpp"
 #include "01_math/sums/trial/sums_cases.hpp"
@@ -117,28 +117,15 @@ plot::Figure2d tree_figure()
   return figure;
 }
 
-/// The verdicts on four of the ways, from the one at `first`.
-std::string four_ways(const std::string& caption, std::size_t first)
+std::string verdicts()
 {
-  const auto four = [first](const auto& all)
-  { return std::vector(all.begin() + long(first), all.begin() + long(first) + 4); };
   std::vector<VerdictRow> rows = sum_verdicts<float>();
   const std::vector<VerdictRow> doubles = sum_verdicts<double>();
   rows.insert(rows.end(), doubles.begin(), doubles.end());
-  for (VerdictRow& row : rows)
-  {
-    row.verdicts = four(row.verdicts);
-  }
-  return verdict_table(caption, four(names_of(sum_methods<float>())), rows);
-}
-
-std::string verdicts()
-{
-  return four_ways(
-             "Ways to add in another order. The first five cases are floats, the others doubles; "
-             "right means within four ulps.",
-             0) +
-         four_ways("Ways to add with more digits, in the same cases.", 4);
+  return verdict_table(
+      "Ways to add. The first five cases are floats, the others doubles; right means within four "
+      "ulps.",
+      names_of(sum_methods<float>()), rows);
 }
 
 } // namespace
@@ -146,7 +133,7 @@ std::string verdicts()
 int main(int argc, char** argv)
 {
   const Arguments arguments{
-      .name = "sums", .summary = "Adds many numbers in eight ways, and says how far off they are."};
+      .name = "sums", .summary = "Adds many numbers in six ways, and says how far off they are."};
   return run_program(
       argc, argv, arguments,
       [](const Arguments& given)

@@ -6,11 +6,8 @@
 #include "01_math/sums/sum_compensated.hpp"
 #include "common/math/wide.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 namespace cookbook
 {
@@ -42,17 +39,6 @@ Real sum_wide(std::span<const Real> numbers)
   return static_cast<Real>(sum);
 }
 // [sum_wide]
-
-// [sum_sorted]
-/// Adds from the smallest to the largest, by size without sign.
-template <class Real>
-Real sum_sorted(std::span<const Real> numbers)
-{
-  std::vector<Real> sorted(numbers.begin(), numbers.end());
-  std::sort(sorted.begin(), sorted.end(), [](Real a, Real b) { return std::abs(a) < std::abs(b); });
-  return sum_naive<Real>(sorted);
-}
-// [sum_sorted]
 
 // [sum_pairwise]
 /// Adds the two halves, each added in the same way; up to 128 numbers in 16 columns.
@@ -109,23 +95,5 @@ Real sum_kahan(std::span<const Real> numbers)
   return sum;
 }
 // [sum_kahan]
-
-// [sum_neumaier]
-/// Adds up apart what the additions lost, and adds that at the end: of two numbers that are added,
-/// the smaller one loses digits.
-template <class Real>
-Real sum_neumaier(std::span<const Real> numbers)
-{
-  Real sum = 0, lost = 0;
-  for (const Real x : numbers)
-  {
-    const Real next = sum + x;
-    const bool sum_is_larger = std::abs(sum) >= std::abs(x);
-    lost += sum_is_larger ? (sum - next) + x : (x - next) + sum;
-    sum = next;
-  }
-  return sum + lost;
-}
-// [sum_neumaier]
 
 } // namespace cookbook
