@@ -53,7 +53,8 @@ inline plot::Figure2d dot_figure()
   using plot::Side;
   const Plane origin(0, 0), a(4, 3), c(-2, 3), square(0, 2.6);
   plot::Figure2d figure("vectors_dot", "", {{-3.0, -1.25}, {5.6, 3.8}, 400});
-  figure.describe("Three vectors over the line of a unit vector, with their projections 4, 0 and -2.")
+  figure
+      .describe("Three vectors over the line of a unit vector, with their projections 4, 0 and -2.")
       .segment({-2.9, 0}, {5.5, 0}, Ink::faint)
       .segment(a, {4, 0}, Ink::muted, plot::Stroke::dashed)
       .segment(c, {-2, 0}, Ink::muted, plot::Stroke::dashed)
