@@ -153,7 +153,7 @@ TEST_CASE(
 }
 
 // [P14]
-TEST_CASE("at the closest shares, neither segment leads on towards the other", "[P14]")
+TEST_CASE("at the closest fractions, neither segment leads on towards the other", "[P14]")
 {
   ShapeDraw<double> from(4);
   for (const Draws draws : {Draws::any, Draws::lattice, Draws::thin})

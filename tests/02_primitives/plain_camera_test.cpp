@@ -1,6 +1,7 @@
 /// \file
 /// What holds for a pixel and for culling, as the formulas stand, and the two cases that they fail.
 
+#include "02_primitives/camera/camera.hpp"
 #include "02_primitives/plain_camera/plain_camera.hpp"
 #include "02_primitives/shape_bounds/obb_bounds.hpp"
 

@@ -60,10 +60,10 @@ plot::Chart segment_chart(const measure::Effort& effort)
   std::vector<measure::ChartedMethod> methods{
       timed_method("five dot products", all, distance_by_dot_products),
       timed_method(
-          "share by share, float", all,
+          "clamped in turn, float", all,
           [](const S& a, const S& b) { return closest_fractions(a, b).difference.norm(); }),
       timed_method(
-          "share by share", wide,
+          "clamped in turn", wide,
           [](const W& a, const W& b) { return closest_fractions(a, b).difference.norm(); }),
       timed_method(
           "any shapes", all, [](const S& a, const S& b) { return closest_points(a, b).distance; })};

@@ -15,7 +15,7 @@ int main()
   {
     const Vector3<double> q = box_coordinates(box, p);
     const Direction<double> out = signed_distance_box(q, box.half_extents);
-    std::cout << "distance " << signed_distance(box, p) << ", the way out is "
+    std::cout << "distance " << signed_distance(box, p) << ", out along "
               << (box.axes * out.unit).transpose() << '\n';
   };
   print({5, 5, 0});

@@ -3,7 +3,7 @@
 /// \file
 /// \brief From the world to a pixel, and frustum culling: the formulas as they stand.
 
-#include "02_primitives/camera/camera.hpp"
+#include "02_primitives/camera/frustum.hpp"
 #include "02_primitives/shape_bounds/box_radius.hpp"
 
 #include <algorithm>

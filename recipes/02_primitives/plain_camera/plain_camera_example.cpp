@@ -2,6 +2,7 @@
 /// \brief A pixel, and what is culled.
 
 // [example]
+#include "02_primitives/camera/camera.hpp"
 #include "02_primitives/plain_camera/plain_camera.hpp"
 
 #include <iostream>
