@@ -26,46 +26,46 @@ Vector3<float> normalized_glm(const Vector3<float>& v)
 #endif
 
 /// Each way is called directly, so that the compiler may build it into the loop. Eigen and GLM do
-/// not say the length; they are judged by their directions.
+/// not say the length; their directions are compared.
 std::vector<measure::ChartedMethod> contenders(const Vectors& vectors)
 {
   const auto ours = normalize_methods<float>();
   const auto libraries = normalize_libraries<float>();
-  const auto judged = [&vectors](const measure::Timed& timed, const NormalizeMethod<float>& method)
-  {
-    return measure::ChartedMethod{timed, normalize_errors(method, vectors)};
-  };
+  const auto measured =
+      [&vectors](const measure::Timed& timed, const NormalizeMethod<float>& method) {
+        return measure::ChartedMethod{timed, normalize_errors(method, vectors)};
+      };
   std::vector<measure::ChartedMethod> all{
-      judged(
+      measured(
           measure::timed_over(
               "naive", vectors, [](const auto& v) { return normalize_naive<float>(v); }),
           ours[0]),
-      judged(
+      measured(
           measure::timed_over(
               "threshold", vectors, [](const auto& v) { return normalize_threshold<float>(v); }),
           ours[1]),
-      judged(
+      measured(
           measure::timed_over(
               "wider", vectors, [](const auto& v) { return normalize_wide<float>(v); }),
           ours[2]),
-      judged(
+      measured(
           measure::timed_over("scaled", vectors, [](const auto& v) { return normalize<float>(v); }),
           ours[3]),
-      judged(
+      measured(
           measure::timed_over(
               "Eigen", vectors, [](const auto& v) { return Vector3<float>(v.normalized()); }),
           libraries[0]),
-      judged(
+      measured(
           measure::timed_over(
               "stable", vectors,
               [](const auto& v) { return Vector3<float>(v.stableNormalized()); }),
           libraries[1]),
-      judged(
+      measured(
           measure::timed_over(
               "hypot", vectors, [](const auto& v) { return normalize_hypot<float>(v); }),
           libraries[2])};
 #ifdef COOKBOOK_HAS_GLM
-  all.push_back(judged(
+  all.push_back(measured(
       measure::timed_over("GLM", vectors, normalized_glm),
       {"GLM", [](const Vector3<float>& v) {
          return Direction<float>{normalized_glm(v), normalize_naive<float>(v).length};

@@ -69,44 +69,14 @@ bool is_sign_certain(const Bounded<Real>& x)
   return std::abs(x.value) > x.error;
 }
 
-/// a·b with its bound, M6: n roundings for n components, and one more for the bound's own.
+/// a·b with its bound, M6: n roundings for n components, and one more for the bound's own. The
+/// bound is infinite or NaN where a product overflows.
 template <class Real, int Size>
-Bounded<Real> bounded_dot_in_range(const Vector<Real, Size>& a, const Vector<Real, Size>& b)
+Bounded<Real> bounded_dot(const Vector<Real, Size>& a, const Vector<Real, Size>& b)
 {
   const Real sizes = a.cwiseAbs().dot(b.cwiseAbs());
   return {a.dot(b), rounding_error(sizes, static_cast<int>(a.size()) + 1)};
 }
 // [bounded_dot]
-
-/// A vector that is not zero, divided by the power of two that makes its largest component one to
-/// two, and the exponent of that power.
-template <class Real, int Size>
-int take_exponent_out(Vector<Real, Size>& v)
-{
-  const int exponent = std::ilogb(v.cwiseAbs().maxCoeff());
-  v = v.unaryExpr([exponent](Real x) { return std::ldexp(x, -exponent); }).eval();
-  return exponent;
-}
-
-// [bounded_dot_any]
-/// a·b of vectors of any size with its bound; infinite only where the true answer, or the bound,
-/// does not fit.
-///
-/// Infinite and NaN input gives a bound that is infinite or NaN.
-template <class Real, int Size>
-Bounded<Real> bounded_dot(Vector<Real, Size> a, Vector<Real, Size> b)
-{
-  const Bounded<Real> direct = bounded_dot_in_range(a, b);
-  if (std::isfinite(direct.error) || !a.allFinite() || !b.allFinite())
-  {
-    return direct;
-  }
-  const int exponent = take_exponent_out(a) + take_exponent_out(b);
-  const Bounded<Real> scaled = bounded_dot_in_range(a, b);
-  const Real value = std::ldexp(scaled.value, exponent);
-  const Real infinite = std::numeric_limits<Real>::infinity();
-  return {value, std::isfinite(value) ? std::ldexp(scaled.error, exponent) : infinite};
-}
-// [bounded_dot_any]
 
 } // namespace cookbook

@@ -76,22 +76,22 @@ inline RotationCase
 matrix_case(const std::string& what, const Quaternion<double>& truth, float stretch)
 {
   const Matrix3<float> r = truth.normalized().toRotationMatrix().cast<float>() * stretch;
-  const auto judged = [=](const Quaternion<float>& answer)
+  const auto verdict = [=](const Quaternion<float>& answer)
   { return quaternion_verdict(answer, truth.normalized()); };
   return {
-      "matrix to quaternion: " + what, [=] { return judged(quaternion_by_w(r)); },
-      [=] { return judged(Quaternion<float>(r)); }, [=] { return judged(quaternion_of(r)); }};
+      "matrix to quaternion: " + what, [=] { return verdict(quaternion_by_w(r)); },
+      [=] { return verdict(Quaternion<float>(r)); }, [=] { return verdict(quaternion_of(r)); }};
 }
 
 /// The direction of the quaternion (1, 2, 3, 4) times a size.
 inline RotationCase size_case(const std::string& what, float size)
 {
   const Quaternion<float> q(1 * size, 2 * size, 3 * size, 4 * size);
-  const auto judged = [](const Quaternion<float>& answer)
+  const auto verdict = [](const Quaternion<float>& answer)
   { return quaternion_verdict(answer, Quaternion<double>(1, 2, 3, 4).normalized()); };
   return {
-      "length one: " + what, [=] { return judged(quaternion_over_root(q)); },
-      [=] { return judged(q.normalized()); }, [=] { return judged(unit_quaternion(q)); }};
+      "length one: " + what, [=] { return verdict(quaternion_over_root(q)); },
+      [=] { return verdict(q.normalized()); }, [=] { return verdict(unit_quaternion(q)); }};
 }
 
 /// A quaternion of length 1.005 to a matrix.
@@ -111,11 +111,11 @@ inline RotationCase slerp_case(
     const std::string& what, const Quaternion<float>& to, float t, const Quaternion<double>& truth)
 {
   const Quaternion<float> from = Quaternion<float>::Identity();
-  const auto judged = [=](const Quaternion<float>& answer)
+  const auto verdict = [=](const Quaternion<float>& answer)
   { return quaternion_verdict(answer, truth); };
   return {
-      "slerp: " + what, [=] { return judged(slerp_by_cosine(from, to, t)); },
-      [=] { return judged(from.slerp(t, to)); }, [=] { return judged(slerp(from, to, t)); }};
+      "slerp: " + what, [=] { return verdict(slerp_by_cosine(from, to, t)); },
+      [=] { return verdict(from.slerp(t, to)); }, [=] { return verdict(slerp(from, to, t)); }};
 }
 
 /// From one vector to another.
@@ -123,12 +123,12 @@ inline RotationCase between_case(
     const std::string& what, const Vector3<float>& from, const Vector3<float>& to,
     const Quaternion<double>& truth)
 {
-  const auto judged = [=](const Quaternion<float>& answer)
+  const auto verdict = [=](const Quaternion<float>& answer)
   { return quaternion_verdict(answer, truth.normalized()); };
   return {
-      "between vectors: " + what, [=] { return judged(between_by_half(from, to)); },
-      [=] { return judged(eigen_between(from, to)); },
-      [=] { return judged(rotation_between(from, to)); }};
+      "between vectors: " + what, [=] { return verdict(between_by_half(from, to)); },
+      [=] { return verdict(eigen_between(from, to)); },
+      [=] { return verdict(rotation_between(from, to)); }};
 }
 
 /// The three angles of a rotation that was made of three [degrees].
