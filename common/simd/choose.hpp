@@ -21,14 +21,7 @@ using Index = std::conditional_t<std::is_same_v<MaskOf<Number>, bool>, int, Numb
 template <class Number>
 Index<Number> index(int i)
 {
-  if constexpr (std::is_same_v<Index<Number>, int>)
-  {
-    return i;
-  }
-  else
-  {
-    return Number(static_cast<float>(i));
-  }
+  return static_cast<typename PartOf<Index<Number>>::type>(i);
 }
 
 /// Which of three numbers is meant, where that differs from pair to pair.

@@ -51,39 +51,33 @@ struct RowOf
     }
   }
 
-  /// What a function gives of each part of a and of b.
-  template <class Result = RowOf, class Function>
-  static Result of(const RowOf& a, const RowOf& b, const Function& function)
+  friend RowOf operator+(const RowOf& a, const RowOf& b) { return each<RowOf>(a, b, std::plus()); }
+  friend RowOf operator-(const RowOf& a, const RowOf& b) { return each<RowOf>(a, b, std::minus()); }
+  friend RowOf operator*(const RowOf& a, const RowOf& b)
   {
-    Result result;
-    for (int i = 0; i < parts; ++i)
-    {
-      result.part[i] = function(a.part[i], b.part[i]);
-    }
-    return result;
+    return each<RowOf>(a, b, std::multiplies());
   }
-
-  friend RowOf operator+(const RowOf& a, const RowOf& b) { return of(a, b, std::plus<>()); }
-  friend RowOf operator-(const RowOf& a, const RowOf& b) { return of(a, b, std::minus<>()); }
-  friend RowOf operator*(const RowOf& a, const RowOf& b) { return of(a, b, std::multiplies<>()); }
-  friend RowOf operator/(const RowOf& a, const RowOf& b) { return of(a, b, std::divides<>()); }
+  friend RowOf operator/(const RowOf& a, const RowOf& b)
+  {
+    return each<RowOf>(a, b, std::divides());
+  }
   friend RowOf max(const RowOf& a, const RowOf& b)
   {
-    return of(a, b, [](const Part& x, const Part& y) { return larger(x, y); });
+    return each<RowOf>(a, b, [](const Part& x, const Part& y) { return larger(x, y); });
   }
   friend RowOf min(const RowOf& a, const RowOf& b)
   {
-    return of(a, b, [](const Part& x, const Part& y) { return smaller(x, y); });
+    return each<RowOf>(a, b, [](const Part& x, const Part& y) { return smaller(x, y); });
   }
   friend RowOf abs(const RowOf& a)
   {
     using std::abs;
-    return of(a, a, [](const Part& x, const Part&) { return abs(x); });
+    return each<RowOf>(a, a, [](const Part& x, const Part&) { return abs(x); });
   }
-  friend Mask operator<(const RowOf& a, const RowOf& b) { return of<Mask>(a, b, std::less<>()); }
+  friend Mask operator<(const RowOf& a, const RowOf& b) { return each<Mask>(a, b, std::less()); }
   friend Mask operator<=(const RowOf& a, const RowOf& b)
   {
-    return of<Mask>(a, b, std::less_equal<>());
+    return each<Mask>(a, b, std::less_equal());
   }
 
   /// The numbers of `yes` where the mask is set, those of `no` elsewhere.
@@ -128,7 +122,7 @@ template <class Real, int Size>
 RowOf<Real, Size>
 select(const MaskOf<Real>& mask, const RowOf<Real, Size>& yes, const RowOf<Real, Size>& no)
 {
-  return RowOf<Real, Size>::of(
+  return each<RowOf<Real, Size>>(
       yes, no, [&](const Real& x, const Real& y) { return select(mask, x, y); });
 }
 

@@ -6,13 +6,26 @@
 #include "common/simd/choose.hpp"
 
 #include <bit>
-#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <iterator>
 
 namespace cookbook
 {
 inline namespace COOKBOOK_INSTRUCTION_SET
 {
+
+/// What a function gives of each part of two rows, or of two masks.
+template <class Result, class Parts, class Function>
+Result each(const Parts& a, const Parts& b, const Function& function)
+{
+  Result result;
+  for (int i = 0; i < static_cast<int>(std::size(a.part)); ++i)
+  {
+    result.part[i] = function(a.part[i], b.part[i]);
+  }
+  return result;
+}
 
 // [row_mask]
 /// For each number of a row a yes or a no; `PerPart` of them in each of its parts.
@@ -23,21 +36,11 @@ struct RowMask
 
   friend RowMask operator&(const RowMask& a, const RowMask& b)
   {
-    RowMask both;
-    for (int i = 0; i < Parts; ++i)
-    {
-      both.part[i] = a.part[i] & b.part[i];
-    }
-    return both;
+    return each<RowMask>(a, b, std::bit_and());
   }
   friend RowMask operator|(const RowMask& a, const RowMask& b)
   {
-    RowMask either;
-    for (int i = 0; i < Parts; ++i)
-    {
-      either.part[i] = a.part[i] | b.part[i];
-    }
-    return either;
+    return each<RowMask>(a, b, std::bit_or());
   }
 
   /// A bit for each number, that of the first lowest.

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 namespace cookbook
 {
@@ -93,7 +92,7 @@ box_box_at_unit_size(const Obb<Real>& a, const Obb<Real>& b)
 // [at_unit_size]
 
 // [box_box_in]
-/// box_box() with its numbers in rows of a certain type: a Group, or registers.
+/// box_box() with its numbers in rows of a certain type: see RowOf.
 template <class Row, class Real>
 [[gnu::flatten]] std::optional<Manifold<Real>> box_box_in(const Obb<Real>& a, const Obb<Real>& b)
 {
@@ -122,31 +121,6 @@ std::optional<Manifold<Real>> box_box(const Obb<Real>& a, const Obb<Real>& b)
   return box_box_in<RowOf<Real, 3>>(a, b);
 }
 // [box_box]
-
-/// The axis, 0 … 14, on which box_box() builds its manifold, and the overlap [m] along it; nothing
-/// where the boxes are apart.
-template <class Row, class Real>
-[[gnu::flatten]] std::optional<std::pair<int, Real>>
-box_axis_in(const Obb<Real>& a, const Obb<Real>& b)
-{
-  const BoxesInRows<Row> boxes = boxes_in_rows<Row>(a, b);
-  const Tolerances<Real> tolerances = tolerances_of(a, b);
-  if (!has_moderate_size(tolerances.size))
-  {
-    const std::optional<Manifold<Real>> found = box_box_at_unit_size(a, b);
-    return found ? std::optional(
-                       std::pair(static_cast<int>(found->points[0].feature / 64), found->depth))
-                 : std::nullopt;
-  }
-  const std::optional<BoxChoice<Real>> choice = box_choice(boxes, tolerances);
-  if (!choice)
-  {
-    return std::nullopt;
-  }
-  const auto& [face, edge] = *choice;
-  return edge.found() ? std::pair(6 + edge.index, Real(std::sqrt(edge.squared_depth)))
-                      : std::pair(face.index, face.depth);
-}
 
 } // namespace COOKBOOK_INSTRUCTION_SET
 } // namespace cookbook

@@ -15,6 +15,31 @@
 namespace cookbook
 {
 
+/// The axis, 0 … 14, on which box_box() builds its manifold, and the overlap [m] along it; nothing
+/// where the boxes are apart.
+template <class Row, class Real>
+[[gnu::flatten]] std::optional<std::pair<int, Real>>
+box_axis_in(const Obb<Real>& a, const Obb<Real>& b)
+{
+  const BoxesInRows<Row> boxes = boxes_in_rows<Row>(a, b);
+  const Tolerances<Real> tolerances = tolerances_of(a, b);
+  if (!has_moderate_size(tolerances.size))
+  {
+    const std::optional<Manifold<Real>> found = box_box_at_unit_size(a, b);
+    return found ? std::optional(
+                       std::pair(static_cast<int>(found->points[0].feature / 64), found->depth))
+                 : std::nullopt;
+  }
+  const std::optional<BoxChoice<Real>> choice = box_choice(boxes, tolerances);
+  if (!choice)
+  {
+    return std::nullopt;
+  }
+  const auto& [face, edge] = *choice;
+  return edge.found() ? std::pair(6 + edge.index, Real(std::sqrt(edge.squared_depth)))
+                      : std::pair(face.index, face.depth);
+}
+
 // [on_axis]
 /// The direction of an axis, 0 … 14, of two boxes, of length one; it may point from B to A.
 template <class Real>
@@ -114,7 +139,7 @@ steady_axis(int before, const Obb<Real>& a, const Obb<Real>& b, const std::pair<
 // [keeps_axis]
 
 // [feature_memory]
-/// next_frame() with its numbers in rows of a certain type: a Group, or registers.
+/// next_frame() with its numbers in rows of a certain type: see RowOf.
 template <class Row, class Real, class Warm>
 ContactMemory<Real, Warm>
 next_frame_in(const ContactMemory<Real, Warm>& before, const Obb<Real>& a, const Obb<Real>& b)

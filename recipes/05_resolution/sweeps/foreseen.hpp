@@ -3,8 +3,8 @@
 /// \file
 /// \brief Impacts of boxes that are foreseen, so that solvers know of them before they are deep.
 
-#include "04_obb_manifolds/box_box/box_box.hpp"
 #include "04_obb_manifolds/box_box/box_box_in_registers.hpp"
+#include "04_obb_manifolds/feature_memory/feature_memory.hpp"
 #include "05_resolution/contacts/broad_phase.hpp"
 #include "05_resolution/contacts/moved_body.hpp"
 #include "05_resolution/contacts/narrow_phase.hpp"
