@@ -162,10 +162,11 @@ all_calls() { # all_calls WHAT...: a line with each of these for each file of ca
   done
 }
 
-# Each header is called, or only declares.
+# Each header is called, or only declares, or its example is what calls it.
 called() {
   while read -r name _; do
     grep -qx "#ifdef TAKE_$name" "$root"/tests/take/calls_*.cpp || among "$name" "$only_declare" ||
+      ls "$root"/recipes/*/"$name/${name}_example.expected" >/dev/null 2>&1 ||
       echo "$name: tests/take calls nothing of it"
   done
 }
