@@ -84,8 +84,8 @@ Matrix3<Real> basis_from_normal(const Vector3<Real>& n)
 /// The rotation next to a matrix that has drifted from one, by Gram–Schmidt: the first column keeps
 /// its direction, the second its side of it, the third is their cross product.
 ///
-/// It is a rotation to rounding whatever the matrix: where the first two columns are parallel to a
-/// thousandth, the second one is a tangent of basis_from_normal().
+/// It is a rotation to rounding for every matrix of a room: where the first two columns are
+/// parallel to a thousandth, the second one is a tangent of basis_from_normal().
 template <class Real>
 Matrix3<Real> orthonormalize(const Matrix3<Real>& m)
 {
