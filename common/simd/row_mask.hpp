@@ -27,7 +27,6 @@ Result each(const Parts& a, const Parts& b, const Function& function)
   return result;
 }
 
-// [row_mask]
 /// For each number of a row a yes or a no; `PerPart` of them in each of its parts.
 template <class Real, class Part, int Parts, int PerPart>
 struct RowMask
@@ -105,7 +104,6 @@ Index<Real> first_set(const RowMask<Real, Part, Parts, PerPart> (&masks)[Count])
     return std::countr_zero(bits);
   }
 }
-// [row_mask]
 
 } // namespace COOKBOOK_INSTRUCTION_SET
 } // namespace cookbook

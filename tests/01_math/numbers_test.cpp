@@ -376,7 +376,7 @@ TEST_CASE(
   CHECK(interval_overlap<double>(a, {4, 5}) == 0);
   CHECK(interval_overlap<double>(a, {5, 6}) == -1);
   CHECK(interval_overlap<double>({5, 6}, a) == -1);
-  // Contained: the shorter way out, not the length that is shared.
+  // Contained: the shorter separation, not the length that is shared.
   CHECK(interval_overlap<double>(a, {1, 2}) == 2);
   CHECK(intersection<double>(a, {1, 2}).most - intersection<double>(a, {1, 2}).least == 1);
 }

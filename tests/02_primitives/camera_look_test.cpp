@@ -92,8 +92,8 @@ TEST_CASE("each way to turn a camera holds or fails as the table says", "[camera
       {{"level, ahead", {bare, bound, best}},
        {"eye at the target", {best}},
        {"straight down", {bound, best}},
-       {"a hair from straight down", {bare, best}},
-       {"a hair from parallel, on a slant", {best}},
+       {"nearly straight down", {bare, best}},
+       {"nearly parallel, on a slant", {best}},
        {"up is zero", {best}},
        {"1e-25 m from the target", {best}},
        {"1e25 m from the target", {best}}});

@@ -86,8 +86,9 @@ TEST_CASE("a shape holds its edge, and nothing a millionth beyond it")
 }
 // [holds]
 
-// [shadows]
-TEST_CASE("the shadow of a unit square on (1, 1) is from 0 to 2, and of one at (2, 1) from 3 to 5")
+// [projections]
+TEST_CASE(
+    "the projection of a unit square on (1, 1) is from 0 to 2, and of one at (2, 1) from 3 to 5")
 {
   const std::array<Point, 4> a{Point(0, 0), Point(1, 0), Point(1, 1), Point(0, 1)};
   const std::array<Point, 4> b{Point(2, 1), Point(3, 1), Point(3, 2), Point(2, 2)};
@@ -100,14 +101,14 @@ TEST_CASE("the shadow of a unit square on (1, 1) is from 0 to 2, and of one at (
   CHECK_FALSE(separates<double>({0, 1}, a, b)); // they touch there
 }
 
-TEST_CASE("two triangles that are apart on neither x nor y are apart square to an edge")
+TEST_CASE("two triangles that are apart on neither x nor y are apart perpendicular to an edge")
 {
   const std::array<Point, 3> a{Point(0, 0), Point(4, 0), Point(0, 4)};
   const std::array<Point, 3> b{Point(4, 4), Point(1, 4), Point(4, 1)};
   const auto axis = separating_axis<double>(a, b);
   REQUIRE(axis);
   CHECK(std::abs(axis->x()) == std::abs(axis->y()));
-  // Moved by (1/2, 1/2), they touch along an edge; by a hair more, they overlap.
+  // Moved by (1/2, 1/2), they touch along an edge; by a little more, they overlap.
   std::array<Point, 3> touching = b;
   for (Point& corner : touching)
   {
@@ -116,7 +117,7 @@ TEST_CASE("two triangles that are apart on neither x nor y are apart square to a
   CHECK(overlaps<double>(a, touching));
   CHECK(overlaps<double>(touching, a));
 }
-// [shadows]
+// [projections]
 
 // [polygons]
 TEST_CASE("triangles of a grid, flat ones and points too: the verdict is the exact one")

@@ -1,5 +1,5 @@
 /// \file
-/// What a judge of answers knows of each kind of shape: corners, radius, sides, in long double.
+/// What an oracle of answers knows of each kind of shape: corners, radius, sides, in long double.
 #pragma once
 
 #include "02_primitives/shapes/more_shapes.hpp"
@@ -11,12 +11,12 @@
 namespace cookbook
 {
 
-/// What the judge computes in.
+/// What the oracle computes in.
 using Long = long double;
 /// Its points.
 using Long3 = Vector3<Long>;
 
-/// What the judge knows of a shape.
+/// What the oracle knows of a shape.
 struct OracleShape
 {
   std::vector<Long3> corners;             ///< of its core

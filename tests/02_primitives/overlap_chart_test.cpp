@@ -1,5 +1,5 @@
 /// \file
-/// What holds for two turned boxes, asked by their axes, and for the triangles that are timed.
+/// What holds for two oriented boxes, asked by their axes, and for the triangles that are timed.
 
 #include "02_primitives/overlap_chart/trial/overlap_chart.hpp"
 #include "02_primitives/overlap_chart/trial/triangles_chart.hpp"
@@ -107,7 +107,8 @@ TEMPLATE_TEST_CASE(
 // [boxes_overlap_random]
 
 // [boxes_overlap_degenerate]
-TEST_CASE("boxes that are equal, touch, lie in each other, are turned by a hair", "[boxes_overlap]")
+TEST_CASE(
+    "boxes that are equal, touch, lie in each other, are turned by 1e-9 rad", "[boxes_overlap]")
 {
   const Obb<double> box{{1, 2, 3}, Matrix3<double>::Identity(), {1, 2, 3}};
   Obb<double> other = box;

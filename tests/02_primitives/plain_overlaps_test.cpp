@@ -13,7 +13,7 @@
 using namespace cookbook;
 
 // [plain_overlaps_by_hand]
-TEST_CASE("spheres and boxes along the axes: touching counts, a hair more does not", "[plain]")
+TEST_CASE("spheres and boxes along the axes: touching counts, a rounding more does not", "[plain]")
 {
   using V = Vector3<double>;
   const Aabb<double> crate(V(-1, -1, -1), V(1, 1, 1));
@@ -39,7 +39,7 @@ TEST_CASE(
 
 // [turned_boxes_that_touch]
 TEST_CASE(
-    "turned boxes that touch: the plain test denies some to rounding, boxes_overlap none",
+    "oriented boxes that touch: the plain test denies some to rounding, boxes_overlap none",
     "[plain]")
 {
   std::mt19937 random(4);

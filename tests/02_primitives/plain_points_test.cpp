@@ -38,7 +38,7 @@ TEST_CASE("a segment of length 0 is its own closest point", "[P2]")
 
 // [inside_moves]
 TEST_CASE(
-    "a point in a turned box comes back moved by the plain formula, unmoved by closest_point",
+    "a point in an oriented box comes back moved by the plain formula, unmoved by closest_point",
     "[P4]")
 {
   const Obb<double> box{{0, 0, 0}, rational_rotation<double>(5, 1, 2, 3), {1, 1, 1}};

@@ -88,7 +88,7 @@ inline double out_of(const Around& shape, const Vector<Long, 2>& p)
   return within ? 0 : double(std::max(Long(0), nearest - shape.radius));
 }
 
-/// How far the shape reaches beyond the line through p square to the unit vector n.
+/// How far the shape reaches beyond the line through p perpendicular to the unit vector n.
 inline double extent_beyond(const Around& shape, const Vector<Long, 2>& p, const Vector<Long, 2>& n)
 {
   Long most = -std::numeric_limits<Long>::infinity();

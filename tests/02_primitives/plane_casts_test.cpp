@@ -30,7 +30,7 @@ struct Wrong
 };
 
 /// Looks at one hit: the point is of the ray and of the shape, nothing of which was met before; no
-/// corner lies beyond the line through the point square to the normal.
+/// corner lies beyond the line through the point perpendicular to the normal.
 template <class Real, class Shape>
 void look_at(
     Wrong& wrong, const Hit<Real, 2>& hit, const Ray2<Real>& ray, const Shape& shape,

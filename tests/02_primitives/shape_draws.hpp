@@ -17,7 +17,7 @@ enum class Draws
 {
   any,     ///< from −1 to 1
   lattice, ///< whole numbers from −2 to 2: they touch, are parallel, flat, without length
-  thin,    ///< corners a hair from a line or a plane, or on it
+  thin,    ///< corners next to a line or a plane, or on it
   tiny,    ///< any, times 1e-30
   huge,    ///< any, times 1e30
   distant, ///< any, 10,000 away from the origin

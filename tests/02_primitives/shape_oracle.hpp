@@ -1,5 +1,5 @@
 /// \file
-/// A judge of closest points that shares no code with the book's: it knows what lies in a shape
+/// An oracle of closest points that shares no code with the book's: it knows what lies in a shape
 /// and how far the shape reaches.
 #pragma once
 
@@ -113,9 +113,9 @@ inline Long size_of_numbers(const OracleShape& a, const OracleShape& b)
   return size > 0 ? size : Long(1);
 }
 
-/// What is wrong with closest points, as a share of the size of the numbers: no answer is closer if
-/// both points are in their shapes and the shapes lie on either side of the gap between two planes
-/// through the points; an overlap is one if a point is in both.
+/// What is wrong with closest points, as a fraction of the size of the numbers: no answer is closer
+/// if both points are in their shapes and the shapes lie on either side of the gap between two
+/// planes through the points; an overlap is one if a point is in both.
 inline Long fault(const OracleShape& a, const OracleShape& b, const ClosestPoints<Long, 3>& points)
 {
   if (!points.a.allFinite() || !points.b.allFinite() || !std::isfinite(points.distance))

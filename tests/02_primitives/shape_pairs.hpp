@@ -16,14 +16,14 @@
 namespace cookbook
 {
 
-/// One pair: what the judge knows of both shapes, and what the book answers.
+/// One pair: what the oracle knows of both shapes, and what the book answers.
 struct CheckedPair
 {
   OracleShape a, b;
   ClosestPoints<Long, 3> points;
   bool overlap;         ///< the answer of overlaps()
   bool still_separated; ///< also after B moved towards A by the distance less a billionth
-  Long touch; ///< their distance after B moved by the whole distance, as a share of the size
+  Long touch; ///< their distance after B moved by the whole distance, as a fraction of the size
 };
 
 /// Answers a pair; where the shapes are apart, once more with B moved almost to A, and to A.
@@ -91,14 +91,14 @@ constexpr Draws all_draws[] = {Draws::any,  Draws::lattice, Draws::thin,  Draws:
 /// What was wrong with any of many pairs of two kinds.
 struct Wrongs
 {
-  Long fault = 0;         ///< as a share of the size
+  Long fault = 0;         ///< as a fraction of the size
   int overlapping = 0;    ///< that overlap
   int contradictions = 0; ///< distance 0, but no overlap, or an overlap without
   int moved_wrongly = 0;  ///< not apart after B moved less than the distance
   Long touch = 0;         ///< the distance after B moved by the distance
 };
 
-/// Draws pairs of two kinds, and judges the answers.
+/// Draws pairs of two kinds, and checks the answers.
 template <class Real>
 Wrongs check_pairs(const Kinds<Real>& kinds, Draws draws, int count)
 {

@@ -34,7 +34,7 @@ bool is_flat(const Triangle<double>& t)
 } // namespace
 
 // [P16]
-TEST_CASE("the side of a plane is that of exact fractions, also a hair from the plane", "[P16]")
+TEST_CASE("the side of a plane is that of exact fractions, also next to the plane", "[P16]")
 {
   ShapeDraw<double> from(3);
   int on_plane = 0;

@@ -161,8 +161,8 @@ TEMPLATE_TEST_CASE("a plate on a plate: midway, however thin", "[O16]", float, d
 
 // [touching]
 TEMPLATE_TEST_CASE(
-    "cubes that touch have depth 0 and all four points; a gap of a millionth parts them", "[O5]",
-    float, double)
+    "cubes that touch have depth 0 and all four points; a gap of a millionth separates them",
+    "[O5]", float, double)
 {
   check_manifold(
       manifold_of<TestType>(cube, upright({2, 0.5, 0}, {1, 1, 1})), {1, 0, 0}, 0,

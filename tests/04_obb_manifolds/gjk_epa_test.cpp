@@ -279,7 +279,7 @@ TEST_CASE("a face whose farthest corner is there already is done, and another on
   CHECK(expansion.depth == 0);
 }
 
-TEST_CASE("heights over a point, a line and a plane, and the ways out of them", "[epa]")
+TEST_CASE("heights over a point, a line and a plane, and displacements out of them", "[epa]")
 {
   const Simplex<double> point = simplex_of({{1, 1, 1}});
   const Simplex<double> line = simplex_of({{1, 1, 1}, {3, 1, 1}});
@@ -593,7 +593,7 @@ TEST_CASE("one point where four are right, and which one is chance", "[gjk][epa]
   CHECK(jump > 2.8);
 }
 
-TEST_CASE("of the equal ways out of a cube in its own place every one comes out", "[gjk][epa]")
+TEST_CASE("of the equal separations of a cube in its own place every one comes out", "[gjk][epa]")
 {
   RandomCubes draw(8);
   std::set<int> ways;

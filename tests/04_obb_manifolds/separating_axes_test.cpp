@@ -51,7 +51,7 @@ TEST_CASE("a 3-4-5 box reaches 1.4 along x, 2.5 away from a cube: a gap of 0.1",
 {
   const Obb<double> turned = three_four_five({2.5, 0, 0}, {1, 1, 1});
   const AxisOverlap<double> along_x = axis_overlap(relative_boxes(cube, turned), 0);
-  // 1 of the cube and 0.6 + 0.8 of the turned box.
+  // 1 of the cube and 0.6 + 0.8 of the oriented box.
   CHECK(along_x.overlap == Catch::Approx(-0.1).margin(rounding));
   CHECK(along_x.offset == 2.5);
   CHECK_FALSE(separating_axes(cube, turned));

@@ -88,7 +88,44 @@ inline Complaints headers_are_documented(const std::vector<TextFile>& headers)
   return complaints;
 }
 
-/// Nothing names a folder of somebody's machine, or the address of a package registry.
+/// Words of the list, lines "pattern: instead" or "code: pattern: instead", are in none of the
+/// files; those for code may be on pages.
+inline Complaints
+words_are_of_the_field(const std::vector<TextFile>& files, const std::string& list)
+{
+  Complaints complaints;
+  for (std::string entry : book::lines(list))
+  {
+    const bool code_only = entry.rfind("code: ", 0) == 0;
+    entry.erase(0, code_only ? 6 : 0);
+    const std::size_t colon = entry.find(": ");
+    if (entry.empty() || entry[0] == '#' || colon == std::string::npos)
+    {
+      continue;
+    }
+    const std::regex word(
+        "(^|[^A-Za-z])(" + entry.substr(0, colon) + ")([^A-Za-z]|$)",
+        std::regex::icase | std::regex::optimize);
+    for (const TextFile& file : files)
+    {
+      std::size_t number = 0;
+      for (const std::string& line :
+           code_only&& file.path.ends_with(".md") ? Complaints{} : book::lines(file.text))
+      {
+        ++number;
+        if (std::regex_search(line, word))
+        {
+          complaints.push_back(
+              file.path + ":" + std::to_string(number) + ": write" + entry.substr(colon + 1) +
+              ": " + line);
+        }
+      }
+    }
+  }
+  return complaints;
+}
+
+/// Nothing names a folder of one machine, or the address of a package registry.
 inline Complaints no_machine_is_named(const std::vector<TextFile>& files)
 {
   // The words are put together here so that this file does not contain them.

@@ -3,10 +3,10 @@
 /// nothing, and on a small text that breaks it, where it must complain.
 
 #include "file_rules.hpp"
+#include "folder_rules.hpp"
 #include "page_rules.hpp"
 #include "reading_rules.hpp"
 #include "recipe_rules.hpp"
-#include "room_rules.hpp"
 
 #include "docs/index/order.hpp"
 #include "tests/catch.hpp"
@@ -152,7 +152,7 @@ TEST_CASE(
   Sizes large = large_folders(paths);
   large.merge(large_headers(all_headers()));
   expect_none(large_for_a_reason(large, cookbook::book::read_text(root / "tests/house/large.txt")));
-  expect_none(rooms_are_plain(paths));
+  expect_none(recipes_have_folders(paths));
 }
 
 TEST_CASE("a folder of 15 files and a file in none are found", "[house]")
@@ -167,42 +167,43 @@ TEST_CASE("a folder of 15 files and a file in none are found", "[house]")
   CHECK(large_folders(paths).empty());
   paths.push_back("recipes/03_x/a/z.hpp");
   CHECK(large_folders(paths) == Sizes{{"recipes/03_x/a", "15 files"}});
-  CHECK(rooms_are_plain(paths).empty());
-  CHECK(rooms_are_plain({"recipes/CMakeLists.txt", "recipes/03_x/CMakeLists.txt"}).empty());
-  CHECK(rooms_are_plain({"recipes/03_x/a.hpp"}).size() == 1);
-  CHECK(rooms_are_plain({"recipes/03_x/a/other/a.hpp"}).size() == 1);
+  CHECK(recipes_have_folders(paths).empty());
+  CHECK(recipes_have_folders({"recipes/CMakeLists.txt", "recipes/03_x/CMakeLists.txt"}).empty());
+  CHECK(recipes_have_folders({"recipes/03_x/a.hpp"}).size() == 1);
+  CHECK(recipes_have_folders({"recipes/03_x/a/other/a.hpp"}).size() == 1);
 }
 
-TEST_CASE("nothing outside a trial includes one, but programs; rooms have no circles", "[house]")
+TEST_CASE("nothing outside a trial includes one, but programs; folders have no circles", "[house]")
 {
   const std::vector<std::string> code{".hpp", ".cpp"};
   const auto sources = house_sources(code);
-  expect_none(homes_stand_alone(sources));
-  expect_none(rooms_have_no_circles(sources));
+  expect_none(exported_stand_alone(sources));
+  expect_none(folders_have_no_circles(sources));
 }
 
-TEST_CASE("an include of a trial and a circle of rooms or trials are found", "[house]")
+TEST_CASE("an include of a trial and a circle of folders or trials are found", "[house]")
 {
   const auto file = [](const std::string& path, const std::string& target) {
     return TextFile{path, "#include \"" + target + "\"\n"};
   };
   const TextFile scenes{"recipes/03_x/a/trial/scenes.hpp", ""};
   CHECK(
-      homes_stand_alone({scenes, file("recipes/03_x/a/a.hpp", "03_x/a/trial/scenes.hpp")}).size() ==
-      1);
-  CHECK(homes_stand_alone({scenes, file("recipes/03_x/b/trial/b.hpp", "03_x/a/trial/scenes.hpp")})
-            .empty());
+      exported_stand_alone({scenes, file("recipes/03_x/a/a.hpp", "03_x/a/trial/scenes.hpp")})
+          .size() == 1);
+  CHECK(
+      exported_stand_alone({scenes, file("recipes/03_x/b/trial/b.hpp", "03_x/a/trial/scenes.hpp")})
+          .empty());
   TextFile program = file("recipes/03_x/a/a.cpp", "03_x/a/trial/scenes.hpp");
-  CHECK(homes_stand_alone({scenes, program}).size() == 1);
+  CHECK(exported_stand_alone({scenes, program}).size() == 1);
   program.text += "int main(int argc, char** argv)\n";
-  CHECK(homes_stand_alone({scenes, program}).empty());
+  CHECK(exported_stand_alone({scenes, program}).empty());
 
   const TextFile to_b = file("recipes/03_x/a/a.hpp", "03_x/b/b.hpp");
   const TextFile to_c = file("recipes/03_x/b/b.hpp", "03_x/c/trial/c.hpp");
-  CHECK(rooms_have_no_circles({to_b, to_c, {"recipes/03_x/c/trial/c.hpp", ""}}).empty());
+  CHECK(folders_have_no_circles({to_b, to_c, {"recipes/03_x/c/trial/c.hpp", ""}}).empty());
   const TextFile back = file("recipes/03_x/c/trial/c.hpp", "03_x/a/a.hpp");
-  CHECK(rooms_have_no_circles({to_b, to_c, back}).size() == 1);
-  CHECK(rooms_have_no_circles({to_b, file("recipes/03_x/b/b.hpp", "03_x/a/a.hpp")}).size() == 1);
+  CHECK(folders_have_no_circles({to_b, to_c, back}).size() == 1);
+  CHECK(folders_have_no_circles({to_b, file("recipes/03_x/b/b.hpp", "03_x/a/a.hpp")}).size() == 1);
 }
 
 TEST_CASE("every chapter has its sections in the same order, on one page or several", "[house]")
@@ -424,6 +425,13 @@ TEST_CASE("every snippet on a page is marked twice in one file", "[house]")
   expect_none(snippets_are_marked(pages(), sources));
 }
 
+TEST_CASE("every marked piece of code is on a page", "[house]")
+{
+  const std::vector<std::string> code{".hpp", ".cpp"};
+  const auto sources = together(house_sources(code), read_tree(root, "tests", code));
+  expect_none(marks_are_shown(together(pages(), read_tree(root, "docs", {".md"})), sources));
+}
+
 TEST_CASE("a marked piece that no page shows is found", "[house]")
 {
   const std::vector<TextFile> marked{{"recipes/03_x/a.hpp", "// [a]\nint x;\n// [a]\n"}};
@@ -471,7 +479,38 @@ TEST_CASE("a header, a type or a function without its sentence is found", "[hous
       headers_are_documented({{"recipes/a.hpp", "/// A body.\nstruct Body\n{\n};\n"}}).size() == 1);
 }
 
-TEST_CASE("no file names a folder of somebody's machine or a package registry", "[house]")
+TEST_CASE("chapters 1 to 4, common, tools and docs speak the words of the field", "[house]")
+{
+  const std::vector<std::string> kinds{".hpp", ".cpp", ".md", ".expected"};
+  std::vector<TextFile> files;
+  for (const char* folder : {"chapters", "recipes", "tests", "common", "tools", "docs"})
+  {
+    files = together(files, read_tree(root, folder, kinds));
+  }
+  std::erase_if(
+      files,
+      [](const TextFile& file)
+      {
+        return cookbook::book::chapter_of(file.path) > "04" ||
+               file.path.rfind("tests/house/", 0) == 0 || file.path.rfind("tests/take/", 0) == 0;
+      });
+  expect_none(words_are_of_the_field(
+      files, cookbook::book::read_text(root / "tests/house/private_words.txt")));
+}
+
+TEST_CASE(
+    "a word of the list is found, also within a name; those for code may be on a page", "[house]")
+{
+  const std::string list = "# a: b\nsquare to: perpendicular to\ncode: rails?: threshold\n";
+  const auto count = [&](const std::string& path, const std::string& text) {
+    return words_are_of_the_field({{path, text}}, list).size();
+  };
+  CHECK(count("a.hpp", "// Square to it.\nint draw_rail;\nint derail;\n") == 2);
+  CHECK(count("a.md", "square to\n") == 1);
+  CHECK(count("a.md", "a rail\n") == 0);
+}
+
+TEST_CASE("no file names a folder of one machine or a package registry", "[house]")
 {
   const std::vector<std::string> text{".md",  ".hpp",  ".cpp", ".txt",     ".cmake",
                                       ".in",  ".css",  ".js",  ".xml",     ".json",

@@ -116,13 +116,13 @@ recipes_are_whole(const std::vector<TextFile>& tree, const std::vector<TextFile>
       return std::any_of(
           tree.begin(), tree.end(), [&](const TextFile& other) { return other.path == path; });
     };
-    const std::filesystem::path room = std::filesystem::path(file.path).parent_path();
-    const std::string chapter = room.parent_path().filename().string();
-    const auto in_room = [&](const std::string& one)
-    { return exists((room / one).generic_string()); };
-    require(room.filename() == name, "room of its name");
-    require(in_room(name + ".hpp") || in_room("trial/" + name + ".hpp"), "header");
-    require(in_room(name + ".expected") || charts.count(name) == 1, "checked output");
+    const std::filesystem::path folder = std::filesystem::path(file.path).parent_path();
+    const std::string chapter = folder.parent_path().filename().string();
+    const auto in_folder = [&](const std::string& one)
+    { return exists((folder / one).generic_string()); };
+    require(folder.filename() == name, "folder of its name");
+    require(in_folder(name + ".hpp") || in_folder("trial/" + name + ".hpp"), "header");
+    require(in_folder(name + ".expected") || charts.count(name) == 1, "checked output");
     require(exists("tests/" + chapter + "/" + name + "_test.cpp"), "test");
     require(has_section(pages, book::chapter_of(file.path), name), "section on its page");
   }

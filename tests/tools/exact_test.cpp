@@ -70,8 +70,8 @@ TEMPLATE_TEST_CASE("a fraction becomes the nearest number", "[exact]", float, do
   {
     const Rational tie = Rational(1) + exact<Rational>(ulp) / 2, least(1, 1L << 62);
     CHECK(as_number(tie) == 1);         // the even one
-    CHECK(as_number(tie + least) > 1);  // a hair more
-    CHECK(as_number(tie - least) == 1); // a hair less
+    CHECK(as_number(tie + least) > 1);  // a little more
+    CHECK(as_number(tie - least) == 1); // a little less
   }
 }
 

@@ -52,8 +52,8 @@ std::string verdict_table(
     const std::string& caption, const std::vector<std::string>& methods,
     const std::vector<VerdictRow>& rows, const std::string& mark = "case");
 
-/// The same with ten telling rows: those with an id, the first of each pattern of who holds, then
-/// the first of the others. The rest stands in a fold.
+/// The same with ten telling rows: those with an id, the first of each pattern of which method
+/// holds, then the first of the others. The rest stands in a fold.
 std::string folded_verdict_table(
     const std::string& caption, const std::vector<std::string>& methods,
     const std::vector<VerdictRow>& rows, const std::string& mark = "case");

@@ -37,7 +37,7 @@ RelativeBoxes<Real> relative_boxes(const Obb<Real>& a, const Obb<Real>& b)
 // [relative_boxes]
 
 // [axis_overlap]
-/// How far the shadows of two boxes on an axis L overlap; O2, O6.
+/// How far the projections of two boxes on an axis L overlap; O2, O6.
 ///
 /// L has the length that its formula gives it; divide by it before comparing one axis with another.
 template <class Real>
@@ -45,7 +45,7 @@ struct AxisOverlap
 {
   Vector3<Real> axis; ///< L, in A's frame
   Real offset;        ///< t·L, |L| times metres
-  Real overlap; ///< r_A + r_B − |t·L|, |L| times metres; negative where the shadows are apart
+  Real overlap; ///< r_A + r_B − |t·L|, |L| times metres; negative where the projections are apart
   Real squared_length; ///< |L|²
 };
 
@@ -89,8 +89,8 @@ Vector3<Real> triple_products(const RelativeBoxes<Real>& boxes, int i)
   return one.cross(other);
 }
 
-/// Along L = a_i × b_j, square to an edge of each box; O3, O4. `triple` is triple_products(boxes,
-/// i).
+/// Along L = a_i × b_j, perpendicular to an edge of each box; O3, O4. `triple` is
+/// triple_products(boxes, i).
 ///
 /// B's reach is measured along L itself, not read off as |C|: near-parallel edges make L as short
 /// as rounding is large, and only an L that is the same in all three terms is then still an axis.
@@ -134,7 +134,7 @@ bool from_parallel_edges(const AxisOverlap<Real>& candidate)
 /// The number of axes to test: all pairs of the six edge directions of two boxes; O1.
 inline constexpr int box_axes = 15;
 
-/// What an axis is square to.
+/// What an axis is perpendicular to.
 enum class AxisKind
 {
   face_of_a, ///< axes 0, 1, 2

@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief Whether two turned boxes overlap, by the axes that may part them.
+/// \brief Whether two oriented boxes overlap, by the axes that may part them.
 
 #include "02_primitives/boxes_overlap/box_axes.hpp"
 
@@ -11,7 +11,7 @@ namespace cookbook
 {
 
 // [boxes_overlap]
-/// What rounding may do to the shadows [m] of two boxes on an axis that is no longer than 1.
+/// What rounding may do to the projections [m] of two boxes on an axis that is no longer than 1.
 template <class Real>
 Real projection_rounding(const RelativeBoxes<Real>& boxes)
 {
@@ -19,7 +19,7 @@ Real projection_rounding(const RelativeBoxes<Real>& boxes)
          (boxes.offset.template lpNorm<1>() + boxes.half_a.sum() + boxes.half_b.sum());
 }
 
-/// Whether the shadows of two boxes on an axis leave no gap that is more than rounding.
+/// Whether the projections of two boxes on an axis leave no gap that is more than rounding.
 template <class Real>
 bool projections_overlap(const AxisOverlap<Real>& on_axis, const Real& rounding)
 {
@@ -49,7 +49,8 @@ template <class Real>
   return faces_overlap(boxes, projection_rounding(boxes));
 }
 
-/// Whether the three axes that are square to an edge of B and to A's edge i let them overlap.
+/// Whether the three axes that are perpendicular to an edge of B and to A's edge i let them
+/// overlap.
 template <class Real>
 bool edges_overlap(const RelativeBoxes<Real>& boxes, int i, const Real& rounding)
 {
@@ -59,8 +60,8 @@ bool edges_overlap(const RelativeBoxes<Real>& boxes, int i, const Real& rounding
          projections_overlap(edge_axis(boxes, i, 2, triple), rounding);
 }
 
-/// Whether two boxes overlap: by their faces, and by nine axes that are square to an edge of each.
-/// Touching to rounding counts.
+/// Whether two boxes overlap: by their faces, and by nine axes that are perpendicular to an edge of
+/// each. Touching to rounding counts.
 template <class Real>
 [[gnu::flatten]] bool boxes_overlap(const Obb<Real>& a, const Obb<Real>& b)
 {

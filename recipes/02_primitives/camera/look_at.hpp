@@ -13,7 +13,8 @@ namespace cookbook
 {
 
 // [perpendicular_to_both]
-/// The unit vector square to both, on the side of a × b; zero where they are parallel or zero.
+/// The unit vector perpendicular to both, on the side of a × b; zero where they are parallel or
+/// zero.
 ///
 /// No threshold: the components of the cross product are right to two roundings, so that also
 /// nearly parallel vectors have a direction, and only truly parallel ones have none.
@@ -25,8 +26,8 @@ inline Vector3<double> perpendicular_to_both(const Vector3<double>& a, const Vec
 // [perpendicular_to_both]
 
 // [any_right]
-/// What is to the right where `up` does not say: square to the view, and to the world's y axis;
-/// for a view along y, the x axis.
+/// What is to the right where `up` does not say: perpendicular to the view, and to the world's y
+/// axis; for a view along y, the x axis.
 inline Vector3<double> any_right(const Vector3<double>& forward)
 {
   const Vector3<double> level = perpendicular_to_both(forward, Vector3<double>::UnitY());

@@ -14,7 +14,7 @@ namespace cookbook
 {
 
 // [cast_box]
-/// The part of a path that lies between two planes square to an axis: from `in` to `out`.
+/// The part of a path that lies between two planes perpendicular to an axis: from `in` to `out`.
 template <class Real>
 struct SlabSpan
 {
@@ -69,7 +69,7 @@ std::optional<Hit<Real, 3>> first_hit_on(const CastPath<Real>& path, const Aabb<
 // [cast_box]
 
 // [cast_obb]
-/// Where a path first meets a turned box: the same, seen from the box.
+/// Where a path first meets an oriented box: the same, seen from the box.
 template <class Real>
 std::optional<Hit<Real, 3>> first_hit_on(const CastPath<Real>& path, const Obb<Real>& box)
 {

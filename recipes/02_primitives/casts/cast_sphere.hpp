@@ -22,7 +22,7 @@ std::optional<Hit<Real, 3>> hit_around(
     return hit_at<Real>(path, t, hit_from_inside(path).normal, center);
   }
   const Vector3<Real> point = center + (radius / distance) * out;
-  if (along > Real(0)) // a path that grazes, rounded to one that is on its way out
+  if (along > Real(0)) // a path that grazes, rounded to one that leaves
   {
     const Vector3<Real> across = out - along / path.direction.squaredNorm() * path.direction;
     return hit_at<Real>(path, t, normalize<Real>(across, hit_from_inside(path).normal).unit, point);

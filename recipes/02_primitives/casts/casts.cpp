@@ -40,7 +40,7 @@ void print_casts()
   add_row(table, "sphere", Sphere<double>{{0, -2, 0}, 5});
   add_row(table, "capsule", Capsule<double>{{{0, -9, 0}, {0, -2, 0}}, 5});
   add_row(table, "box along the axes", Aabb<double>(V(-4, -1, -1), V(2, 2, 2)));
-  add_row(table, "turned box", Obb<double>{{0, 1, 0}, turned, {2, 4, 1}});
+  add_row(table, "oriented box", Obb<double>{{0, 1, 0}, turned, {2, 4, 1}});
   add_row(table, "triangle", Triangle<double>{{-1, 0, 0}, {1, 4, 3}, {1, 4, -3}});
   add_row(table, "tetrahedron", Tetrahedron<double>{{-1, 0, 0}, {1, 4, 3}, {1, 4, -3}, {6, 0, 0}});
   add_row(table, "ball behind", Sphere<double>{{-9, 1, 0}, 1});

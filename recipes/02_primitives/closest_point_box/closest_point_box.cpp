@@ -1,5 +1,6 @@
 /// \file
-/// \brief Finds the points of a turned box closest to points around and inside it, and draws them.
+/// \brief Finds the points of an oriented box closest to points around and inside it, and draws
+/// them.
 
 #include "02_primitives/closest_point_box/closest_point_box.hpp"
 #include "02_primitives/closest_point_box/trial/closest_point_box_cases.hpp"
@@ -73,7 +74,7 @@ std::vector<Vector2d> contour(double distance)
 std::string figure()
 {
   plot::Figure2d figure("closest_point_box", "", {{-4, -3.7}, {4, 4.1}, 400});
-  figure.describe("A turned box, six points, and the way from each to the surface of the box.");
+  figure.describe("An oriented box, six points, and the way from each to the surface of the box.");
   for (const double distance : {0.5, 1.0, 1.5})
   {
     figure.polyline(contour(distance), plot::Ink::faint);
@@ -152,7 +153,7 @@ int main(int argc, char** argv)
 {
   const Arguments arguments{
       .name = "closest_point_box",
-      .summary = "The points of a turned box closest to points around and inside it."};
+      .summary = "The points of an oriented box closest to points around and inside it."};
   return run_program(
       argc, argv, arguments,
       [](const Arguments& given)

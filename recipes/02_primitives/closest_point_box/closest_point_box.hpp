@@ -49,7 +49,7 @@ bool contains(const Obb<Real>& box, const Vector3<Real>& point)
 // [contains]
 
 // [nearest_face]
-/// The way out of a box through its nearest face, from a point inside; P5.
+/// The displacement out of a box through its nearest face, from a point inside; P5.
 ///
 /// The length is minus the distance to the face. Equal distances: the first of x, y, z; a point
 /// in the middle between two faces leaves by the positive one.

@@ -42,7 +42,8 @@ Nearest<Real> nearest_on_corner(const Vector3<Real>* corners, int i)
   return nearest;
 }
 
-/// Whether the origin is over the face: all shares of its foot, in any proportion, are above zero.
+/// Whether the origin is over the face: all barycentric coordinates of its foot, in any proportion,
+/// are above zero.
 template <class Real>
 bool is_over_face(const Vector3<Real>& weights)
 {
@@ -85,7 +86,7 @@ Nearest<Real> moved_along(Nearest<Real> nearest, const Vector3<Real>* corners, i
 template <class Real>
 inline const Real thin_squared_sine = Real(1) / Real(1'000'000'000'000);
 
-/// A triangle counts as narrow if the squared length of its normal is below this share of the
+/// A triangle counts as narrow if the squared length of its normal is below this fraction of the
 /// square of ab² + ca²: rounding may then move a point along its face.
 template <class Real>
 inline const Real narrow_squared_ratio = Real(1) / Real(100);
@@ -161,7 +162,7 @@ Nearest<Real> nearest_on_triangle(const Vector3<Real>* corners, int i, int j, in
   const Vector3<Real> normal = ca.cross(ab);
   const Real zero(0), squared = normal.squaredNorm();
   const Real ab_squared = ab.squaredNorm(), ca_squared = ca.squaredNorm();
-  // How far the origin lies inside each edge, as a share of the corner across.
+  // How far the origin lies inside each edge, as a fraction of the corner across.
   const Vector3<Real> inside(
       normal.dot(b.cross(bc)), normal.dot(c.cross(ca)), normal.dot(a.cross(ab)));
   if (!(squared > thin_squared_sine<Real> * ab_squared * ca_squared))

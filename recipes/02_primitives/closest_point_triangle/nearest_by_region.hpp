@@ -9,7 +9,7 @@ namespace cookbook
 {
 
 // [nearest_by_region]
-/// A point counts as near if its squared way is below this share of ab² + ac².
+/// A point counts as near if its squared way is below this fraction of ab² + ac².
 template <class Real>
 inline const Real near_squared_ratio = Real(1) / Real(1000);
 
@@ -22,7 +22,7 @@ nearest_with_care(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<
   return nearest_on_triangle(corners, 0, 1, 2);
 }
 
-/// The shares of the corners at the point of a triangle that is closest to the origin; P11, P13.
+/// The barycentric coordinates of the point of a triangle that is closest to the origin; P11, P13.
 ///
 /// By the region in which the origin lies, told by dot products. All are 0 over a narrow face, and
 /// where rounding leaves no region: there this way has too few digits.

@@ -87,7 +87,7 @@ Real largest_of(const RoundedHull<Real, Size>& hull)
   return size;
 }
 
-/// Shapes that are closer than this share of their largest number may touch, but for rounding.
+/// Shapes that are closer than this fraction of their largest number may touch, but for rounding.
 template <class Real>
 inline const Real touching = Real(8) * std::numeric_limits<Real>::epsilon();
 

@@ -53,7 +53,7 @@ void print_pairs()
 std::string pair_figure()
 {
   plot::Figure3d figure("closest_points", "", {.yaw = 0.35, .pitch = 0.3, .width = 400});
-  figure.describe("A tetrahedron and a turned box, and the shortest way between them.");
+  figure.describe("A tetrahedron and an oriented box, and the shortest way between them.");
   const Vector3d &a = solid.a, &b = solid.b, &c = solid.c, &d = solid.d;
   for (const std::vector<Vector3d>& face : {std::vector<Vector3d>{a, c, d}, {b, c, d}, {a, b, d}})
   {
@@ -74,7 +74,7 @@ std::string regions_figure()
   const Vector2d corners[] = {{-2, -1}, {2, -1}, {0.5, 1.8}};
   const char* const names[] = {"a", "b", "c"};
   plot::Figure2d figure("closest_points_regions", "", {{-4, -3}, {4, 4}, 400});
-  figure.describe("A triangle; rays square to its edges part the plane into seven regions.");
+  figure.describe("A triangle; rays perpendicular to its edges part the plane into seven regions.");
   figure.polygon({corners[0], corners[1], corners[2]}, plot::Ink::b);
   for (int i = 0; i < 3; ++i)
   {

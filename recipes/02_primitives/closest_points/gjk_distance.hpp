@@ -143,7 +143,7 @@ GjkDistance<Real> gjk_distance(Corners<Real> a, Corners<Real> b)
 // [gjk_distance]
 
 // [largest_separation]
-/// How far [m] the shadows of two shapes along a direction are apart; below zero they overlap.
+/// How far [m] the projections of two shapes along a direction are apart; below zero they overlap.
 template <class Real>
 Real separation_along(Corners<Real> a, Corners<Real> b, const Vector3<Real>& direction)
 {
@@ -154,7 +154,7 @@ Real separation_along(Corners<Real> a, Corners<Real> b, const Vector3<Real>& dir
                            : -std::numeric_limits<Real>::infinity();
 }
 
-/// The widest gap between shadows along the directions of all faces and pairs of edges.
+/// The widest gap between projections along the directions of all faces and pairs of edges.
 ///
 /// For shapes that all but touch, where the way between them is mostly rounding: faces and edges
 /// know their direction better.

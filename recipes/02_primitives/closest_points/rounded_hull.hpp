@@ -82,7 +82,7 @@ RoundedHull<Wide<Real>, 8> rounded_hull(const Aabb<Real>& box, const PairFrame<W
   return hull;
 }
 
-/// A turned box, too.
+/// An oriented box, too.
 template <class Real>
 RoundedHull<Wide<Real>, 8> rounded_hull(const Obb<Real>& box, const PairFrame<Wide<Real>>& frame)
 {

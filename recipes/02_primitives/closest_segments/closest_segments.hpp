@@ -45,7 +45,7 @@ ClosestFractions<Real> from_end_of_b(Real on_b, const Vector3<Real>& b, const Se
   return {nearest.weights[1], on_b, nearest.point};
 }
 
-/// A way counts as short if its square is below this share of the squares of both segments.
+/// A way counts as short if its square is below this fraction of the squares of both segments.
 template <class Real>
 inline const Real short_squared_ratio = Real(1) / Real(10'000);
 

@@ -78,7 +78,7 @@ int main(int argc, char** argv)
         print_closest();
         print_hits();
         save_figure(given, "in_the_plane.svg", closest_figure().svg());
-        save_figure(given, "in_the_plane_shadows.svg", projection_figures().svg());
+        save_figure(given, "in_the_plane_projections.svg", projection_figures().svg());
         save_figure(given, "in_the_plane_slabs.svg", slab_figure().svg());
         save_figure(
             given, "in_the_plane_cases.html",

@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief Whether two convex polygons overlap, by their shadows on axes.
+/// \brief Whether two convex polygons overlap, by their projections on axes.
 
 #include "02_primitives/in_the_plane/plane_form.hpp"
 
@@ -12,7 +12,7 @@ namespace cookbook
 {
 
 // [projection]
-/// From where to where the shadow of a polygon reaches on an axis [m times the axis' length].
+/// From where to where the projection of a polygon reaches on an axis [m times the axis' length].
 template <class Real>
 struct Projection
 {
@@ -20,7 +20,7 @@ struct Projection
   Real most;  ///< where it ends
 };
 
-/// The shadow of a polygon on an axis: each corner falls at its dot product with the axis.
+/// The projection of a polygon on an axis: each corner falls at its dot product with the axis.
 ///
 /// Corners are seen times `factor`, which keeps products in range.
 template <class Real>
@@ -39,7 +39,8 @@ Projection<Wide<Real>> projection_on(
   return span;
 }
 
-/// Whether the shadows of two polygons on an axis have a gap between them; touching ones have none.
+/// Whether the projections of two polygons on an axis have a gap between them; touching ones have
+/// none.
 template <class Real>
 bool separates(
     const Vector<Wide<Real>, 2>& axis, std::span<const Vector<Real, 2>> a,
@@ -52,7 +53,7 @@ bool separates(
 // [projection]
 
 // [separating_axis]
-/// An axis square to an edge of polygon a on which the shadows of a and b have a gap.
+/// An axis perpendicular to an edge of polygon a on which the projections of a and b have a gap.
 template <class Real>
 std::optional<Vector<Wide<Real>, 2>> separating_edge(
     std::span<const Vector<Real, 2>> a, std::span<const Vector<Real, 2>> b, Wide<Real> factor)
@@ -70,10 +71,10 @@ std::optional<Vector<Wide<Real>, 2>> separating_edge(
   return std::nullopt;
 }
 
-/// An axis on which the shadows of two convex polygons have a gap; nothing where they overlap.
+/// An axis on which the projections of two convex polygons have a gap; nothing where they overlap.
 ///
-/// First x and y, then square to each edge. Polygons may be flat, or points; their corners are in
-/// order, either way round. The axis has any length.
+/// First x and y, then perpendicular to each edge. Polygons may be flat, or points; their corners
+/// are in order, either way round. The axis has any length.
 template <class Real>
 std::optional<Vector<Wide<Real>, 2>> separating_axis(
     std::span<const Vector<Real, 2>> a, std::span<const Vector<Real, 2>> b, Wide<Real> factor = 1)

@@ -21,7 +21,7 @@ struct RayForBoxes
 {
   Vector3<Real> origin;     ///< [m], world
   Vector3<Real> inverse;    ///< [1], of the direction with its longest component taken as 1;
-                            ///< infinite along an axis that it is square to
+                            ///< infinite along an axis that it is perpendicular to
   Vector3<Real> little;     ///< [m], by which boxes are larger, so that rounding loses no triangle;
                             ///< negative along an axis that the direction goes down
   std::array<bool, 3> back; ///< whether it goes down an axis
@@ -48,8 +48,9 @@ RayForBoxes<Real> ray_for_boxes(const Ray<Real>& ray, const Eigen::AlignedBox<Re
 /// How far [m] along its longest axis a ray goes until it enters a box, 0 from inside; infinite if
 /// it misses the box.
 ///
-/// Along an axis that the ray is square to, the quotients are infinite, with the right signs. On
-/// the very edge they are no numbers, and no comparison takes them: that axis is not asked.
+/// Along an axis that the ray is perpendicular to, the quotients are infinite, with the right
+/// signs. On the very edge they are no numbers, and no comparison takes them: that axis is not
+/// asked.
 template <class Real>
 Real ray_enters_box(const RayForBoxes<Real>& ray, const Eigen::AlignedBox<Real, 3>& box)
 {

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Times ways to ask whether two turned boxes overlap, near and far, and whether two
+/// \brief Times ways to ask whether two oriented boxes overlap, near and far, and whether two
 /// triangles meet; cost against wrong answers.
 
 #include "02_primitives/overlap_chart/trial/overlap_chart.hpp"

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Asks pairs of shapes whether they overlap, and draws the shadows of two triangles.
+/// \brief Asks pairs of shapes whether they overlap, and draws the projections of two triangles.
 
 #include "02_primitives/overlaps/overlaps.hpp"
 #include "02_primitives/triangle_triangle/trial/triangle_triangle_cases.hpp"
@@ -43,11 +43,12 @@ void print_overlaps()
   std::cout << table.text();
 }
 
-/// The two triangles of F1 in their plane, and their shadows along an edge's direction across.
+/// The two triangles of F1 in their plane, and their projections along an edge's direction across.
 std::string projections_figure()
 {
-  plot::Figure2d figure("overlaps_shadows", "", {{-1.5, -2.2}, {7.5, 7}, 400});
-  figure.describe("Two triangles in one plane; their shadows on an axis have a gap between them.");
+  plot::Figure2d figure("overlaps_projections", "", {{-1.5, -2.2}, {7.5, 7}, 400});
+  figure.describe(
+      "Two triangles in one plane; their projections on an axis have a gap between them.");
   const std::vector<Vector2d> a{{0, 0}, {1, 0}, {0, 1}}, b{{5, 5}, {6, 5.3}, {5.2, 6}};
   figure.polygon(a, plot::Ink::a).polygon(b, plot::Ink::b);
   const Vector2d axis = Vector2d(1, 1).normalized(), foot(1.5, -1.5);
@@ -89,7 +90,7 @@ int main(int argc, char** argv)
       [](const Arguments& given)
       {
         print_overlaps();
-        save_figure(given, "overlaps_shadows.svg", projections_figure());
+        save_figure(given, "overlaps_projections.svg", projections_figure());
         save_figure(given, "overlaps_cases.html", verdicts());
       });
 }

@@ -26,7 +26,7 @@ std::array<Vector3<Real>, 3> edges_of(const Triangle<Real>& t)
   return {Vector3<Real>(t.b - t.a), Vector3<Real>(t.c - t.b), Vector3<Real>(t.a - t.c)};
 }
 
-/// Whether the shadows of two triangles on an axis have a gap between them.
+/// Whether the projections of two triangles on an axis have a gap between them.
 template <class Real>
 bool separates_triangles(
     const Vector3<Real>& axis, const Triangle<Real>& a, const Triangle<Real>& b)

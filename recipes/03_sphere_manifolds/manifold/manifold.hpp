@@ -14,7 +14,6 @@
 namespace cookbook
 {
 
-// [contact_point]
 /// One point where two shapes press on each other.
 template <class Real>
 struct ContactPoint
@@ -23,7 +22,6 @@ struct ContactPoint
   Real depth;             ///< [m], overlap along the normal at this point; negative: a gap
   std::uint32_t feature;  ///< which features of the shapes meet here; 0 where there is one choice
 };
-// [contact_point]
 
 /// Up to `Capacity` contact points in place, without the heap.
 template <class Real, std::size_t Capacity>

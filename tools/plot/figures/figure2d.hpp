@@ -31,7 +31,7 @@ public:
   /// An empty `title` is not drawn.
   Figure2d(std::string name, std::string title, View view);
 
-  /// Says in a sentence what the figure shows, for those who cannot see it.
+  /// Says in a sentence what the figure shows, for readers that cannot see it.
   Figure2d& describe(std::string text);
 
   /// Draws the outline of a sphere.

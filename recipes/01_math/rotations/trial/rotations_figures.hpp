@@ -79,7 +79,7 @@ inline plot::Grid lock_grid()
   return grid;
 }
 
-/// Five shares of the way between two quaternions, along the circle and along its chord.
+/// Five equal steps of the way between two quaternions, along the circle and along its chord.
 inline plot::Figure2d slerp_figure()
 {
   const double least = -0.2, most = 2.4;
@@ -87,7 +87,7 @@ inline plot::Figure2d slerp_figure()
   { return Eigen::Vector2d(std::cos(angle), std::sin(angle)); };
   const Eigen::Vector2d a = on_circle(least), b = on_circle(most), origin(0, 0);
   plot::Figure2d figure("rotations_slerp", "", {{-1.25, -0.45}, {1.55, 1.35}, 400});
-  figure.describe("Equal shares of an arc, and equal shares of its chord seen from the centre.");
+  figure.describe("Equal parts of an arc, and equal parts of its chord seen from the centre.");
   std::vector<Eigen::Vector2d> arc;
   for (int i = 0; i <= 60; ++i)
   {

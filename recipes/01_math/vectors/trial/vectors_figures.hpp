@@ -45,7 +45,7 @@ inline plot::Grid adding_figure()
   return grid;
 }
 
-/// Shadows on the line of n: the dot products, and the parts along and across.
+/// Projections on the line of n: the dot products, and the parts along and across.
 inline plot::Figure2d dot_figure()
 {
   using Plane = Eigen::Vector2d;

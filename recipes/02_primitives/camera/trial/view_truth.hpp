@@ -42,7 +42,7 @@ inline std::array<Vector3<double>, 8> corners_of(const Eigen::AlignedBox<double,
 }
 
 /// Whether view and box truly share a point, but for rounding: no face of either and no pair of
-/// edges parts them.
+/// edges separates them.
 inline bool truly_in_view(
     const Frustum<double>& planes, const std::array<Vector3<double>, 8>& corners,
     const Eigen::AlignedBox<double, 3>& box)

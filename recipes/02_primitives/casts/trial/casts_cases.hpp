@@ -36,7 +36,7 @@ inline Aabb<float> box_between(const Vector3<float>& min, const Vector3<float>& 
   return {min, max};
 }
 
-/// A floor of one triangle, square to z.
+/// A floor of one triangle, perpendicular to z.
 inline Triangle<float> floor_at(float z)
 {
   return {{-3, -3, z}, {3, -3, z}, {0, 3, z}};

@@ -48,7 +48,7 @@ inline std::array<CastMethod, 3> cast_methods()
        {"recommended", cast_t<Sphere<float>>, cast_t<Aabb<float>>, cast_t<Triangle<float>>, true}}};
 }
 
-/// A ray seen from a turned box.
+/// A ray seen from an oriented box.
 inline Ray<float> seen_from_box(const Ray<float>& ray, const Obb<float>& box)
 {
   const Matrix3<float> back = box.axes.transpose();

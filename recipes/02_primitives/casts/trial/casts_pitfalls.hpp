@@ -16,7 +16,7 @@ namespace cookbook
 
 // [sphere_as_published]
 /// Our model of published code, X29 and X30: the square of the distance from the line is a small
-/// difference of large squares, and nobody asks whether the ball is ahead.
+/// difference of large squares, and whether the ball is ahead is not asked.
 inline std::optional<float> sphere_as_published(const Ray<float>& ray, const Sphere<float>& ball)
 {
   const Vector3<float> e = ball.center - ray.origin;

@@ -106,7 +106,7 @@ inline Relation plane(const Path& path, const V& n, Int d)
   return approach > 0 ? Relation::overlapping : relation_of(start);
 }
 
-/// How far the shadows of a path and of corners overlap on an axis: as a sign.
+/// How far the projections of a path and of corners overlap on an axis: as a sign.
 inline Int projection_overlap(const Path& path, const std::vector<V>& corners, const V& axis)
 {
   constexpr Int endless = std::numeric_limits<Int>::max() / 4;
@@ -156,7 +156,8 @@ inline Relation corners(const Path& path, const std::vector<V>& all)
   return relation_of(least);
 }
 
-/// The same of a box along the axes: its three, and those square to one of them and the path.
+/// The same of a box along the axes: its three, and those perpendicular to one of them and the
+/// path.
 inline Relation box(const Path& path, const V& min, const V& max)
 {
   std::vector<V> all;

@@ -85,7 +85,7 @@ inline std::vector<PointBoxCase> point_box_cases()
 
 // [point_box_verdict]
 /// Whether an answer is right: its direction has length one, its distance is the true one, and a
-/// plane square to the direction at that distance has the whole box behind it.
+/// plane perpendicular to the direction at that distance has the whole box behind it.
 inline Verdict point_box_verdict(
     const Direction<double>& answer, const Vector3<double>& half_extents, PointTruth truth)
 {
@@ -127,8 +127,9 @@ inline std::vector<VerdictRow> point_box_verdicts()
 }
 
 // [axes_error]
-/// Error [m] of the closest point of a turned box whose axes are rounded to `Real`, to a point 15
-/// `scale` [m] in front of the middle of each face; the truth is exact. The worst of three faces.
+/// Error [m] of the closest point of an oriented box whose axes are rounded to `Real`, to a point
+/// 15 `scale` [m] in front of the middle of each face; the truth is exact. The worst of three
+/// faces.
 template <class Real>
 double axes_error(double scale)
 {

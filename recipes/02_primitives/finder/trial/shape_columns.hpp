@@ -81,7 +81,7 @@ struct ShapeColumns<Aabb<Real>>
   }
 };
 
-/// A turned box.
+/// An oriented box.
 template <class Real>
 struct ShapeColumns<Obb<Real>>
 {

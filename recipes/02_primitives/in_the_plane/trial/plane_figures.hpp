@@ -59,7 +59,7 @@ inline std::vector<Eigen::Vector2d> corners_of(const OrientedRectangle<double>& 
   return {form.corner.begin(), form.corner.end()};
 }
 
-/// Draws the shadow of a shape on an axis through `foot`, and the rays of light that make it.
+/// Draws the projection of a shape on an axis through `foot`, and the rays of light that make it.
 inline void draw_projection(
     plot::Figure2d& figure, const std::vector<Eigen::Vector2d>& corners,
     const Eigen::Vector2d& foot, const Eigen::Vector2d& axis, plot::Ink ink)
@@ -78,7 +78,7 @@ inline void draw_projection(
       plot::Stroke::solid, 6);
 }
 
-/// Two turned rectangles, and their shadows along x and along an axis of one of them.
+/// Two turned rectangles, and their projections along x and along an axis of one of them.
 inline plot::Figure2d projection_figure(bool separated)
 {
   using plot::Ink;
@@ -89,8 +89,8 @@ inline plot::Figure2d projection_figure(bool separated)
       separated ? 0.35 : -0.5,
       {1.1, 0.4}};
   plot::Figure2d figure(
-      separated ? "shadows_apart" : "projections_overlap",
-      separated ? "Apart: the shadows on u have a gap" : "Overlap: no axis shows a gap",
+      separated ? "projections_apart" : "projections_overlap",
+      separated ? "Apart: the projections on u have a gap" : "Overlap: no axis shows a gap",
       {{-3.3, -2.2}, {2.4, separated ? 3.0 : 2.2}, 400});
   const std::vector<Eigen::Vector2d> of_a = corners_of(a), of_b = corners_of(b);
   const Eigen::Vector2d u(-std::sin(a.angle), std::cos(a.angle)), along(u.y(), -u.x());
@@ -116,11 +116,11 @@ inline plot::Figure2d projection_figure(bool separated)
   return figure;
 }
 
-/// Both shadow figures, one above the other.
+/// Both projection figures, one above the other.
 inline plot::Grid projection_figures()
 {
-  plot::Grid grid("in_the_plane_shadows", "", 1);
-  grid.describe("Shadows of two rectangles on two axes: with a gap between them, and without.");
+  plot::Grid grid("in_the_plane_projections", "", 1);
+  grid.describe("Projections of two rectangles on two axes: with a gap between them, and without.");
   grid.add(projection_figure(true)).add(projection_figure(false));
   return grid;
 }

@@ -13,7 +13,7 @@
 namespace cookbook
 {
 
-/// Draws a box in the plane and its shadow on a line along x at a height, and returns r; O2.
+/// Draws a box in the plane and its projection on a line along x at a height, and returns r; O2.
 inline double draw_projection(
     plot::Figure2d& figure, const Eigen::Vector2d& center, double angle,
     const Eigen::Vector2d& half_extents, plot::Ink ink, const std::string& name, double height)
@@ -37,7 +37,7 @@ inline double draw_projection(
 inline plot::Figure2d projections_figure(const Eigen::Vector2d& t, const std::string& title)
 {
   const double axis = -1.5, from_b = axis - 0.1; // heights of the projections of A and B
-  plot::Figure2d figure("shadows", title, {{-1.2, -3}, {3.7, 1}, 400});
+  plot::Figure2d figure("projections", title, {{-1.2, -3}, {3.7, 1}, 400});
   figure.segment({-1.2, axis - 0.05}, {3.4, axis - 0.05}, plot::Ink::muted, plot::Stroke::solid, 1)
       .arrow({3.1, axis - 0.05}, {3.45, axis - 0.05}, plot::Ink::ink, "L");
   const double a = draw_projection(figure, {0, 0}, -0.35, {1, 0.6}, plot::Ink::a, "A", axis);
@@ -56,9 +56,9 @@ inline plot::Figure2d projections_figure(const Eigen::Vector2d& t, const std::st
 inline plot::Grid projections_grid()
 {
   plot::Grid grid("separating_axes_projections", "", 1);
-  grid.describe("The shadows of two boxes on an axis: a gap proves that they are apart.")
+  grid.describe("The projections of two boxes on an axis: a gap proves that they are apart.")
       .add(projections_figure({2.25, 0.1}, "A gap: the boxes are apart"))
-      .add(projections_figure({1.4, 0.15}, "No gap: the shadows overlap"));
+      .add(projections_figure({1.4, 0.15}, "No gap: the projections overlap"));
   return grid;
 }
 

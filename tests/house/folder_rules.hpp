@@ -1,5 +1,5 @@
 /// \file
-/// The rules of the house about rooms: what stands where, and who may include whom.
+/// The rules of the house about folders: what stands where, and which file may include which.
 #pragma once
 
 #include "rules.hpp"
@@ -74,8 +74,9 @@ inline Sizes large_folders(const std::vector<std::string>& paths)
   return large;
 }
 
-/// A chapter's folder holds rooms and its CMakeLists.txt; a room holds files and its trial.
-inline Complaints rooms_are_plain(const std::vector<std::string>& paths)
+/// A chapter's folder holds a folder a recipe and its CMakeLists.txt; that folder holds files and
+/// its trial.
+inline Complaints recipes_have_folders(const std::vector<std::string>& paths)
 {
   static const std::regex place(
       R"(recipes/(CMakeLists\.txt|\d\d_\w+/(CMakeLists\.txt|\w+/(trial/)?[\w.]+)))");
@@ -84,14 +85,14 @@ inline Complaints rooms_are_plain(const std::vector<std::string>& paths)
   {
     if (path.rfind("recipes/", 0) == 0 && !std::regex_match(path, place))
     {
-      complaints.push_back(path + " stands in no room");
+      complaints.push_back(path + " stands in no recipe's folder");
     }
   }
   return complaints;
 }
 
-/// What is taken home stands alone: outside a trial, only programs include from one.
-inline Complaints homes_stand_alone(const std::vector<TextFile>& sources)
+/// What is exported stands alone: outside a trial, only programs include from one.
+inline Complaints exported_stand_alone(const std::vector<TextFile>& sources)
 {
   std::set<std::string> programs;
   for (const TextFile& source : sources)
@@ -115,7 +116,7 @@ inline Complaints homes_stand_alone(const std::vector<TextFile>& sources)
   return complaints;
 }
 
-/// Who includes whom, from folder to folder; programs are left out, for nothing includes them.
+/// Which folder includes which; programs are left out, for nothing includes them.
 inline std::map<std::string, std::set<std::string>>
 arrows_between_folders(const std::vector<TextFile>& sources)
 {
@@ -137,8 +138,8 @@ arrows_between_folders(const std::vector<TextFile>& sources)
   return arrows;
 }
 
-/// No circles between rooms, nor between trials.
-inline Complaints rooms_have_no_circles(const std::vector<TextFile>& sources)
+/// No circles between folders of recipes, nor between trials.
+inline Complaints folders_have_no_circles(const std::vector<TextFile>& sources)
 {
   const auto arrows = arrows_between_folders(sources);
   enum class State
