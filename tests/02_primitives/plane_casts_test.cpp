@@ -268,3 +268,15 @@ TEST_CASE("a segment that ends on a turned edge is met, at t = 1 or a rounding b
     CHECK(hit->t > 1 - 1e-14);
   }
 }
+
+TEST_CASE("a path on a wall's line, to rounding, that ends .384 m before the wall misses it")
+{
+  const Segment2<double> path{
+      {1.5398156678068315, 0.012482248352688852}, {2.382518965375158, -0.5235360735640324}};
+  const Segment2<double> wall{
+      {0.373172543727752, 0.7545489893385298}, {1.2158758412960786, 0.2185306674218085}};
+  CHECK_FALSE(cast(path, wall));
+  const auto back = cast(Segment2<double>{path.end, wall.start}, wall);
+  REQUIRE(back);
+  CHECK((back->point - wall.end).norm() < 1e-14);
+}

@@ -169,6 +169,11 @@ int run_body(
     output.release();
     return 0;
   }
+  catch (const WrongOption& error)
+  {
+    std::cerr << arguments.name << ": error: " << error.what() << '\n';
+    return 2;
+  }
   catch (const std::exception& error)
   {
     std::cerr << arguments.name << ": error: " << error.what() << '\n';

@@ -60,6 +60,12 @@ struct Arguments
   const std::string& value(const std::string& option) const;
 };
 
+/// What a program throws where an option is wrong: it then ends with 2, as for all wrong options.
+struct WrongOption : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
 /// Runs a program: reads its arguments, then calls `body` with them.
 ///
 /// Returns the exit status: 0, 1 where `body` throws (its sentence goes to standard error), 2 for

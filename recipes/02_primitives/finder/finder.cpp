@@ -20,13 +20,13 @@ std::string joined(const std::vector<std::string>& words)
   return text;
 }
 
-/// A shape's name; std::runtime_error naming those there are, if it is none.
+/// A shape's name; WrongOption naming those there are, if it is none.
 std::string shape_named(const std::string& name)
 {
   const std::vector<std::string>& all = finder_shapes();
   if (std::find(all.begin(), all.end(), name) == all.end())
   {
-    throw std::runtime_error("there is no shape \"" + name + "\"; there are: " + joined(all));
+    throw WrongOption("there is no shape \"" + name + "\"; there are: " + joined(all));
   }
   return name;
 }
@@ -36,9 +36,13 @@ void answer(const Arguments& given)
 {
   const std::string ask = given.value("ask"), shapes = given.value("shapes");
   const std::size_t comma = shapes.find(',');
+  if (shapes.find(';') != shapes.npos)
+  {
+    throw WrongOption("--shapes takes a comma between the two, as A,B");
+  }
   if (ask.empty() || comma == shapes.npos)
   {
-    throw std::runtime_error(
+    throw WrongOption(
         "--pairs needs --ask " + joined(finder_asks()) + ", and --shapes A,B (try --help)");
   }
   const std::string a = shape_named(shapes.substr(0, comma));
@@ -47,7 +51,7 @@ void answer(const Arguments& given)
   if (!question)
   {
     const std::vector<std::string> partners = finder_partners(ask, a);
-    throw std::runtime_error(
+    throw WrongOption(
         "--ask " + ask + " has no answer for " + a + " and " + b + "; " +
         (partners.empty() ? ask == "cast" ? "what is cast is a ray or a segment, ray2 or segment2"
                                           : "a " + a + " is cast, with --ask cast"

@@ -48,7 +48,10 @@ meet_segment(const Vector<Real, 2>& o, const Vector<Real, 2>& d, const PlaneForm
   const Vector<Real, 2> start = segment.corner[0] - o, end = segment.corner[1] - o;
   const Vector<Real, 2> edge = segment.corner[1] - segment.corner[0];
   const Real side = cross_in_plane<Real>(d, start), side_of_end = cross_in_plane<Real>(d, end);
-  if (side == Real(0) && side_of_end == Real(0))
+  // Along the ray to rounding: the signs would tell nothing.
+  const Real longest = std::max(largest(start), largest(end)) * largest(d);
+  const Real rounding = 4 * std::numeric_limits<Real>::epsilon() * longest;
+  if (std::abs(side) <= rounding && std::abs(side_of_end) <= rounding)
   {
     const bool start_first = start.dot(d) <= end.dot(d);
     const Real t = (start_first ? start : end).dot(d) / d.squaredNorm();
