@@ -13,7 +13,8 @@ namespace cookbook
 template <class Real>
 Real box_radius(const Obb<Real>& box, const Vector3<Real>& n)
 {
-  return box.half_extents.dot((box.axes.transpose() * n).cwiseAbs());
+  const Vector3<Real> along = box.axes.transpose() * n;
+  return box.half_extents.dot(along.cwiseAbs());
 }
 // [box_radius]
 

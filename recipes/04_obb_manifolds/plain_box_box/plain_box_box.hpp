@@ -43,7 +43,8 @@ best_axis(const Obb<Real>& a, const Obb<Real>& b, Real margin, Real tolerance)
       best = overlap < best.depth ? BestAxis<Real>{n, overlap, i} : best;
     }
   }
-  const bool parallel = (a.axes.transpose() * b.axes).cwiseAbs().maxCoeff() > parallel_cosine;
+  const Matrix3<Real> cosines = a.axes.transpose() * b.axes;
+  const bool parallel = cosines.cwiseAbs().maxCoeff() > parallel_cosine;
   const Real preference = parallel ? face_preference(face.depth, margin) : tolerance;
   return edge.depth < face.depth - preference ? edge : face;
 }
