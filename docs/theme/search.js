@@ -36,8 +36,8 @@ let prepared = null;
 const prepare = () => {
   prepared ||= {
     sections: bookSections.map(([place, page, above, heading, terms, shown, text]) => ({
-      place, page, above, heading, text, title: spelt(heading.replace(/^Chapter \d+: /, "")),
-      terms: terms.split("|").filter(Boolean).map(spelt),
+      place, page, above, heading, text, many: terms.split("|").length > 10, title: spelt(heading.replace(/^Chapter \d+: /, "")),
+      terms: terms.split("|").flatMap((term) => [term, ...term.split(/[()]/)]).map(spelt).filter(Boolean),
       shown: shown.split("|").filter(Boolean).map(spelt), prose: spelt(text),
     })),
     names: bookNames.map(([name, kind, place]) => ({ name, kind, place, term: spelt(name) })),
@@ -52,8 +52,8 @@ const searchBook = (query) => {
   const words = asked.split(" ");
   const found = [];
   prepare().sections.forEach((section, order) => {
-    const { title, terms, shown, prose } = section;
-    const weight = terms.length > 9 ? 0.85 : 0.95; // a list of many terms introduces none
+    const { title, terms, many, shown, prose } = section;
+    const weight = many ? 0.85 : 0.95; // a list of many terms introduces none
     const named = Math.max(agreement(title, asked), ...terms.map((term) => weight * agreement(term, asked)),
       ...shown.map((mark) => 0.6 * agreement(mark, asked)));
     const told = times(prose, " " + asked + " ");
@@ -62,12 +62,12 @@ const searchBook = (query) => {
     const aside = /^(exercise|source|what you need)/.test(title) || !section.page.startsWith("Chapter");
     const inProse = (told ? 100 + 20 * Math.log2(told) : 0) / (aside ? 4 : 1) +
       (scattered && !aside ? 20 + Math.min(20, ...words.map((word) => times(prose, " " + word))) : 0);
-    const score = Math.max(1000 * named, inTitle ? 350 : 0) + inProse / 10;
+    const score = Math.max(1000 * named, inTitle ? 350 : 0) + inProse / 100;
     if (score > 0) found.push({ ...section, score: score - 0.01 * order });
   });
   for (const { name, kind, place, term } of prepare().names) {
     const named = agreement(term, asked);
-    if (named > 0.3) found.push({ place, heading: name, page: kind, score: named === 1 ? 590 : 200 * named });
+    if (named > 0.3) found.push({ place, heading: name, page: kind, score: named === 1 ? 440 : 200 * named });
   }
   found.sort((a, b) => b.score - a.score);
   return found;
