@@ -344,3 +344,15 @@ TEST_CASE(
        {"a triangle with edges of 0.5 mm", {published, best}}});
 }
 // [casts_cases_test]
+
+TEST_CASE("a ray that touches a tetrahedron at a corner has a normal out of it", "[casts]")
+{
+  const Ray<double> ray{{-6, 7, 5}, {3, -2, -3}};
+  const Tetrahedron<double> solid{{0, 2, 1}, {0, 3, -1}, {0, 1, 0}, {-1, -1, -2}};
+  const auto hit = cast(ray, solid);
+  REQUIRE(hit);
+  for (const Vector3<double>& corner : {solid.a, solid.b, solid.c, solid.d})
+  {
+    CHECK(hit->normal.dot(corner - hit->point) <= 1e-12);
+  }
+}

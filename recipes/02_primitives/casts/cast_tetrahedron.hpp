@@ -56,10 +56,25 @@ std::optional<Hit<Real, 3>> first_hit_on(const CastPath<Real>& path, const Tetra
   {
     return hit_from_inside(path);
   }
-  const bool moves = !path.direction.isZero(0);
-  return moves
-             ? hit_at<Real>(path, whole.first, facing_normal(path, view, faces[face], whole.facing))
-             : std::nullopt;
+  if (path.direction.isZero(0))
+  {
+    return std::nullopt;
+  }
+  // At a corner or an edge the line meets several faces at once: of these one that it enters by,
+  // whose normal on the path's side points away from the corner across, tells the normal.
+  const Vector3<Real>* across[] = {&solid.d, &solid.c, &solid.b, &solid.a};
+  const Real rounding = 8 * std::numeric_limits<Real>::epsilon() * whole.first;
+  Vector3<Real> normal = facing_normal(path, view, faces[face], whole.facing);
+  for (int i = 0; i < 4 && normal.dot(*across[face] - faces[face].a) > Real(0); ++i)
+  {
+    const LineSpan<Real>& one = spans[i];
+    if (one.first <= one.last && one.first <= whole.first + rounding && one.facing != Real(0))
+    {
+      face = i;
+      normal = facing_normal(path, view, faces[i], one.facing);
+    }
+  }
+  return hit_at<Real>(path, whole.first, normal);
 }
 // [cast_tetrahedron]
 
