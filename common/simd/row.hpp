@@ -22,7 +22,7 @@ inline namespace COOKBOOK_INSTRUCTION_SET
 /// In registers a row of three leaves the fourth lane idle; it holds the third number again, so
 /// that it never decides.
 template <class Real, int Size, class Part = Real>
-struct RowOf
+struct RowOf // NOLINT(bugprone-reserved-identifier): of the loop by which clang copies `part`
 {
   using Number = Real;                                           ///< what it is a row of
   using Four = RowOf<Real, 4, Part>;                             ///< the same with four
