@@ -6,7 +6,9 @@
 
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
+#include "tools/exact/exact.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -371,4 +373,47 @@ TEMPLATE_TEST_CASE("casts at tetrahedra agree with whole numbers", "[P12]", floa
             corner_support({a, b, c, d}),
             outside};
       });
+}
+
+TEST_CASE("at flat and thin triangles t is that of fractions", "[P12]")
+{
+  using Q = Vector3<Rational>;
+  std::mt19937 engine{20261128};
+  const auto number = [&] { return std::ldexp(static_cast<double>(engine() % 2048), -10) - 1; };
+  const auto vector = [&] { return Vec(number(), number(), number()); };
+  const double widths[] = {0, 0x1p-40, 0x1p-20, 0x1p-10};
+  int met[] = {0, 0, 0, 0};
+  for (int i = 0; i < random_inputs / 5; ++i)
+  {
+    const std::size_t which = engine() % 4;
+    const Vec a = vector(), b = vector(), aside = vector(), far_side = 4 * vector();
+    const double part = static_cast<double>(engine() % 9) / 8, along = std::abs(number());
+    const Vec c = a + part * (b - a) + widths[which] * aside; // exactly
+    const Vec aim = (1 - along) * (a + c) / 2 + along * b, towards = aim - far_side;
+    const auto hit = cast(Ray<double>{far_side, towards}, Triangle<double>{a, b, c});
+    const Q d = exact<Rational>(towards), to_a = exact<Rational>(a) - exact<Rational>(far_side);
+    const Q ab = exact<Rational>(b) - exact<Rational>(a);
+    const Q ac = exact<Rational>(c) - exact<Rational>(a);
+    // A flat one is a segment: there t is that of the point on the path closest to its line.
+    const Q n = which == 0 ? Q(ab.cross(Q(d.cross(ab)))) : Q(ab.cross(ac));
+    const Vec unit = (n * Rational(0x1p40)).cast<double>().stableNormalized();
+    if (hit && std::abs(unit.dot(towards)) > 0.1)
+    {
+      ++met[which];
+      const Rational error = Rational(hit->t) - n.dot(to_a) / n.dot(d);
+      INFO("width " << widths[which] << " t " << hit->t << " error " << double(error));
+      REQUIRE(std::abs(double(error)) <= 1e-13);
+    }
+    // Along a line, a flat one is met at the first of its corners.
+    const Vec line = b - a, start = a - (2 + part) * line;
+    const auto first = cast(Ray<double>{start, 3 * line}, Triangle<double>{b, c, a});
+    if (first && which == 0)
+    {
+      REQUIRE(std::abs(first->t - (2 + part) / 3) <= 1e-15);
+    }
+  }
+  for (const int times : met)
+  {
+    CHECK(times > random_inputs / 200);
+  }
 }

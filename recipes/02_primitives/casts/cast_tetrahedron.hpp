@@ -21,8 +21,8 @@ std::optional<Hit<Real, 3>> first_hit_on(const CastPath<Real>& path, const Tetra
   const Vector3<Real> a = seen_along(view, solid.a), b = seen_along(view, solid.b);
   const Vector3<Real> c = seen_along(view, solid.c), d = seen_along(view, solid.d);
   const LineSpan<Real> spans[] = {
-      span_of<Real>(a, b, c), span_of<Real>(a, b, d), span_of<Real>(a, c, d),
-      span_of<Real>(b, c, d)};
+      span_of<Real>(view, a, b, c), span_of<Real>(view, a, b, d), span_of<Real>(view, a, c, d),
+      span_of<Real>(view, b, c, d)};
   const Triangle<Real> faces[] = {
       {solid.a, solid.b, solid.c},
       {solid.a, solid.b, solid.d},
@@ -43,7 +43,7 @@ std::optional<Hit<Real, 3>> first_hit_on(const CastPath<Real>& path, const Tetra
     if (earlier || (one.first == whole.first && whole.facing == Real(0)))
     {
       whole.first = one.first;
-      whole.facing = one.facing;
+      whole.facing = one.certain_facing();
       face = i;
     }
     whole.last = one.last > whole.last ? one.last : whole.last;
@@ -68,10 +68,11 @@ std::optional<Hit<Real, 3>> first_hit_on(const CastPath<Real>& path, const Tetra
   for (int i = 0; i < 4 && normal.dot(*across[face] - faces[face].a) > Real(0); ++i)
   {
     const LineSpan<Real>& one = spans[i];
-    if (one.first <= one.last && one.first <= whole.first + rounding && one.facing != Real(0))
+    if (one.first <= one.last && one.first <= whole.first + rounding &&
+        one.certain_facing() != Real(0))
     {
       face = i;
-      normal = facing_normal(path, view, faces[i], one.facing);
+      normal = facing_normal(path, view, faces[i], one.certain_facing());
     }
   }
   return hit_at<Real>(path, whole.first, normal);

@@ -51,19 +51,26 @@ struct LineSpan
 {
   Real first, last; ///< t; no part if first > last
   Real facing;      ///< > 0 where the corners turn anticlockwise in the view, 0 where edge on
+
+  /// The same, but 0 also where the corners turn by rounding only.
+  Real certain_facing() const { return first < last ? Real(0) : facing; }
 };
 // [line_span]
 
 // [edge_side]
 /// The part of the line that lies in a triangle which is seen edge on: its plane holds the line.
+///
+/// A corner closer to the line than `rounding` is on it.
 template <class Real>
-LineSpan<Real> span_edge_on(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& c)
+LineSpan<Real> span_edge_on(
+    const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& c, const Real& facing,
+    const Real& rounding)
 {
   const Real infinite = std::numeric_limits<Real>::infinity();
   const Vector3<Real> all[] = {a, b, c};
   const Vector3<Real> widest = a.cwiseAbs().cwiseMax(b.cwiseAbs()).cwiseMax(c.cwiseAbs());
   const int side = widest.x() >= widest.y() ? 0 : 1;
-  LineSpan<Real> span{infinite, -infinite, Real(0)};
+  LineSpan<Real> span{infinite, -infinite, facing};
   const auto include = [&](const Real& t)
   {
     span.first = t < span.first ? t : span.first;
@@ -72,7 +79,7 @@ LineSpan<Real> span_edge_on(const Vector3<Real>& a, const Vector3<Real>& b, cons
   for (int i = 0; i < 3; ++i)
   {
     const Vector3<Real>&p = all[i], &q = all[(i + 1) % 3];
-    if (p[side] == Real(0))
+    if (std::abs(p[side]) <= rounding)
     {
       include(p.z());
     }
@@ -102,19 +109,35 @@ Real edge_side(const Vector3<Real>& p, const Vector3<Real>& q)
 /// The part of the line that lies in a triangle with these corners in its view.
 ///
 /// Each edge gives a number whose sign tells on which side of it the line passes. The sign is right
-/// for the corners as they are seen, and triangles that share an edge agree about it: P12.
+/// for the corners as they are seen, and triangles that share an edge agree about it: P12. In a
+/// thin triangle the numbers are exact too; one without an area but for rounding is seen edge on.
 template <class Real>
-LineSpan<Real> span_of(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& c)
+LineSpan<Real> span_of(
+    const ShearedView<Real>& view, const Vector3<Real>& a, const Vector3<Real>& b,
+    const Vector3<Real>& c)
 {
-  const Real bc = edge_side<Real>(b, c), ca = edge_side<Real>(c, a), ab = edge_side<Real>(a, b);
-  const Real zero(0), sum = ab + bc + ca;
+  Real bc = edge_side<Real>(b, c), ca = edge_side<Real>(c, a), ab = edge_side<Real>(a, b);
+  const Real zero(0);
   if ((bc < zero || ca < zero || ab < zero) && (bc > zero || ca > zero || ab > zero))
   {
     return {Real(1), zero, zero};
   }
-  if (sum == zero)
+  Real sum = ab + bc + ca;
+  const Vector3<Real> widest = a.cwiseAbs().cwiseMax(b.cwiseAbs()).cwiseMax(c.cwiseAbs());
+  const Real width = widest.x() > widest.y() ? widest.x() : widest.y();
+  const Real size = width + 2 * widest.z() * std::abs(view.along_z);
+  const Real rounding = 8 * std::numeric_limits<Real>::epsilon() * size;
+  if (std::abs(sum) <= width * (width / Real(16) + rounding))
   {
-    return span_edge_on<Real>(a, b, c);
+    bc = difference_of_products(b.x(), c.y(), b.y(), c.x());
+    ca = difference_of_products(c.x(), a.y(), c.y(), a.x());
+    ab = difference_of_products(a.x(), b.y(), a.y(), b.x());
+    sum = ab + bc + ca;
+    if (std::abs(sum) <= rounding * width)
+    {
+      const LineSpan<Real> met = span_edge_on<Real>(a, b, c, sum, zero);
+      return met.first <= met.last ? span_edge_on<Real>(a, b, c, sum, rounding) : met;
+    }
   }
   const Real t = (bc * a.z() + ca * b.z() + ab * c.z()) / sum;
   return {t, t, sum};
@@ -144,13 +167,14 @@ std::optional<Hit<Real, 3>> first_hit_on(const CastPath<Real>& path, const Trian
 {
   const ShearedView<Real> view = sheared_view(path);
   const LineSpan<Real> span = span_of<Real>(
-      seen_along(view, triangle.a), seen_along(view, triangle.b), seen_along(view, triangle.c));
+      view, seen_along(view, triangle.a), seen_along(view, triangle.b),
+      seen_along(view, triangle.c));
   const bool moves = !path.direction.isZero(0), holds_origin = span.first <= Real(0);
   if (!(span.first <= span.last) || !(span.last >= Real(0)) || !(moves || holds_origin))
   {
     return std::nullopt;
   }
-  const Vector3<Real> normal = facing_normal(path, view, triangle, span.facing);
+  const Vector3<Real> normal = facing_normal(path, view, triangle, span.certain_facing());
   return hit_at<Real>(path, holds_origin ? Real(0) : span.first, normal);
 }
 // [cast_triangle]

@@ -29,7 +29,7 @@ ray_triangle_watertight(const ShearedView<Wide<Real>>& view, const Triangle<Real
 {
   using W = Wide<Real>;
   const LineSpan<W> span = span_of<W>(
-      seen_along<W>(view, widen(triangle.a)), seen_along<W>(view, widen(triangle.b)),
+      view, seen_along<W>(view, widen(triangle.a)), seen_along<W>(view, widen(triangle.b)),
       seen_along<W>(view, widen(triangle.c)));
   const bool met = span.facing != W(0) && span.first <= span.last && span.first >= W(0);
   return met ? std::optional<W>(span.first) : std::nullopt;
