@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 
 using namespace cookbook;
 
@@ -218,4 +219,22 @@ TEST_CASE("two squares one above the other are parted along y")
   const auto axis = separating_axis<double>(a, b);
   REQUIRE(axis);
   CHECK(*axis == Point(0, 1));
+}
+
+TEST_CASE("the order of two shapes that touch but for rounding changes no verdict")
+{
+  std::mt19937 engine{11};
+  const auto number = [&] { return std::ldexp(static_cast<double>(engine()), -31) - 1; };
+  int apart = 0, touching = 0;
+  for (int i = 0; i < 20'000; ++i)
+  {
+    // The second starts at a point of the first that is rounded.
+    const Point start(number(), number()), along(number(), number()), other(number(), number());
+    const Segment2<double> a{start, start + along};
+    const Point at = start + std::abs(number()) * along;
+    const Segment2<double> b{at, at + other};
+    REQUIRE(overlaps(a, b) == overlaps(b, a));
+    ++(overlaps(a, b) ? touching : apart);
+  }
+  CHECK((apart > 1000 && touching > 1000));
 }

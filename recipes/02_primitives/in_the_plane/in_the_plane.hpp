@@ -7,14 +7,20 @@
 #include "02_primitives/in_the_plane/plane_closest.hpp"
 #include "02_primitives/in_the_plane/plane_forms.hpp"
 
+#include <type_traits>
+
 namespace cookbook
 {
 
-/// What `ask(form of a, form of b)` answers, in the view from a.
+/// What `ask(form of a, form of b)` answers, in the view from a point, or else from the shape that
+/// is farther left, or lower: so the order of the shapes changes no verdict.
 template <class Real, class First, class Second, class Ask>
 auto seen_together(const First& a, const Second& b, const Ask& ask)
 {
-  const PlaneView<Real> view(place_of(a), std::max(largest(a), largest(b)));
+  const Vector<Real, 2> of_a = place_of(a), of_b = place_of(b);
+  const bool b_first = of_b.x() < of_a.x() || (of_b.x() == of_a.x() && of_b.y() < of_a.y());
+  const bool from_b = b_first && !std::is_same_v<First, Vector<Real, 2>>;
+  const PlaneView<Real> view(from_b ? of_b : of_a, std::max(largest(a), largest(b)));
   return ask(form_of(a, view), form_of(b, view), view);
 }
 
