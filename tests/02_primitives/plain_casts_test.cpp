@@ -26,6 +26,8 @@ TEST_CASE(
   CHECK_FALSE((ray_plane(away, {{0, 1, 0}, 0}) || ray_sphere(away, {{4, 0, 0}, 2})));
   CHECK_FALSE(ray_box(away, {V(2, 0, -1), V(4, 2, 1)}));
   CHECK_FALSE(ray_triangle(away, {{2, 0, -1}, {2, 4, -1}, {2, 0, 3}}));
+  CHECK(
+      ray_sphere<double>({{1, 0, 0}, {0, 1, 0}}, {{0, 0, 0}, 1}) == 0); // along a tangent, from it
 }
 // [plain_casts_by_hand]
 

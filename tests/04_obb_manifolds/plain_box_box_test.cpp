@@ -156,6 +156,32 @@ TEST_CASE("each rung of the ladder fails the case of the next one", "[O9][O19]")
 }
 // [rungs_fail]
 
+TEST_CASE(
+    "corners exactly on a side: plain gives the triangle's 3 points, box_box 2 of them twice",
+    "[O14]")
+{
+  const Obb<double> a = upright({0, 0, 0}, {1, 1, 1});
+  const double half = std::sqrt(0.5);
+  const Obb<double> b{{1, 1.4, 0}, turned(half_turn / 4, {0, 1, 0}), {half, 0.5, half}};
+  CHECK(plain_box_box(a, b)->points.size() == 3);
+  CHECK(box_box(a, b)->points.size() == 5);
+}
+
+TEST_CASE("boxes with a number that is none, or without end, do not meet", "[O1]")
+{
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const double endless = std::numeric_limits<double>::infinity();
+  const Obb<double> a = upright({0, 0, 0}, {1, 1, 1});
+  for (const double wrong : {none, endless})
+  {
+    CHECK_FALSE(plain_box_box(a, upright({wrong, 0, 0}, {1, 1, 1})));
+  }
+  CHECK_FALSE(plain_box_box(a, upright({0, 0, 0}, {1, none, 1})));
+  Obb<double> skewed = a;
+  skewed.axes(0, 0) = none;
+  CHECK_FALSE(plain_box_box(a, skewed));
+}
+
 // [separates]
 TEST_CASE("moving B by the depth along the normal ends the overlap, in a room", "[O5][O16]")
 {

@@ -37,7 +37,8 @@ std::optional<Real> ray_sphere(const Ray<Real>& ray, const Sphere<Real>& sphere)
     return std::nullopt; // the sphere is behind the ray, or beside it
   }
   const Real q = f.dot(v) + std::sqrt(under_root);
-  return (f.squaredNorm() - sphere.radius * sphere.radius) / q;
+  const Real outside = f.squaredNorm() - sphere.radius * sphere.radius;
+  return q > Real(0) ? outside / q : Real(0); // zero: it starts where it touches
 }
 // [ray_sphere]
 

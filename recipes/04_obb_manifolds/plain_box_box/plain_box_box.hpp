@@ -35,9 +35,9 @@ best_axis(const Obb<Real>& a, const Obb<Real>& b, Real margin, Real tolerance)
     {
       const Vector3<Real> n = axis / (t.dot(axis) < 0 ? -axis.norm() : axis.norm());
       const Real overlap = box_radius(a, n) + box_radius(b, n) - t.dot(n);
-      if (overlap < 0)
+      if (!(overlap >= 0))
       {
-        return std::nullopt; // a separating axis
+        return std::nullopt; // a separating axis, or no number
       }
       BestAxis<Real>& best = i < 6 ? face : edge;
       best = overlap < best.depth ? BestAxis<Real>{n, overlap, i} : best;
