@@ -20,6 +20,7 @@
 #include <limits>
 
 using namespace cookbook;
+using Catch::Approx;
 
 namespace
 {

@@ -9,6 +9,7 @@
 #include <random>
 
 using namespace cookbook;
+using Catch::Approx;
 
 namespace
 {

@@ -13,6 +13,7 @@
 #include <set>
 
 using namespace cookbook;
+using Catch::Approx;
 
 namespace
 {

@@ -418,6 +418,16 @@ TEST_CASE(
   CHECK(nothing_is_typed({"p", "@code\nint x;\n@endcode\n"}).size() == 1);
 }
 
+TEST_CASE("tests name Approx as Catch2's version 3 has it, too", "[house]")
+{
+  for (const TextFile& source : test_sources())
+  {
+    CAPTURE(source.path);
+    const bool bare = !cookbook::book::matches(source.text, R"((?:^|[^:\w])(Approx\())").empty();
+    CHECK((!bare || source.text.find("using Catch::Approx;") != std::string::npos));
+  }
+}
+
 TEST_CASE("every snippet on a page is marked twice in one file", "[house]")
 {
   const std::vector<std::string> code{".hpp", ".cpp"};
