@@ -54,7 +54,7 @@ struct RandomMeeting
   /// [m/s], of these bodies as they move now.
   Rational parting_speed_of(const BodyPair<Rational>& moving) const
   {
-    return parting_speed(moving.a, moving.b, normal, arms_to(moving, point));
+    return separating_velocity(moving.a, moving.b, normal, arms_to(moving, point));
   }
   /// [1/kg], along the normal.
   Rational inverse_mass() const

@@ -98,7 +98,7 @@ OneContact drawn_contact(BoxDraw& draw)
   ContactConstraint<float> at{along, surface_axes(along),        arms, 0, 0, 0, 0, {0, 0},
                               0,     {Matrix2<float>::Zero(), 0}};
   at.coefficient = static_cast<float>(draw.between(0, 1));
-  at.apart = static_cast<float>(draw.between(-0.05, 0.05));
+  at.separation = static_cast<float>(draw.between(-0.05, 0.05));
   at.impulse = draw.whole(2) == 0 ? 0.0f : static_cast<float>(draw.between(0, 2));
   at.friction = at.surface.along(at.impulse / 4 * normal.unitOrthogonal().cast<float>());
   return {a, b, at};
@@ -123,7 +123,7 @@ void set_lane(FourContacts& to, std::size_t lane, const OneContact& from)
   set_lane(to.at.arms.b, lane, from.at.arms.b);
   set_lane(to.at.friction, lane, from.at.friction);
   to.at.coefficient.lanes[lane] = from.at.coefficient;
-  to.at.apart.lanes[lane] = from.at.apart;
+  to.at.separation.lanes[lane] = from.at.separation;
   to.at.impulse.lanes[lane] = from.at.impulse;
 }
 
@@ -155,8 +155,8 @@ TEST_CASE("each lane does to the bit what one contact alone does: masses, pushes
       set_lane(wide, lane, one);
       find_masses<float>(one.at, one.a, one.b);
       warm_start<float>(one.a, one.b, one.at);
-      correct<float>(one.a, one.b, one.at, spring, small, 1.0f);
-      correct<float>(one.a, one.b, one.at, rigid<float>(), small, 1.0f);
+      solve_contact<float>(one.a, one.b, one.at, spring, small, 1.0f);
+      solve_contact<float>(one.a, one.b, one.at, rigid<float>(), small, 1.0f);
     }
     auto& [of, at] = wide;
     find_masses<Four>(at, of.a, of.b);

@@ -123,7 +123,8 @@ void push_eight_times(IslandView view, const Island& island, double step)
   {
     for (IslandPoint& point : points)
     {
-      add_impulse(point, -point.normal_mass * (parting_speed(point) + point.apart / step));
+      add_impulse(
+          point, -point.normal_mass * (separating_velocity(point) + point.separation / step));
       add_friction(point);
     }
   }
@@ -198,7 +199,8 @@ int main()
         const auto [bodies, normal, point] = drawn_meeting(draw);
         const ContactStep<double> step{draw.number(-10, 0), 1.0 / 60, draw.number(-0.1, 0.1)};
         const double back = draw.number(0, 0.9), slowest = bounce_threshold(9.81, step.duration);
-        const double speed = parting_speed(bodies.a, bodies.b, normal, arms_to(bodies, point));
+        const double speed =
+            separating_velocity(bodies.a, bodies.b, normal, arms_to(bodies, point));
         const double target = bounced_speed(speed, step, back, slowest);
         bits(target, settling_time(draw.number(0.1, 2), 9.81, back));
         add(bits, pushed_to(bodies, normal, point, target));

@@ -50,7 +50,7 @@ add_impacts(IslandView world, const Island& island, double step, std::vector<Imp
         continue;
       }
       const Arms<double> arms = arms_of(a, b, point);
-      const double parting = parting_speed<double>(a, b, contact.normal, arms);
+      const double parting = separating_velocity<double>(a, b, contact.normal, arms);
       const double apart = gap(a, b, contact.normal, point);
       const double speed = touch_speed<double>(parting, {pull, 0, -apart});
       const bool touches = apart + step * (parting + step * pull) <= 0;

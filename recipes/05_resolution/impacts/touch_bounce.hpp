@@ -128,7 +128,7 @@ inline double add_impact_points(
   for (WorldPoint& sum : contact.points)
   {
     const IslandPoint point = island_point(a, b, contact, frame, sum);
-    const double approach = std::max(0.0, -parting_speed(point));
+    const double approach = std::max(0.0, -separating_velocity(point));
     points.push_back({point, approach > threshold ? contact.restitution * approach : 0});
     fastest = std::max(fastest, approach);
   }
@@ -165,7 +165,7 @@ inline double stop_center(
     Body<double>& a, Body<double>& b, const Vector3<double>& normal, const Vector3<double>& place)
 {
   const Arms<double> arms{Vector3<double>::Zero(), place - b.motion.center};
-  const double approach = std::max(0.0, -parting_speed(a, b, normal, arms));
+  const double approach = std::max(0.0, -separating_velocity(a, b, normal, arms));
   push_apart<double>(a, b, arms, bounce_impulse(a, b, normal, arms, 0.0) * normal);
   return approach;
 }

@@ -44,7 +44,7 @@ BouncePoint<Real> bounce_point(
     const Real& restitution)
 {
   const Arms<Real> arms = arms_to(bodies, position);
-  const Real speed = parting_speed(bodies.a, bodies.b, normal, arms);
+  const Real speed = separating_velocity(bodies.a, bodies.b, normal, arms);
   const Real mass = effective_mass(inverse_mass_at(bodies.a, bodies.b, normal, arms));
   return {arms, mass, std::max(Real(0), Real(-restitution * speed)), Real(0)};
 }
@@ -53,7 +53,7 @@ BouncePoint<Real> bounce_point(
 template <class Real>
 void correct(BodyPair<Real>& bodies, const Vector3<Real>& normal, BouncePoint<Real>& point)
 {
-  const Real missing = point.target - parting_speed(bodies.a, bodies.b, normal, point.arms);
+  const Real missing = point.target - separating_velocity(bodies.a, bodies.b, normal, point.arms);
   const Real sum = accumulated<Real>(point.impulse, point.mass * missing);
   push_apart<Real>(bodies.a, bodies.b, point.arms, (sum - point.impulse) * normal);
   point.impulse = sum;

@@ -86,7 +86,7 @@ relative_velocity(const Motion<Real>& a, const Motion<Real>& b, const Arms<Real>
 
 /// How fast [m/s] two surfaces part at a contact point; negative where they approach.
 template <class Real>
-Real parting_speed(
+Real separating_velocity(
     const Body<Real>& a, const Body<Real>& b, const Vector3<Real>& normal, const Arms<Real>& arms)
 {
   return relative_velocity(a.motion, b.motion, arms).dot(normal);
@@ -100,7 +100,7 @@ Real bounce_impulse(
     const Body<Real>& a, const Body<Real>& b, const Vector3<Real>& normal, const Arms<Real>& arms,
     const Real& restitution)
 {
-  const Real speed = std::min(Real(0), parting_speed(a, b, normal, arms));
+  const Real speed = std::min(Real(0), separating_velocity(a, b, normal, arms));
   const Real mass = effective_mass(inverse_mass_at(a, b, normal, arms));
   return -(Real(1) + restitution) * speed * mass;
 }

@@ -3,7 +3,7 @@
 /// \file
 /// \brief The contact points of an island as solvers that go from point to point need them.
 
-#include "05_resolution/islands/contact_constraint.hpp"
+#include "05_resolution/contact_constraint/contact_constraint.hpp"
 #include "05_resolution/islands/island.hpp"
 
 #include <algorithm>
@@ -173,9 +173,9 @@ inline double gap(const IslandPoint& point)
 }
 
 /// How fast [m/s] the surfaces part at a point.
-inline double parting_speed(const IslandPoint& point)
+inline double separating_velocity(const IslandPoint& point)
 {
-  return parting_speed<double>(*point.a, *point.b, point);
+  return separating_velocity<double>(*point.a, *point.b, point);
 }
 
 /// Pushes the bodies of a point along the normal, or takes back at most what it has got; R7.

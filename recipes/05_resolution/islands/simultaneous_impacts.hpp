@@ -23,7 +23,7 @@ namespace cookbook
 /// bounces there: they part already, or are too slow, or will not touch in this step [s].
 inline double impact_target(const IslandPoint& point, IslandView world, double step)
 {
-  const double speed = parting_speed(point), apart = point.apart;
+  const double speed = separating_velocity(point), apart = point.separation;
   if (speed >= 0 || apart > -speed * step)
   {
     return -1;
@@ -74,7 +74,7 @@ reach_targets(std::vector<ImpactPoint>& points, double share, double accuracy = 
   {
     one.point.impulse = 0;
     one.point.friction.setZero();
-    fastest = std::max({fastest, one.target, -parting_speed(one.point)});
+    fastest = std::max({fastest, one.target, -separating_velocity(one.point)});
     lost = std::max(lost, lost_speed(one.point));
   }
   const double enough = std::max(accuracy * fastest, lost);
@@ -89,7 +89,8 @@ reach_targets(std::vector<ImpactPoint>& points, double share, double accuracy = 
     {
       const double given = one.point.impulse;
       const double target = share * one.target;
-      add_impulse(one.point, relaxed * one.point.normal_mass * (target - parting_speed(one.point)));
+      add_impulse(
+          one.point, relaxed * one.point.normal_mass * (target - separating_velocity(one.point)));
       if (one.point.impulse > 0 || given > 0)
       {
         add_friction(one.point);
@@ -162,7 +163,7 @@ inline bool simultaneous_impacts(IslandView world, const Island& island, double 
       const bool asked = first || pushed.count(point.a) > 0 || pushed.count(point.b) > 0;
       const double target = asked ? impact_target(point, world, step) : -1;
       any = any || target > 0;
-      if (asked && (target >= 0 || point.apart <= 0))
+      if (asked && (target >= 0 || point.separation <= 0))
       {
         points.push_back({point, std::max(target, 0.0)});
       }

@@ -32,7 +32,7 @@ inline void correct_speed(PositionPoint& one, double threshold)
   if (one.pressed > 0)
   {
     const double wanted = one.parted > threshold ? one.parted : 0;
-    const double change = wanted - parting_speed(one.point);
+    const double change = wanted - separating_velocity(one.point);
     push_apart<double>(
         *one.point.a, *one.point.b, one.point.arms,
         one.point.normal_mass * change * one.point.normal);
@@ -61,7 +61,7 @@ inline void begin(PositionPoint& one)
 {
   one.point.arms = arms_now(one.point);
   hold(one);
-  one.parted = parting_speed(one.point);
+  one.parted = separating_velocity(one.point);
   one.pressed = 0;
   one.rubbed.setZero();
 }

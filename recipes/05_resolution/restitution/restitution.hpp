@@ -77,7 +77,7 @@ BodyPair<Real> pushed_to(
     const Real& target)
 {
   const Arms<Real> arms = arms_to(bodies, point);
-  const Real missing = target - parting_speed(bodies.a, bodies.b, normal, arms);
+  const Real missing = target - separating_velocity(bodies.a, bodies.b, normal, arms);
   const Real mass = effective_mass(inverse_mass_at(bodies.a, bodies.b, normal, arms));
   push_apart<Real>(bodies.a, bodies.b, arms, std::max(Real(0), missing) * mass * normal);
   return bodies;

@@ -35,7 +35,7 @@ struct SequentialSettings
 inline double
 target_speed(const IslandPoint& point, double step, const SequentialSettings& settings)
 {
-  const double apart = point.apart;
+  const double apart = point.separation;
   if (apart > 0 || settings.position_iterations > 0)
   {
     return std::min(0.0, -apart / step);
@@ -58,7 +58,7 @@ inline void velocity_pass(std::vector<SequentialPoint>& points)
   for (SequentialPoint& one : points)
   {
     IslandPoint& point = one.point;
-    add_impulse(point, point.normal_mass * (one.target - parting_speed(point)));
+    add_impulse(point, point.normal_mass * (one.target - separating_velocity(point)));
     add_friction(point);
   }
 }
@@ -71,7 +71,7 @@ inline double complementarity_residual(const std::vector<SequentialPoint>& point
   for (const auto& [point, target] : points)
   {
     const double pressed = point.impulse / point.normal_mass;
-    most = std::max(most, std::abs(std::min(pressed, parting_speed(point) - target)));
+    most = std::max(most, std::abs(std::min(pressed, separating_velocity(point) - target)));
   }
   return most;
 }

@@ -3,10 +3,10 @@
 /// \file
 /// \brief Many contacts by small steps: each contact a stiff damped spring, corrected in turn.
 
+#include "05_resolution/contact_constraint/soft_contact.hpp"
 #include "05_resolution/contacts/moved_body.hpp"
 #include "05_resolution/islands/hold_corners.hpp"
 #include "05_resolution/islands/island_points.hpp"
-#include "05_resolution/position_correction/position_correction.hpp"
 #include "05_resolution/soft_steps/cold_starts.hpp"
 #include "05_resolution/soft_steps/kept_arms.hpp"
 #include "05_resolution/soft_steps/soft_settings.hpp"
@@ -20,26 +20,6 @@ namespace cookbook
 {
 
 // [soft_steps]
-/// Corrects a point once, as a spring that pushes out of an overlap, or as a stop that allows a gap
-/// to close in one small step [s] and no sooner, R14; then its friction.
-template <class Real>
-void correct(
-    Body<Real>& a, Body<Real>& b, ContactConstraint<Real>& at, const Softness<Real>& spring,
-    const Real& small, const Real& correction_speed)
-{
-  using std::min;
-  const auto closed = at.apart <= Real(0);
-  const Real push_out = min(Real(-spring.bias_rate * at.apart), correction_speed);
-  const Real bias = either(closed, push_out, [&] { return -at.apart / small; });
-  const Softness<Real> soft{
-      either(closed, spring.bias_rate, [] { return Real(0); }),
-      either(closed, spring.mass_scale, [] { return Real(1); }),
-      either(closed, spring.impulse_scale, [] { return Real(0); })};
-  add_impulse<Real>(
-      a, b, at, soft_change<Real>(soft, at.normal_mass, parting_speed(a, b, at), bias, at.impulse));
-  add_friction(a, b, at);
-}
-
 /// The largest angle [rad] by which a box of an island turns in a time [s].
 inline double largest_turn(IslandView world, const Island& island, double time)
 {
@@ -113,7 +93,7 @@ soft_steps(IslandView world, const Island& island, double step, const SoftSettin
     warm_start(world, island, small, points);
     for (IslandPoint& point : points)
     {
-      correct<double>(*point.a, *point.b, point, spring, small, correction_speed);
+      solve_contact<double>(*point.a, *point.b, point, spring, small, correction_speed);
     }
     for (const int body : island.bodies)
     {
@@ -122,7 +102,7 @@ soft_steps(IslandView world, const Island& island, double step, const SoftSettin
     const bool turned = any_turns_noticeably(world, island, small);
     for (IslandPoint& point : points)
     {
-      point.apart += small * parting_speed(point);
+      point.separation += small * separating_velocity(point);
       if (turned)
       {
         find_masses(point);
@@ -130,7 +110,7 @@ soft_steps(IslandView world, const Island& island, double step, const SoftSettin
     }
     for (IslandPoint& point : points)
     {
-      correct<double>(*point.a, *point.b, point, rigid<double>(), small, correction_speed);
+      solve_contact<double>(*point.a, *point.b, point, rigid<double>(), small, correction_speed);
       point.sum += point.impulse;
     }
   }

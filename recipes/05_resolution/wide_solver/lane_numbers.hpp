@@ -63,7 +63,7 @@ public:
   void put(ContactConstraint<double>& at, std::size_t place, std::size_t lane)
   {
     WriteLane<float> pushed{point(place, lane), lanes_};
-    pushed(at.apart);
+    pushed(at.separation);
     each_pushed(at, pushed);
     WriteLane<float> given{pushed.to + point_masses * lanes_, lanes_};
     each_given(at, given);

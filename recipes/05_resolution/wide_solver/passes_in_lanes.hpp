@@ -42,7 +42,7 @@ void look_at_each(const WideView& all, bool pushes, const Look& look)
       at.surface = surface;
       at.coefficient = of.coefficient;
       ReadLanes<Lanes> read_point{numbers};
-      read_point(at.apart);
+      read_point(at.separation);
       each_pushed(at, read_point);
       each_mass(at, read_point);
       each_given(at, read_point);
@@ -88,7 +88,7 @@ struct PassesInLanes
         all, true,
         [&](WideContact<Lanes>& of, ContactConstraint<Lanes>& at, float* numbers)
         {
-          cookbook::correct<Lanes>(of.a, of.b, at, how, small, of.correction_speed);
+          solve_contact<Lanes>(of.a, of.b, at, how, small, of.correction_speed);
           at.sum += last ? at.impulse : Lanes(0);
           WriteLanes<Lanes> write{numbers + lanes_of<Lanes> * gap_numbers};
           each_pushed(at, write);
@@ -101,8 +101,8 @@ struct PassesInLanes
         all, false,
         [&](const WideContact<Lanes>& of, ContactConstraint<Lanes>& at, float* numbers)
         {
-          at.apart += Lanes(small) * parting_speed<Lanes>(of.a, of.b, at);
-          store_pack(at.apart, numbers);
+          at.separation += Lanes(small) * separating_velocity<Lanes>(of.a, of.b, at);
+          store_pack(at.separation, numbers);
         });
   }
 };

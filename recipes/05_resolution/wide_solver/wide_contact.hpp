@@ -3,7 +3,7 @@
 /// \file
 /// \brief Contacts and their points, one in every lane of a pack, and how they lie in memory.
 
-#include "05_resolution/islands/contact_constraint.hpp"
+#include "05_resolution/contact_constraint/contact_constraint.hpp"
 #include "05_resolution/lanes/each_number.hpp"
 
 #include <cstddef>

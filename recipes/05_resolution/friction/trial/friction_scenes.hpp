@@ -68,7 +68,7 @@ inline void visit(OneContactScene& scene, Touch& touch, const FrictionCut& cut)
   const Vector3<double> up = Vector3<double>::UnitY();
   Body<double>&a = scene.solids[touch.a].body, &b = scene.solids[touch.b].body;
   const Arms<double> arms = arms_to<double>({a, b}, touch.point);
-  const double missing = -touch.gap / scene.step - parting_speed(a, b, up, arms);
+  const double missing = -touch.gap / scene.step - separating_velocity(a, b, up, arms);
   const double sum = accumulated(touch.pushed, touch.mass * missing);
   if (sum == 0 && touch.pushed == 0)
   {

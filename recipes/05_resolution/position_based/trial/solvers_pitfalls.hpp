@@ -32,7 +32,7 @@ inline void published_frame(IslandView world, const Island& island, double step)
     {
       const auto shared = static_cast<double>(point.contact->points.size());
       point.impulse = 0;
-      add_impulse(point, -point.normal_mass * parting_speed(point) / shared);
+      add_impulse(point, -point.normal_mass * separating_velocity(point) / shared);
       add_friction(point);
     }
   }

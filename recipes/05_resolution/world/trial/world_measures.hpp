@@ -88,7 +88,7 @@ inline double residual(const World& world)
     for (const WorldPoint& point : contact.points)
     {
       const Arms<double> arms{axes(contact.a) * point.on_a, axes(contact.b) * point.on_b};
-      const double speed = parting_speed<double>(a, b, contact.normal, arms);
+      const double speed = separating_velocity<double>(a, b, contact.normal, arms);
       const bool touches = gap(a, b, contact.normal, point) <= 0;
       const double wrong = point.impulse > 0 ? std::abs(speed) : touches ? -speed : 0;
       most = std::max(most, wrong);

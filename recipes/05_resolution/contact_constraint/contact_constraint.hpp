@@ -1,8 +1,8 @@
 #pragma once
 
 /// \file
-/// \brief What a solver that goes from contact point to contact point knows of one, and how it
-/// pushes there.
+/// \brief A contact point as iterative solvers see it: its effective masses and accumulated
+/// impulses.
 
 #include "05_resolution/friction/friction.hpp"
 
@@ -10,23 +10,23 @@ namespace cookbook
 {
 
 // [contact_constraint]
-/// A contact point of two bodies, A and B; of packs, one in every lane.
+/// What a solver that goes from point to point knows of a contact point of two bodies, A and B.
 template <class Real>
 struct ContactConstraint
 {
   Vector3<Real> normal;      ///< [1], world, from A to B
   SurfaceAxes<Real> surface; ///< [1], world, across it
-  Arms<Real> arms;           ///< [m], world, as a solver has taken them
+  Arms<Real> arms;           ///< [m], world, r_A and r_B
   Real coefficient;          ///< [1], of friction
-  Real apart;                ///< [m], the gap; solvers with small steps carry it on
-  Real impulse;              ///< [N s], given along the normal so far, zero or more
+  Real separation;           ///< [m], along the normal; negative where the surfaces overlap
+  Real impulse;              ///< [N s], accumulated along the normal, zero or more
   Real sum;                  ///< [N s], of that over the small steps of a step
-  Vector2<Real> friction;    ///< [N s], given to B along the surface so far
-  Real normal_mass;          ///< [kg], that an impulse along the normal feels
-  SlidingMass<Real> sliding; ///< [kg], what one across it feels
+  Vector2<Real> friction;    ///< [N s], accumulated on B along the surface
+  Real normal_mass;          ///< [kg], effective mass along the normal
+  SlidingMass<Real> sliding; ///< [kg], effective mass along the surface
 };
 
-/// Finds what impulses at a point feel, with the bodies as they are turned now; R1.
+/// Computes the effective masses of a contact point for the present orientations; R1.
 template <class Real>
 void find_masses(ContactConstraint<Real>& at, const Body<Real>& a, const Body<Real>& b)
 {
@@ -34,16 +34,17 @@ void find_masses(ContactConstraint<Real>& at, const Body<Real>& a, const Body<Re
   at.sliding = sliding_mass(a, b, at.surface, at.arms);
 }
 
-/// How fast [m/s] the surfaces part at a point.
+/// The separating velocity [m/s] along the normal at a point; negative where the surfaces approach.
 template <class Real>
-Real parting_speed(const Body<Real>& a, const Body<Real>& b, const ContactConstraint<Real>& at)
+Real separating_velocity(
+    const Body<Real>& a, const Body<Real>& b, const ContactConstraint<Real>& at)
 {
-  return parting_speed(a, b, at.normal, at.arms);
+  return separating_velocity(a, b, at.normal, at.arms);
 }
 // [contact_constraint]
 
 // [pushes]
-/// Pushes along the normal at a point, or takes back at most what it has got; R7.
+/// Adds to the impulse along the normal; the accumulated impulse never falls below zero; R7.
 template <class Real>
 void add_impulse(Body<Real>& a, Body<Real>& b, ContactConstraint<Real>& at, const Real& change)
 {
@@ -52,7 +53,7 @@ void add_impulse(Body<Real>& a, Body<Real>& b, ContactConstraint<Real>& at, cons
   at.impulse = sum;
 }
 
-/// Takes away what slips at a point, with a friction within the cone; R6.
+/// Ends the sliding at a point by an impulse within the friction cone; R6.
 template <class Real>
 void add_friction(Body<Real>& a, Body<Real>& b, ContactConstraint<Real>& at)
 {
@@ -63,14 +64,14 @@ void add_friction(Body<Real>& a, Body<Real>& b, ContactConstraint<Real>& at)
   at.friction = sum;
 }
 
-/// All that a point has been given [N s], on B, world.
+/// The accumulated impulse [N s] on B, normal and friction, world.
 template <class Real>
 Vector3<Real> given(const ContactConstraint<Real>& at)
 {
   return at.impulse * at.normal + at.surface.in_world(at.friction);
 }
 
-/// Gives the bodies once more what the frame before, or the step before, has ended with.
+/// Warm starting: applies the impulses that the frame or substep before ended with.
 template <class Real>
 void warm_start(Body<Real>& a, Body<Real>& b, const ContactConstraint<Real>& at)
 {

@@ -1,0 +1,37 @@
+#pragma once
+
+/// \file
+/// \brief One contact point solved as a damped spring, with friction.
+
+#include "05_resolution/contact_constraint/contact_constraint.hpp"
+#include "05_resolution/position_correction/position_correction.hpp"
+
+#include <algorithm>
+
+namespace cookbook
+{
+
+// [soft_contact]
+/// Solves a contact point once: a damped spring where the surfaces overlap; where they are
+/// separated, a stop that lets the gap close within one substep [s], R14. Then its friction.
+template <class Real>
+void solve_contact(
+    Body<Real>& a, Body<Real>& b, ContactConstraint<Real>& at, const Softness<Real>& spring,
+    const Real& small, const Real& correction_speed)
+{
+  using std::min;
+  const auto closed = at.separation <= Real(0);
+  const Real push_out = min(Real(-spring.bias_rate * at.separation), correction_speed);
+  const Real bias = either(closed, push_out, [&] { return -at.separation / small; });
+  const Softness<Real> soft{
+      either(closed, spring.bias_rate, [] { return Real(0); }),
+      either(closed, spring.mass_scale, [] { return Real(1); }),
+      either(closed, spring.impulse_scale, [] { return Real(0); })};
+  add_impulse<Real>(
+      a, b, at,
+      soft_change<Real>(soft, at.normal_mass, separating_velocity(a, b, at), bias, at.impulse));
+  add_friction(a, b, at);
+}
+// [soft_contact]
+
+} // namespace cookbook
