@@ -1,0 +1,14 @@
+#pragma once
+
+/// \file
+/// \brief The small world at its last step.
+
+#include "05_resolution/small_world/step_7.hpp"
+
+namespace cookbook
+{
+
+/// The small world: `small_world::World`, `add`, `step`.
+namespace small_world = small::step_7;
+
+} // namespace cookbook

@@ -1,0 +1,170 @@
+#pragma once
+
+/// \file
+/// \brief A small world, step 2: warm starting.
+
+#include "05_resolution/contact_constraint/contact_constraint.hpp"
+#include "05_resolution/position_correction/position_correction.hpp"
+#include "05_resolution/small_world/small_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace cookbook::small::step_2
+{
+
+/// A contact point, and the places of its two bodies in the world's list.
+struct Contact : ContactConstraint<double>
+{
+  std::size_t a; ///< the body that the normal points away from
+  std::size_t b; ///< the body that it points to, b > a
+  unsigned id;   ///< which features of the two bodies meet here
+};
+
+/// Bodies, and where they touched in the last step.
+struct World
+{
+  Vector3<double> gravity{0, -9.81, 0}; ///< [m/s²]
+  std::vector<RigidBody> bodies;
+  std::vector<Contact> contacts;
+};
+
+/// Adds a body and returns its place; refuses one that is outside the ranges of check().
+inline std::size_t add(World& world, const RigidBody& body)
+{
+  check(body);
+  world.bodies.push_back(body);
+  return world.bodies.size() - 1;
+}
+
+/// A contact point as the solver needs it.
+inline Contact make_contact(
+    const World& world, std::size_t i, std::size_t j, const Vector3<double>& normal,
+    const ContactPoint<double>& point)
+{
+  const RigidBody &a = world.bodies[i], &b = world.bodies[j];
+  Contact contact{};
+  contact.a = i;
+  contact.b = j;
+  contact.id = point.feature;
+  contact.normal = normal;
+  contact.surface = surface_axes(normal);
+  contact.arms = {point.position - a.motion.center, point.position - b.motion.center};
+  contact.coefficient = std::sqrt(a.friction * b.friction);
+  contact.separation = -point.depth;
+  contact.friction.setZero();
+  find_masses<double>(contact, a, b);
+  return contact;
+}
+
+/// Adds the contact points of two bodies, if they touch and one of them can move.
+inline void collide(World& world, std::size_t i, std::size_t j)
+{
+  const RigidBody &a = world.bodies[i], &b = world.bodies[j];
+  if (a.inverse_mass == 0 && b.inverse_mass == 0)
+  {
+    return;
+  }
+  if (const std::optional<Manifold<double>> manifold = manifold_of(a, b))
+  {
+    for (const ContactPoint<double>& point : manifold->points)
+    {
+      world.contacts.push_back(make_contact(world, i, j, manifold->normal, point));
+    }
+  }
+}
+
+/// The order of contact points: by their bodies, then by their ids.
+inline bool comes_before(const Contact& one, const Contact& other)
+{
+  return std::tie(one.a, one.b, one.id) < std::tie(other.a, other.b, other.id);
+}
+
+/// Warm starting: gives a contact point the impulses that it had in the step before, if it was
+/// there.
+inline void remember_impulses(Contact& contact, const std::vector<Contact>& before)
+{
+  const auto old = std::lower_bound(before.begin(), before.end(), contact, comes_before);
+  if (old != before.end() && !comes_before(contact, *old))
+  {
+    contact.impulse = old->impulse;
+    contact.friction = contact.surface.along(old->surface.in_world(old->friction));
+  }
+}
+
+/// Finds all contact points: every body against every other.
+inline void find_contacts(World& world)
+{
+  const std::vector<Contact> before = std::move(world.contacts);
+  world.contacts.clear();
+  for (std::size_t i = 0; i < world.bodies.size(); ++i)
+  {
+    for (std::size_t j = i + 1; j < world.bodies.size(); ++j)
+    {
+      collide(world, i, j);
+    }
+  }
+  std::sort(world.contacts.begin(), world.contacts.end(), comes_before);
+  for (Contact& contact : world.contacts)
+  {
+    remember_impulses(contact, before);
+  }
+}
+
+/// Solves one contact point: the impulse that gives it the velocity it is to have, then friction.
+inline void solve(World& world, Contact& contact, double time)
+{
+  RigidBody &a = world.bodies[contact.a], &b = world.bodies[contact.b];
+  const double push_out = push_speed(-contact.separation, 0.005, 0.2 / time, 3.0);
+  const double target = contact.separation > 0 ? -contact.separation / time : push_out;
+  const double missing = target - separating_velocity<double>(a, b, contact);
+  add_impulse<double>(a, b, contact, contact.normal_mass * missing);
+  add_friction<double>(a, b, contact);
+}
+
+/// Adds what gravity does in a time [s] to the velocity of each body that can move.
+inline void apply_gravity(World& world, double time)
+{
+  for (RigidBody& body : world.bodies)
+  {
+    if (body.inverse_mass > 0)
+    {
+      body.motion.velocity += time * world.gravity;
+    }
+  }
+}
+
+/// Applies the impulses that all contact points begin with.
+inline void apply_warm_start(World& world)
+{
+  for (const Contact& contact : world.contacts)
+  {
+    warm_start<double>(world.bodies[contact.a], world.bodies[contact.b], contact);
+  }
+}
+
+/// Moves a world on by a time [s].
+inline void step(World& world, double time)
+{
+  check("time", time, 1e-6, 0.1);
+  find_contacts(world);
+  apply_gravity(world, time);
+  apply_warm_start(world);
+  for (int pass = 0; pass < 10; ++pass)
+  {
+    for (Contact& contact : world.contacts)
+    {
+      solve(world, contact, time);
+    }
+  }
+  for (RigidBody& body : world.bodies)
+  {
+    integrate_position(body, time);
+  }
+}
+
+} // namespace cookbook::small::step_2

@@ -1,0 +1,458 @@
+#pragma once
+
+/// \file
+/// \brief A small world, step 7: swept spheres.
+
+#include "02_primitives/shape_bounds/obb_bounds.hpp"
+#include "05_resolution/contact_constraint/soft_contact.hpp"
+#include "05_resolution/restitution/restitution.hpp"
+#include "05_resolution/small_world/small_body.hpp"
+#include "05_resolution/tunnelling/first_touch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace cookbook::small::step_7
+{
+
+/// A contact point, and the places of its two bodies in the world's list.
+struct Contact : ContactConstraint<double>
+{
+  std::size_t a;                 ///< the body that the normal points away from
+  std::size_t b;                 ///< the body that it points to, b > a
+  unsigned id;                   ///< which features of the two bodies meet here
+  std::optional<double> rebound; ///< [m/s], separating velocity after an impact; none if it is none
+};
+
+/// Bodies, and where they touched in the last step.
+struct World
+{
+  Vector3<double> gravity{0, -9.81, 0}; ///< [m/s²]
+  std::vector<RigidBody> bodies;
+  std::vector<Contact> contacts;
+  std::vector<Contact> asleep;    ///< those between bodies that sleep or never move
+  std::vector<double> rest_times; ///< [s], for which each body has hardly moved
+};
+
+/// How long [s] a body rests before it falls asleep.
+inline constexpr double time_to_sleep = 0.5;
+
+/// Whether a body is asleep: neither collided, solved nor moved.
+inline bool is_asleep(const World& world, std::size_t i)
+{
+  return world.rest_times[i] >= time_to_sleep;
+}
+
+/// Whether nothing moves a body: it is fixed, or asleep.
+inline bool is_still(const World& world, std::size_t i)
+{
+  const RigidBody& body = world.bodies[i];
+  const bool moves = !body.motion.velocity.isZero(0) || !body.motion.angular_velocity.isZero(0);
+  return is_asleep(world, i) || (body.inverse_mass == 0 && !moves);
+}
+
+/// Wakes a body, and with it its island; call it after changing one that sleeps.
+inline void wake(World& world, std::size_t i)
+{
+  world.rest_times[i] = 0;
+}
+
+/// Adds a body and returns its place; refuses one that is outside the ranges of check().
+inline std::size_t add(World& world, const RigidBody& body)
+{
+  check(body);
+  world.bodies.push_back(body);
+  world.rest_times.push_back(0);
+  return world.bodies.size() - 1;
+}
+
+/// A contact point as the solver needs it.
+inline Contact make_contact(
+    const World& world, std::size_t i, std::size_t j, const Vector3<double>& normal,
+    const ContactPoint<double>& point)
+{
+  const RigidBody &a = world.bodies[i], &b = world.bodies[j];
+  Contact contact{};
+  contact.a = i;
+  contact.b = j;
+  contact.id = point.feature;
+  contact.normal = normal;
+  contact.surface = surface_axes(normal);
+  contact.arms = {point.position - a.motion.center, point.position - b.motion.center};
+  contact.coefficient = std::sqrt(a.friction * b.friction);
+  contact.separation = -point.depth;
+  contact.friction.setZero();
+  find_masses<double>(contact, a, b);
+  return contact;
+}
+
+/// Adds the contact points of two bodies, if they touch and one of them moves.
+inline void collide(World& world, std::size_t i, std::size_t j)
+{
+  const RigidBody &a = world.bodies[i], &b = world.bodies[j];
+  if ((a.inverse_mass == 0 && b.inverse_mass == 0) || (is_still(world, i) && is_still(world, j)))
+  {
+    return;
+  }
+  if (const std::optional<Manifold<double>> manifold = manifold_of(a, b))
+  {
+    for (const ContactPoint<double>& point : manifold->points)
+    {
+      world.contacts.push_back(make_contact(world, i, j, manifold->normal, point));
+    }
+  }
+}
+
+/// The order of contact points: by their bodies, then by their ids.
+inline bool comes_before(const Contact& one, const Contact& other)
+{
+  return std::tie(one.a, one.b, one.id) < std::tie(other.a, other.b, other.id);
+}
+
+/// Warm starting: gives a contact point the impulses that it had in the step before, if it was
+/// there.
+inline void remember_impulses(Contact& contact, const std::vector<Contact>& before)
+{
+  const auto old = std::lower_bound(before.begin(), before.end(), contact, comes_before);
+  if (old != before.end() && !comes_before(contact, *old))
+  {
+    contact.impulse = old->impulse;
+    contact.friction = contact.surface.along(old->surface.in_world(old->friction));
+  }
+}
+
+/// The axis-aligned bounding box (AABB) of a body; P7.
+inline Aabb<double> bounds_of(const RigidBody& body)
+{
+  const Vector3<double>& radius = body.half_extents;
+  return body.is_sphere ? Aabb<double>(body.motion.center - radius, body.motion.center + radius)
+                        : cookbook::bounds_of(box_of(body));
+}
+
+/// A body's AABB, and its place.
+struct Bounds
+{
+  Aabb<double> aabb;
+  std::size_t body;
+};
+
+/// Broad phase, sort and sweep: the AABBs in order of where they begin along x; each is held
+/// against those that begin before it ends.
+inline void find_pairs(World& world)
+{
+  std::vector<Bounds> sorted;
+  for (std::size_t i = 0; i < world.bodies.size(); ++i)
+  {
+    sorted.push_back({bounds_of(world.bodies[i]), i});
+  }
+  const auto begins_before = [](const Bounds& one, const Bounds& other)
+  { return one.aabb.min().x() < other.aabb.min().x(); };
+  std::sort(sorted.begin(), sorted.end(), begins_before);
+  for (auto one = sorted.begin(); one != sorted.end(); ++one)
+  {
+    const double end = one->aabb.max().x();
+    for (auto other = one + 1; other != sorted.end() && other->aabb.min().x() <= end; ++other)
+    {
+      if (one->aabb.intersects(other->aabb))
+      {
+        collide(world, std::min(one->body, other->body), std::max(one->body, other->body));
+      }
+    }
+  }
+}
+
+/// Of a body, the place of the body that stands for its whole island (union-find).
+inline std::size_t find_island(std::vector<std::size_t>& parents, std::size_t i)
+{
+  while (parents[i] != i)
+  {
+    i = parents[i] = parents[parents[i]];
+  }
+  return i;
+}
+
+/// Islands: bodies that touch, directly or through others, but not through a fixed one. A contact
+/// with a fixed body that moves keeps an island awake.
+inline std::vector<std::size_t> find_islands(World& world)
+{
+  std::vector<std::size_t> parents(world.bodies.size());
+  std::iota(parents.begin(), parents.end(), std::size_t(0));
+  const auto join = [&](const Contact& contact)
+  {
+    const bool a_moves = world.bodies[contact.a].inverse_mass > 0;
+    const bool b_moves = world.bodies[contact.b].inverse_mass > 0;
+    if (a_moves && b_moves)
+    {
+      parents[find_island(parents, contact.a)] = find_island(parents, contact.b);
+    }
+    else if (!is_still(world, a_moves ? contact.b : contact.a))
+    {
+      wake(world, a_moves ? contact.a : contact.b);
+    }
+  };
+  std::for_each(world.contacts.begin(), world.contacts.end(), join);
+  std::for_each(world.asleep.begin(), world.asleep.end(), join);
+  for (std::size_t i = 0; i < parents.size(); ++i)
+  {
+    parents[i] = find_island(parents, i);
+  }
+  return parents;
+}
+
+/// Gives all bodies of an island the shortest rest of any: it is awake, or asleep, as a whole.
+inline void share_rest(World& world, const std::vector<std::size_t>& islands)
+{
+  std::vector<double> shortest(islands.size(), time_to_sleep);
+  for (std::size_t i = 0; i < islands.size(); ++i)
+  {
+    shortest[islands[i]] = std::min(shortest[islands[i]], world.rest_times[i]);
+  }
+  for (std::size_t i = 0; i < islands.size(); ++i)
+  {
+    world.rest_times[i] = world.bodies[i].inverse_mass == 0 ? 0 : shortest[islands[i]];
+  }
+}
+
+/// Moves contact points from one list to another: those that are asleep now, or those that are not.
+inline void
+move_contacts(const World& world, std::vector<Contact>& from, std::vector<Contact>& to, bool asleep)
+{
+  const auto stays = [&](const Contact& contact)
+  { return asleep != (is_still(world, contact.a) && is_still(world, contact.b)); };
+  const auto moved = std::stable_partition(from.begin(), from.end(), stays);
+  to.insert(to.end(), moved, from.end());
+  from.erase(moved, from.end());
+}
+
+/// After a step of a time [s]: updates how long each body has rested, and puts whole islands to
+/// sleep.
+inline void put_to_sleep(World& world, double time)
+{
+  for (std::size_t i = 0; i < world.bodies.size(); ++i)
+  {
+    const auto& [center, velocity, angular_velocity] = world.bodies[i].motion;
+    const double speed =
+        fastest_point<double>(velocity, angular_velocity, world.bodies[i].half_extents.norm());
+    world.rest_times[i] = speed > 0.05 ? 0 : world.rest_times[i] + time;
+  }
+  share_rest(world, find_islands(world));
+  for (std::size_t i = 0; i < world.bodies.size(); ++i)
+  {
+    if (is_asleep(world, i))
+    {
+      world.bodies[i].motion.velocity.setZero();
+      world.bodies[i].motion.angular_velocity.setZero();
+    }
+  }
+  move_contacts(world, world.contacts, world.asleep, true);
+}
+
+/// Finds all contact points, and gives them the impulses of the step before.
+inline void find_contacts(World& world)
+{
+  const std::vector<Contact> before = std::move(world.contacts);
+  world.contacts.clear();
+  find_pairs(world);
+  share_rest(world, find_islands(world));
+  move_contacts(world, world.asleep, world.contacts, false);
+  std::sort(world.contacts.begin(), world.contacts.end(), comes_before);
+  for (Contact& contact : world.contacts)
+  {
+    remember_impulses(contact, before);
+  }
+}
+
+/// Solves every contact point once, as a damped spring where the surfaces overlap; an impact is
+/// stopped where it is.
+inline void solve(World& world, const Softness<double>& spring, double time)
+{
+  for (Contact& contact : world.contacts)
+  {
+    const Softness<double> softness = contact.rebound ? rigid<double>() : spring;
+    solve_contact<double>(
+        world.bodies[contact.a], world.bodies[contact.b], contact, softness, time, 3.0);
+    contact.sum += contact.impulse;
+  }
+}
+
+/// Moves all bodies on by a time [s], and the separations at their contact points with them.
+inline void integrate_positions(World& world, double time)
+{
+  for (std::size_t i = 0; i < world.bodies.size(); ++i)
+  {
+    if (!is_still(world, i))
+    {
+      integrate_position(world.bodies[i], time);
+    }
+  }
+  for (Contact& contact : world.contacts)
+  {
+    contact.separation += time * separating_velocity<double>(
+                                     world.bodies[contact.a], world.bodies[contact.b], contact);
+  }
+}
+
+/// Adds what gravity does in a time [s] to the velocity of each body that can move.
+inline void apply_gravity(World& world, double time)
+{
+  for (std::size_t i = 0; i < world.bodies.size(); ++i)
+  {
+    if (world.bodies[i].inverse_mass > 0 && !is_asleep(world, i))
+    {
+      world.bodies[i].motion.velocity += time * world.gravity;
+    }
+  }
+}
+
+/// Applies the impulses that all contact points begin with.
+inline void apply_warm_start(World& world)
+{
+  for (const Contact& contact : world.contacts)
+  {
+    warm_start<double>(world.bodies[contact.a], world.bodies[contact.b], contact);
+  }
+}
+
+/// Finds the contact points at which bodies meet faster than they would at rest, and the velocity
+/// to separate with after this step, before the next gravity acts for a substep [s]; R19.
+inline void find_impacts(World& world, double time, double small)
+{
+  const double threshold = bounce_threshold(world.gravity.norm(), time);
+  for (Contact& contact : world.contacts)
+  {
+    const RigidBody &a = world.bodies[contact.a], &b = world.bodies[contact.b];
+    const double falls = (b.inverse_mass > 0 ? 1 : 0) - (a.inverse_mass > 0 ? 1 : 0);
+    const double acceleration = falls * world.gravity.dot(contact.normal);
+    const ContactStep<double> substep{acceleration, small, -contact.separation};
+    const double speed = separating_velocity<double>(a, b, contact) + acceleration * small;
+    const double restitution = std::max(a.restitution, b.restitution);
+    if (touch_speed(speed, substep) > threshold)
+    {
+      const double rebound = bounced_speed(speed, substep, restitution, threshold);
+      contact.rebound = restitution > 0 ? rebound - acceleration * small : 0;
+    }
+  }
+}
+
+/// Gives contact points of impacts that pressed in this step the velocity to separate with.
+inline void apply_restitution(World& world)
+{
+  for (int pass = 0; pass < 10; ++pass)
+  {
+    for (Contact& contact : world.contacts)
+    {
+      RigidBody &a = world.bodies[contact.a], &b = world.bodies[contact.b];
+      if (contact.rebound && contact.sum > 0)
+      {
+        const double missing = *contact.rebound - separating_velocity<double>(a, b, contact);
+        add_impulse<double>(a, b, contact, contact.normal_mass * missing);
+      }
+    }
+  }
+}
+
+/// From a point [m]: the direction to a body, and how far [m] its surface is; zero inside.
+inline Direction<double> surface_from(const Vector3<double>& point, const RigidBody& body)
+{
+  if (body.is_sphere)
+  {
+    const Direction<double> to = normalize<double>(body.motion.center - point);
+    return {to.unit, to.length - body.half_extents.x()};
+  }
+  return normalize<double>(closest_on_box(box_of(body), point) - point);
+}
+
+/// When a sphere that has moved by a displacement [m] first touched a body, as a fraction of that,
+/// by conservative advancement; nothing if it did not, or if they touched before; P20.
+inline std::optional<SweptHit<double>> time_of_impact(
+    const World& world, std::size_t i, const Vector3<double>& displacement, std::size_t j)
+{
+  const auto touched = [&](const Contact& contact)
+  { return contact.a == std::min(i, j) && contact.b == std::max(i, j); };
+  if (i == j || std::any_of(world.contacts.begin(), world.contacts.end(), touched))
+  {
+    return std::nullopt;
+  }
+  const RigidBody& sphere = world.bodies[i];
+  const Vector3<double> start = sphere.motion.center - displacement;
+  const double radius = sphere.half_extents.x();
+  const auto gap = [&](const Vector3<double>& offset)
+  {
+    const Direction<double> to = surface_from(start + offset, world.bodies[j]);
+    return Direction<double>{to.unit, to.length - radius};
+  };
+  const double size = start.norm() + displacement.norm() + radius;
+  return first_touch<double>(displacement, 16 * std::numeric_limits<double>::epsilon() * size, gap);
+}
+
+/// Takes a sphere that has moved by a displacement [m] in a step of a time [s] back to where it
+/// first touched another body, and a hundredth of its radius into it; and its speed towards that
+/// body with it, which gravity has gone on to change.
+inline void
+stop_at_first_touch(World& world, std::size_t i, const Vector3<double>& displacement, double time)
+{
+  RigidBody& sphere = world.bodies[i];
+  Aabb<double> swept = bounds_of(sphere);
+  swept.extend(swept.translated(Vector3<double>(-displacement)));
+  SweptHit<double> first{1, Vector3<double>::Zero()};
+  for (std::size_t j = 0; j < world.bodies.size(); ++j)
+  {
+    if (swept.intersects(bounds_of(world.bodies[j])))
+    {
+      const std::optional<SweptHit<double>> hit = time_of_impact(world, i, displacement, j);
+      first = hit && hit->time < first.time ? *hit : first;
+    }
+  }
+  const double too_long = (1 - first.time) * time;
+  sphere.motion.velocity -= too_long * world.gravity.dot(first.normal) * first.normal;
+  sphere.motion.center -= (1 - first.time) * displacement;
+  sphere.motion.center += 0.01 * sphere.half_extents.x() * first.normal;
+}
+
+/// Continuous collision detection (CCD): does so with each sphere that has moved more than half its
+/// radius in this step.
+inline void sweep_spheres(World& world, const std::vector<Vector3<double>>& starts, double time)
+{
+  for (std::size_t i = 0; i < world.bodies.size(); ++i)
+  {
+    const RigidBody& body = world.bodies[i];
+    const Vector3<double> displacement = body.motion.center - starts[i];
+    if (body.is_sphere && body.inverse_mass > 0 && displacement.norm() > body.half_extents.x() / 2)
+    {
+      stop_at_first_touch(world, i, displacement, time);
+    }
+  }
+}
+
+/// Moves a world on by a time [s], in four substeps.
+inline void step(World& world, double time)
+{
+  check("time", time, 1e-6, 0.1);
+  find_contacts(world);
+  std::vector<Vector3<double>> starts;
+  for (const RigidBody& body : world.bodies)
+  {
+    starts.push_back(body.motion.center);
+  }
+  const double small = time / 4;
+  find_impacts(world, time, small);
+  const Softness<double> spring = softness(0.125 / small, 5.0, small);
+  for (int substep = 0; substep < 4; ++substep)
+  {
+    apply_gravity(world, small);
+    apply_warm_start(world);
+    solve(world, spring, small);
+    integrate_positions(world, small);
+    solve(world, rigid<double>(), small);
+  }
+  apply_restitution(world);
+  sweep_spheres(world, starts, time);
+  put_to_sleep(world, time);
+}
+
+} // namespace cookbook::small::step_7
