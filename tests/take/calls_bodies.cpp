@@ -1,5 +1,5 @@
-// Calls what the recipes of chapter 5 offer, those whose TAKE_… is defined. check_take.sh includes
-// their headers: the house's, or one that was taken.
+// Calls what the recipes of chapters 5 and 6 offer, those whose TAKE_… is defined. check_take.sh
+// includes their headers: the house's, or one that was taken.
 
 #include "calls.hpp"
 
@@ -110,7 +110,7 @@ void print_piles(const char* name, Solver solver)
 }
 #endif
 
-#ifdef TAKE_world
+#ifdef TAKE_game_world
 /// A solver that pushes eight times at each contact point.
 void push_eight_times(IslandView view, const Island& island, double step)
 {
@@ -135,7 +135,7 @@ void push_eight_times(IslandView view, const Island& island, double step)
   }
 }
 
-World drawn_world(Draw& draw)
+GameWorld drawn_world(Draw& draw)
 {
   Scene scene;
   scene.bodies.push_back({"ground", PlaneShape{{0, 1, 0}, 0}});
@@ -155,7 +155,7 @@ World drawn_world(Draw& draw)
     body.restitution = draw.number(0, 1);
     scene.bodies.push_back(body);
   }
-  return World(scene, push_eight_times, true);
+  return GameWorld(scene, push_eight_times, true);
 }
 #endif
 
@@ -401,10 +401,10 @@ int main()
         bits(int(watch.pressing().size()), int(watch.begun().size()), int(watch.ended().size()));
       });
 #endif
-#ifdef TAKE_world
+#ifdef TAKE_game_world
   print(
-      "world",
-      [world = std::optional<World>(), frame = 0](Draw& draw, Bits& bits) mutable
+      "game_world",
+      [world = std::optional<GameWorld>(), frame = 0](Draw& draw, Bits& bits) mutable
       {
         if (frame++ % 50 == 0)
         {

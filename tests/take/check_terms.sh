@@ -35,8 +35,8 @@ box_box            box_box                 box_box
 contact_reduction  contact_reduction
 inertia            mass_properties
 friction           friction
-world              solvers                 World
-solver             solvers                 World
+world              solvers                 GameWorld
+solver             solvers                 GameWorld
 WORDS
 }
 

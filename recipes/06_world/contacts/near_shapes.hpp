@@ -1,0 +1,125 @@
+#pragma once
+
+/// \file
+/// \brief Shapes of bodies where they are, and the manifolds of those that touch or nearly do.
+
+#include "02_primitives/shape_bounds/obb_bounds.hpp"
+#include "03_sphere_manifolds/sphere_box/sphere_box.hpp"
+#include "03_sphere_manifolds/sphere_plane/sphere_plane.hpp"
+#include "03_sphere_manifolds/sphere_sphere/sphere_sphere.hpp"
+#include "06_world/contacts/rigid_body.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace cookbook
+{
+
+/// A box where its body is.
+inline Obb<double> placed(const RigidBody& body, const BoxShape& box)
+{
+  return {body.motion.center, body.axes, box.half_extents};
+}
+
+/// A ball where its body is.
+inline Sphere<double> placed(const RigidBody& body, const SphereShape& ball)
+{
+  return {body.motion.center, ball.radius};
+}
+
+/// A plane, which is where it is.
+inline Plane<double> placed(const RigidBody&, const PlaneShape& plane)
+{
+  return {plane.normal, plane.offset};
+}
+
+/// A shape with its surface moved out by a margin [m].
+inline Obb<double> grown(const Obb<double>& box, double margin)
+{
+  return {box.center, box.axes, box.half_extents + Vector3<double>::Constant(margin)};
+}
+inline Sphere<double> grown(const Sphere<double>& ball, double margin)
+{
+  return {ball.center, ball.radius + margin};
+}
+inline Plane<double> grown(const Plane<double>& plane, double margin)
+{
+  return {plane.normal, plane.distance + margin};
+}
+
+/// The manifold of two balls.
+inline std::optional<Manifold<double>> manifold_of(const Sphere<double>& a, const Sphere<double>& b)
+{
+  return sphere_sphere(a, b);
+}
+
+/// The manifold of a ball and a box.
+inline std::optional<Manifold<double>> manifold_of(const Sphere<double>& a, const Obb<double>& b)
+{
+  return sphere_box(a, b);
+}
+
+/// The manifold of a plane and a ball.
+inline std::optional<Manifold<double>> manifold_of(const Plane<double>& a, const Sphere<double>& b)
+{
+  return swapped(sphere_plane(b, a));
+}
+
+/// The manifold of a plane and a box: its corners below the plane, each with its number as feature.
+inline std::optional<Manifold<double>> manifold_of(const Plane<double>& a, const Obb<double>& b)
+{
+  if (a.normal.dot(b.center) - a.distance > b.half_extents.sum()) // beyond any corner's reach
+  {
+    return std::nullopt;
+  }
+  Manifold<double> manifold{a.normal, 0, {}};
+  for (unsigned corner = 0; corner < 8; ++corner)
+  {
+    const Vector3<double> place = b.center + corner_arm(b, corner);
+    const double depth = a.distance - a.normal.dot(place);
+    if (depth >= 0)
+    {
+      manifold.depth = std::max(manifold.depth, depth);
+      manifold.points.push_back({place + depth / 2 * a.normal, depth, corner});
+    }
+  }
+  return manifold.points.empty() ? std::nullopt : std::optional(manifold);
+}
+
+// [within_margin]
+/// The manifold of two shapes that touch, or will within a margin [m]: a depth below zero is a gap.
+///
+/// A grows by the margin, they meet, and that is taken back: the points are midway between the
+/// surfaces as they are.
+template <class A, class B>
+std::optional<Manifold<double>> within(const A& a, const B& b, double margin)
+{
+  std::optional<Manifold<double>> manifold = manifold_of(grown(a, margin), b);
+  if (manifold)
+  {
+    manifold->depth -= margin;
+    for (ContactPoint<double>& point : manifold->points)
+    {
+      point.depth -= margin;
+      point.position -= margin / 2 * manifold->normal;
+    }
+  }
+  return manifold;
+}
+
+/// The same, the other way round.
+inline std::optional<Manifold<double>>
+within(const Obb<double>& a, const Sphere<double>& b, double margin)
+{
+  return swapped(within(b, a, margin));
+}
+
+/// The same, the other way round.
+template <class A>
+std::optional<Manifold<double>> within(const A& a, const Plane<double>& b, double margin)
+{
+  return swapped(within(b, a, margin));
+}
+// [within_margin]
+
+} // namespace cookbook

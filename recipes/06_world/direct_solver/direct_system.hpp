@@ -1,0 +1,174 @@
+#pragma once
+
+/// \file
+/// \brief An island as a system of equations: its bodies, contacts and points, and its matrix.
+
+#include "06_world/direct_solver/direct_blocks.hpp"
+#include "06_world/direct_solver/direct_give.hpp"
+#include "06_world/lanes/make_room.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace cookbook
+{
+
+// [direct_system]
+/// A body of an island.
+struct DirectBody
+{
+  double mass;             ///< [kg]
+  Matrix3<double> inertia; ///< [kg m²], world
+  Vector6 free;            ///< [m/s, rad/s], after the step if nothing touched it
+  Vector6 pulled;          ///< [m/s, rad/s], how much of that its pull has given it
+};
+
+/// A contact of an island; its bodies by their numbers in the island, −1 where one is fixed.
+struct DirectContact
+{
+  int a, b;                  ///< the two bodies
+  const WorldContact* of;    ///< where it comes from
+  std::size_t first, end;    ///< its points
+  DirectStiffness stiffness; ///< of each
+  double mass;               ///< [kg], that parting the two feels: 1 / (1/m_A + 1/m_B)
+};
+
+/// All of an island.
+struct DirectSystem
+{
+  std::vector<DirectBody> bodies;
+  std::vector<DirectContact> contacts;
+  std::vector<DirectPoint> points;
+  std::vector<Vector6> velocities; ///< [m/s, rad/s], as they are found
+  std::vector<Vector6> missing;    ///< [N s, N m s], at these velocities
+
+  std::vector<PushingWay> ways_before;    ///< room for how points pushed before a change
+  std::vector<Vector6> velocities_before; ///< room for the velocities before it
+};
+
+/// The number in an island of a body of the world; −1 if it is none of its bodies.
+inline int number_in(const Island& island, int body)
+{
+  const auto found = std::lower_bound(island.bodies.begin(), island.bodies.end(), body);
+  const bool there = found != island.bodies.end() && *found == body;
+  return there ? static_cast<int>(found - island.bodies.begin()) : -1;
+}
+
+/// Adds a contact and its points to a system.
+inline void gather(
+    DirectSystem& system, IslandView world, const Island& island, const WorldContact& contact,
+    double step, const DirectSettings& settings)
+{
+  const RigidBody& a = world.bodies[place_of(contact.a)];
+  const RigidBody& b = world.bodies[place_of(contact.b)];
+  const std::size_t first = system.points.size();
+  const double inverse_mass = a.inverse_mass + b.inverse_mass;
+  const DirectStiffness stiffness = stiffness_of(contact, inverse_mass, settings);
+  for (const WorldPoint& point : contact.points)
+  {
+    const double apart = gap(a, b, contact.normal, point) / step;
+    const double opening = std::min(-settings.correction * apart, settings.correction_speed);
+    DirectPoint& made = system.points.emplace_back();
+    made.arms = arms_of(a, b, point);
+    made.bias = apart > 0 ? apart : -opening;
+    made.solved = point.solved;
+    made.held = held_friction(contact, point, opening * stiffness.push, settings.give);
+    made.coefficient = settings.opening_grips || opening <= slow_opening ? contact.friction : 0;
+    made.bound_is_new = point.impulse == 0 && made.coefficient > 0;
+    made.bound = made.bound_is_new ? std::numeric_limits<double>::infinity()
+                                   : made.coefficient * point.impulse;
+  }
+  system.contacts.push_back(
+      {number_in(island, contact.a), number_in(island, contact.b), &contact, first,
+       system.points.size(), stiffness, 1 / inverse_mass});
+}
+
+/// Empties a system, with room for all of an island.
+inline void clear(DirectSystem& system, IslandView world, const Island& island)
+{
+  std::size_t points = 0;
+  for (const int i : island.contacts)
+  {
+    points += world.contacts[place_of(i)].points.size();
+  }
+  const auto empty = [](auto& list, std::size_t count)
+  {
+    list.clear();
+    make_room(list, count);
+  };
+  empty(system.bodies, island.bodies.size());
+  empty(system.velocities, island.bodies.size());
+  empty(system.contacts, island.contacts.size());
+  empty(system.points, points);
+}
+
+/// Makes a system of an island, at the velocities before the step [s].
+inline void gather(
+    DirectSystem& system, IslandView world, const Island& island, double step,
+    const DirectSettings& settings)
+{
+  clear(system, world, island);
+  for (const int i : island.bodies)
+  {
+    const RigidBody& body = world.bodies[place_of(i)];
+    const auto velocities = [](const Motion<double>& motion) -> Vector6
+    { return (Vector6() << motion.velocity, motion.angular_velocity).finished(); };
+    const Vector6 before = velocities(body.motion);
+    const Vector6 free = velocities(after_pull(body.motion, pull_on(world, i), step));
+    system.velocities.push_back(before);
+    system.bodies.push_back(
+        {1 / body.inverse_mass, world_inertia(body.moments, body.axes), free, free - before});
+  }
+  for (const int i : island.contacts)
+  {
+    gather(system, world, island, world.contacts[place_of(i)], step, settings);
+  }
+}
+
+/// How a body of an island moves, by its number there; a fixed one, −1, does not.
+inline Motion<double> motion_of(const DirectSystem& system, int body)
+{
+  const Vector6 velocity = body >= 0 ? system.velocities[place_of(body)] : Vector6(Vector6::Zero());
+  return {Vector3<double>::Zero(), velocity.head<3>(), velocity.tail<3>()};
+}
+// [direct_system]
+
+// [direct_assemble]
+/// Writes what impulses a change of velocities takes into a matrix: masses, and the stiffness of
+/// all contacts.
+inline void assemble(const DirectSystem& system, BlockCholesky& matrix)
+{
+  matrix.clear();
+  for (std::size_t i = 0; i < system.bodies.size(); ++i)
+  {
+    Matrix6& block = matrix.diagonal(static_cast<int>(i));
+    block.topLeftCorner<3, 3>().diagonal().setConstant(system.bodies[i].mass);
+    block.bottomRightCorner<3, 3>() = system.bodies[i].inertia;
+  }
+  for (const DirectContact& contact : system.contacts)
+  {
+    const std::span<const DirectPoint> points(system.points);
+    const DirectBlocks blocks = blocks_of(
+        points.subspan(contact.first, contact.end - contact.first), contact.of->normal,
+        contact.stiffness);
+    if (contact.a >= 0)
+    {
+      matrix.diagonal(contact.a) += blocks.aa;
+    }
+    if (contact.b >= 0)
+    {
+      matrix.diagonal(contact.b) += blocks.bb;
+    }
+    if (contact.a >= 0 && contact.b >= 0)
+    {
+      matrix.add_coupling(contact.a, contact.b, blocks.ab);
+    }
+  }
+}
+// [direct_assemble]
+
+} // namespace cookbook

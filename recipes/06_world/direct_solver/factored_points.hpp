@@ -1,0 +1,77 @@
+#pragma once
+
+/// \file
+/// \brief What a matrix was factored for, so that it is not factored again for the same.
+
+#include "06_world/direct_solver/direct_points.hpp"
+
+#include <span>
+#include <vector>
+
+namespace cookbook
+{
+
+// [factored_points]
+/// The points that pushed when a matrix was factored.
+class FactoredPoints
+{
+public:
+  /// Forgets all.
+  void clear() { points_.clear(); }
+
+  /// Takes down who pushes; nobody if any point slips, since then the matrix depends on by how
+  /// much.
+  void take(std::span<const DirectPoint> all)
+  {
+    points_.clear();
+    for (const DirectPoint& point : all)
+    {
+      if (point.grip == Grip::slip)
+      {
+        return points_.clear();
+      }
+      if (pushes(point))
+      {
+        points_.push_back({point, point.arms});
+      }
+    }
+  }
+
+  /// Whether the same points push as then, in the same way, and where they were, to nine digits.
+  bool are_those_of(std::span<const DirectPoint> all) const
+  {
+    auto then = points_.begin();
+    for (const DirectPoint& now : all)
+    {
+      if (!pushes(now))
+      {
+        continue;
+      }
+      if (then == points_.end() || !is_same(now, *then))
+      {
+        return false;
+      }
+      ++then;
+    }
+    return then == points_.end() && !points_.empty();
+  }
+
+private:
+  struct Pushed
+  {
+    PushingWay way;
+    Arms<double> arms;
+  };
+
+  static bool is_same(const DirectPoint& now, const Pushed& then)
+  {
+    const auto stays = [](const Vector3<double>& one, const Vector3<double>& other)
+    { return (one - other).squaredNorm() <= 1e-18 * other.squaredNorm(); };
+    return now == then.way && stays(now.arms.a, then.arms.a) && stays(now.arms.b, then.arms.b);
+  }
+
+  std::vector<Pushed> points_;
+};
+// [factored_points]
+
+} // namespace cookbook

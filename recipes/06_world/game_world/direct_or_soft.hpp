@@ -1,0 +1,173 @@
+#pragma once
+
+/// \file
+/// \brief The recommended solver: direct, or by soft steps where that finds no answer.
+
+#include "06_world/contacts/moved_body.hpp"
+#include "06_world/direct_solver/direct_solver.hpp"
+#include "06_world/direct_solver/open_overlaps.hpp"
+#include "06_world/soft_steps/soft_steps.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace cookbook
+{
+
+/// Forgets what the points of an island were given in the frame before if any is strained: what
+/// held it in balance may be gone. Stiff contacts do without it, small steps would begin with it.
+inline void forget_strain(IslandView world, const Island& island)
+{
+  const auto any_strained = [&](int i)
+  {
+    const auto& points = world.contacts[place_of(i)].points;
+    return std::any_of(
+        points.begin(), points.end(), [](const WorldPoint& point) { return point.strained; });
+  };
+  if (std::any_of(island.contacts.begin(), island.contacts.end(), any_strained))
+  {
+    for (const int i : island.contacts)
+    {
+      for (WorldPoint& point : world.contacts[place_of(i)].points)
+      {
+        point.impulse = point.carried = 0;
+        point.friction.setZero();
+        point.strained = false;
+      }
+    }
+  }
+}
+
+// [direct_or_soft]
+/// How a frame of an island was solved.
+enum class DirectAnswer
+{
+  none,     ///< not directly: by soft steps
+  softened, ///< directly, with contacts that give way
+  exact     ///< directly, with contacts as stiff as they get
+};
+
+/// Hears of each island how its frame was solved.
+using DirectWatch = std::function<void(const Island&, DirectAnswer)>;
+
+/// The recommended solver: direct where that finds an answer, and soft steps where it does not, as
+/// in impacts and dense heaps.
+///
+/// An island of few bodies is tried once more, without friction where overlaps open. Where it has
+/// not found an answer it lets some frames pass before it tries again: 1, 2, 4, up to 16;
+/// then with soft contacts, which become stiff from frame to frame. A copy remembers what the
+/// original did, and goes on by itself.
+class DirectOrSoft
+{
+public:
+  /// Soft steps take so many substeps; arms turn and corners are sharp, as in the frames that are
+  /// solved. `watch`, if given, hears of every island and frame.
+  explicit DirectOrSoft(int substeps, DirectWatch watch = {})
+      : soft_{.substeps = substeps, .kept_turn = 0, .worn_corner = 0}, watch_(std::move(watch))
+  {
+  }
+
+  /// Moves an island on by a step [s].
+  void operator()(IslandView world, const Island& island, double step)
+  {
+    Tries& tries = tries_of(world, island);
+    motions_.clear();
+    for (const int body : island.bodies)
+    {
+      motions_.push_back(world.bodies[place_of(body)].motion);
+    }
+    const DirectAnswer answer = solved(tries, world, island, step);
+    if (watch_)
+    {
+      watch_(island, answer);
+    }
+    if (answer == DirectAnswer::none)
+    {
+      forget_strain(world, island);
+      return soft_steps(world, island, step, soft_);
+    }
+    if (answer == DirectAnswer::exact && tries.direct.opening() > slow_opening)
+    {
+      return open_overlaps(tries.direct, world, island, step, motions_);
+    }
+    for (const int body : island.bodies)
+    {
+      move(world.bodies[place_of(body)], step);
+    }
+  }
+
+  /// How many islands it remembers: none that has joined another one.
+  std::size_t remembered() const { return tries_.size(); }
+
+private:
+  static constexpr std::size_t few = 8; // bodies, for which a second try costs little
+  struct Tries
+  {
+    DirectSolver direct;
+    std::size_t bodies = 1;
+    int frames_to_wait = 0;
+    int pause = 1;   // frames to wait after the next failure
+    double give = 0; // how soft contacts are in the next try
+  };
+
+  /// What is known of an island; of those that it was made of no more is, nor of what is gone.
+  Tries& tries_of(IslandView world, const Island& island)
+  {
+    const auto id = [&](int body) { return id_at(world.bodies, place_of(body)); };
+    if (tries_.size() > 2 * kept_) // bodies that were taken out are fixed
+    {
+      std::erase_if(
+          tries_,
+          [&](const auto& one)
+          {
+            const std::size_t first = place_in_lists(one.first);
+            return first >= world.bodies.size() || is_fixed(world.bodies[first]) ||
+                   id_at(world.bodies, first) != one.first;
+          });
+      kept_ = tries_.size() + 16;
+    }
+    Tries& tries = tries_[id(island.bodies.front())];
+    if (tries.bodies != island.bodies.size())
+    {
+      tries.bodies = island.bodies.size();
+      for (std::size_t i = 1; i < tries.bodies; ++i)
+      {
+        tries_.erase(id(island.bodies[i]));
+      }
+    }
+    return tries;
+  }
+
+  /// Sets the velocities of an island, unless it has to wait or no answer is found.
+  static DirectAnswer solved(Tries& tries, IslandView world, const Island& island, double step)
+  {
+    if (tries.frames_to_wait > 0)
+    {
+      --tries.frames_to_wait;
+      return DirectAnswer::none;
+    }
+    const bool soft = tries.give > 0;
+    bool found = tries.direct.solve(world, island, step, settings_at(tries.give));
+    if (!found && !soft && island.bodies.size() <= few && tries.direct.opens())
+    {
+      found = tries.direct.solve(world, island, step, {.opening_grips = false});
+    }
+    tries.frames_to_wait = found ? 0 : tries.pause;
+    tries.pause = found ? 1 : std::min(2 * tries.pause, 16);
+    tries.give = next_give(tries.give, found);
+    return !found ? DirectAnswer::none : soft ? DirectAnswer::softened : DirectAnswer::exact;
+  }
+
+  SoftSettings soft_;
+  std::vector<Motion<double>> motions_; // of an island's bodies before a step
+  DirectWatch watch_;
+  std::map<BodyId, Tries> tries_; // by the island's first body
+  std::size_t kept_ = 16;         // how many there were, and some more, when it was last tidied up
+};
+// [direct_or_soft]
+
+} // namespace cookbook

@@ -1,0 +1,82 @@
+#pragma once
+
+/// \file
+/// \brief How the solvers are made, each by its name.
+
+#include "06_world/game_world/direct_or_soft.hpp"
+#include "06_world/game_world/solver_names.hpp"
+#include "06_world/position_based/position_based.hpp"
+#include "06_world/sequential_impulses/sequential_impulses.hpp"
+#include "06_world/wide_solver/wide_solver.hpp"
+
+#include <span>
+#include <stdexcept>
+#include <string>
+
+namespace cookbook
+{
+
+// [solvers]
+COOKBOOK_WORLD_INLINE WorldSolver soft_solver(const SoftSettings& how)
+{
+  return one_by_one([how](IslandView w, const Island& i, double h) { soft_steps(w, i, h, how); });
+}
+
+COOKBOOK_WORLD_INLINE WorldSolver solver_named(const std::string& name, int substeps)
+{
+  if (substeps < 0)
+  {
+    throw std::invalid_argument("substeps must be zero or more, got " + std::to_string(substeps));
+  }
+  const auto or_else = [&](int usual) { return substeps > 0 ? substeps : usual; };
+  if (name == "direct")
+  {
+    return one_by_one(DirectOrSoft(or_else(8)));
+  }
+  if (name == "soft_steps")
+  {
+    return soft_solver({.substeps = or_else(4)});
+  }
+  if (name == "wide_steps")
+  {
+    return [how = SoftSettings{.substeps = or_else(4)},
+            lanes = WideContacts()](IslandView w, std::span<const Island> all, double h) mutable
+    { wide_steps(w, all, h, how, lanes); };
+  }
+  if (name == "sequential_impulses" || name == "cold_impulses")
+  {
+    const bool warm = name == "sequential_impulses";
+    const SequentialSettings how{.iterations = 8, .warm = warm};
+    const auto steps = [how, n = or_else(1)](IslandView w, const Island& i, double h)
+    {
+      const auto scale = [&](double by)
+      {
+        const std::span<IslandPoint> points = points_of(w, i);
+        scale_impulses(points, by);
+        store(points);
+      };
+      scale(1.0 / n);
+      for (int k = 0; k < n; ++k)
+      {
+        sequential_impulses(w, i, h / n, how);
+      }
+      scale(n);
+    };
+    return one_by_one(steps);
+  }
+  if (name == "position_based")
+  {
+    const PositionSettings how{.substeps = or_else(20)};
+    return one_by_one([how](IslandView w, const Island& i, double h)
+                      { position_based(w, i, h, how); });
+  }
+  std::string all;
+  for (const std::string& one : solver_names())
+  {
+    all.append(all.empty() ? "" : ", ").append(one);
+  }
+  throw std::invalid_argument("there is no solver '" + name + "'; there are " + all);
+}
+// [solvers]
+
+} // namespace cookbook

@@ -1,0 +1,155 @@
+#pragma once
+
+/// \file
+/// \brief Bodies that come, go and are put elsewhere, and who wakes of it.
+
+#include "06_world/contacts/bounds.hpp"
+#include "06_world/game_world/world_state.hpp"
+#include "06_world/islands/island.hpp"
+#include "06_world/sleeping/sleeping.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace cookbook
+{
+
+/// Wakes bodies, with all that hangs together with them. For those that are awake it is enough to
+/// begin their watch anew.
+inline void wake_islands_of(WorldState& world, std::span<const int> bodies)
+{
+  const auto asleep = [&](int body) { return sleeps(world, body); };
+  if (std::any_of(bodies.begin(), bodies.end(), asleep))
+  {
+    world.islands.find(world.bodies, world.contacts);
+    wake(world.sleep, world.islands.numbers(), bodies);
+  }
+  else if (world.may_sleep)
+  {
+    for (const int body : bodies)
+    {
+      world.sleep[place_of(body)] = {};
+    }
+  }
+}
+
+/// Wakes a body, whatever touches it, and all that hangs together with them.
+inline void wake_around(WorldState& world, int body)
+{
+  if (!world.may_sleep)
+  {
+    return;
+  }
+  std::vector<int> touching{body};
+  for (const WorldContact& contact : world.contacts)
+  {
+    if (contact.a == body || contact.b == body)
+    {
+      touching.push_back(contact.a + contact.b - body);
+    }
+  }
+  wake_islands_of(world, touching);
+}
+
+/// Wakes what sleeps in the bounds of a body, with all that hangs together with it.
+inline void wake_touched_by(WorldState& world, const Bounds& bound)
+{
+  if (!world.may_sleep)
+  {
+    return;
+  }
+  std::vector<int> touched;
+  for (const Bounds& other : world.bounds)
+  {
+    if (sleeps(world, other.body) && other.box.intersects(bound.box))
+    {
+      touched.push_back(other.body);
+    }
+  }
+  wake_islands_of(world, touched);
+}
+
+// [world_bodies]
+/// A body's bounds where it is.
+inline Bounds bounds_now(const WorldState& world, std::size_t i)
+{
+  const auto& shape = world.scene.bodies[i].shape;
+  const double margin = contact_margin(world.scene);
+  return {bounds_of(world.bodies[i], shape, margin), static_cast<int>(i)};
+}
+
+/// Puts something at a place of a list, or behind all.
+template <class List, class Item>
+void put_at(List& list, std::size_t place, const Item& item)
+{
+  place < list.size() ? list[place] = item : list.emplace_back(item);
+}
+
+/// The place that the next body is given: that of one who was taken out, or a new one.
+inline std::size_t next_place(const WorldState& world)
+{
+  return world.free.empty() ? world.bodies.size() : world.free.back();
+}
+
+/// Has a body enter the world, and says at which place.
+inline std::size_t enter(WorldState& world, const SceneBody& body)
+{
+  const std::size_t i = next_place(world);
+  const bool had_another = i < world.bodies.size();
+  RigidBody made = rigid_body(body);
+  made.generation = had_another ? world.bodies[i].generation + 1 : 0;
+  put_at(world.scene.bodies, i, body);
+  set_start(world.scene.bodies[i], made);
+  put_at(world.bodies, i, made);
+  world.sleep.resize(world.may_sleep ? world.bodies.size() : 0); // who has left was woken before
+  world.bounds.push_back(bounds_now(world, i));
+  world.balls += made.round ? 1 : 0;
+  put_at(world.gone, i, false);
+  if (had_another)
+  {
+    world.free.pop_back();
+  }
+  return i;
+}
+
+/// Has a body leave it: it stays where it is, and nothing touches it any more. A step later its
+/// place is free.
+inline void leave(WorldState& world, std::size_t i)
+{
+  wake_around(world, static_cast<int>(i));
+  fix(world.bodies[i]);
+  world.balls -= world.bodies[i].round ? 1 : 0;
+  world.gone[i] = true;
+  world.left.push_back(i);
+  std::erase_if(world.bounds, [&](const Bounds& bound) { return place_of(bound.body) == i; });
+  std::erase_if(
+      world.scene.ignored,
+      [&](const auto& pair) { return place_of(pair.first) == i || place_of(pair.second) == i; });
+}
+
+/// Frees the places of those who had left before a step.
+inline void free_places(WorldState& world)
+{
+  world.free.insert(world.free.end(), world.left.begin(), world.left.end());
+  world.left.clear();
+}
+
+/// Puts a body elsewhere, also before the step that was the last.
+inline void put_elsewhere(
+    WorldState& world, std::size_t i, const Vector3<double>& position,
+    const Quaternion<double>& orientation)
+{
+  wake_around(world, static_cast<int>(i));
+  RigidBody& body = world.bodies[i];
+  body.motion.center = position;
+  body.orientation = orientation.normalized();
+  update_axes(body);
+  world.scene.bodies[i].position = position;
+  world.scene.bodies[i].orientation = body.orientation;
+  wake_touched_by(world, bounds_now(world, i));
+}
+// [world_bodies]
+
+} // namespace cookbook

@@ -1,0 +1,84 @@
+#pragma once
+
+/// \file
+/// \brief Who has hit whom in a step, and how fast.
+
+#include "05_resolution/restitution/restitution.hpp"
+#include "06_world/islands/island_points.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
+namespace cookbook
+{
+
+// [impact]
+/// Two bodies that have hit each other in a step.
+struct Impact
+{
+  int a;                  ///< the place of body A in the world's lists
+  int b;                  ///< that of body B, greater than a
+  Vector3<double> place;  ///< [m], world, where they met
+  Vector3<double> normal; ///< [1], unit, world, from A to B
+  double speed;           ///< [m/s], at which they closed there, along the normal
+};
+
+/// Whether two bodies that close at a speed [m/s] do more in a step [s] than their rounding, which
+/// is less than a millionth of their size [m].
+inline bool is_heard(double speed, double step, double size)
+{
+  return speed * step > 1e-6 * size;
+}
+
+/// Adds the impacts at an island's contacts: each at that point, of those that do not press yet,
+/// which closes fastest in a step [s], if that is faster than what comes to rest.
+inline void
+add_impacts(IslandView world, const Island& island, double step, std::vector<Impact>& impacts)
+{
+  for (const int number : island.contacts)
+  {
+    const WorldContact& contact = world.contacts[place_of(number)];
+    const RigidBody &a = world.bodies[place_of(contact.a)], &b = world.bodies[place_of(contact.b)];
+    const double pull = parting_pull(world, contact);
+    const double slow = rest_threshold(world.gravity, pull, step);
+    Impact fastest{contact.a, contact.b, b.motion.center, contact.normal, slow};
+    for (const WorldPoint& point : contact.points)
+    {
+      if (is_pressed(point))
+      {
+        continue;
+      }
+      const Arms<double> arms = arms_of(a, b, point);
+      const double parting = separating_velocity<double>(a, b, contact.normal, arms);
+      const double apart = gap(a, b, contact.normal, point);
+      const double speed = touch_speed<double>(parting, {pull, 0, -apart});
+      const bool touches = apart + step * (parting + step * pull) <= 0;
+      if (speed > fastest.speed && touches && is_heard(speed, step, arms.a.norm() + arms.b.norm()))
+      {
+        const double time = std::max(0.0, apart / speed);
+        fastest.place = b.motion.center + arms.b + time * velocity_at_arm<double>(b.motion, arms.b);
+        fastest.speed = speed;
+      }
+    }
+    if (fastest.speed > slow)
+    {
+      impacts.push_back(fastest);
+    }
+  }
+}
+
+/// Leaves of all impacts of two bodies the fastest, in the order of their pairs.
+inline void keep_fastest(std::vector<Impact>& impacts)
+{
+  const auto key = [](const Impact& one) { return std::tuple(one.a, one.b, -one.speed); };
+  std::sort(
+      impacts.begin(), impacts.end(),
+      [&](const Impact& one, const Impact& other) { return key(one) < key(other); });
+  const auto same = [](const Impact& one, const Impact& other)
+  { return one.a == other.a && one.b == other.b; };
+  impacts.erase(std::unique(impacts.begin(), impacts.end(), same), impacts.end());
+}
+// [impact]
+
+} // namespace cookbook

@@ -1,0 +1,64 @@
+#pragma once
+
+/// \file
+/// \brief Bodies of a world that hang together by contacts, found anew in each step.
+
+#include "06_world/contacts/world_contact.hpp"
+#include "06_world/islands/find_islands.hpp"
+#include "06_world/lanes/groups.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace cookbook
+{
+
+// [island]
+/// Movable bodies that hang together, and their contacts; both in order of number.
+struct Island
+{
+  std::span<const int> bodies;   ///< numbers of bodies
+  std::span<const int> contacts; ///< numbers of contacts
+};
+
+/// All islands of a world, in order of their first bodies; a body that touches nothing is one too.
+class Islands
+{
+public:
+  /// Finds them anew, in the room that there is.
+  void find(std::span<const RigidBody> bodies, std::span<const WorldContact> contacts)
+  {
+    numbers_.resize(bodies.size());
+    find_islands(
+        numbers_, [&](int i) { return !is_fixed(bodies[place_of(i)]); }, contacts);
+    count_ = 0;
+    place_.resize(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+    {
+      place_[i] = numbers_[i] == static_cast<int>(i) ? static_cast<int>(count_++) : -1;
+    }
+    const auto group = [&](int body)
+    {
+      const int number = numbers_[place_of(body)];
+      return number >= 0 ? place_[place_of(number)] : -1;
+    };
+    bodies_.sort(count_, bodies.size(), [&](std::size_t i) { return group(static_cast<int>(i)); });
+    contacts_.sort(
+        count_, contacts.size(),
+        [&](std::size_t i) { return std::max(group(contacts[i].a), group(contacts[i].b)); });
+  }
+
+  std::size_t size() const { return count_; }                  ///< how many there are
+  const std::vector<int>& numbers() const { return numbers_; } ///< of every body, as `islands`
+  Island operator[](std::size_t i) const { return {bodies_[i], contacts_[i]}; } ///< one of them
+
+private:
+  std::size_t count_ = 0;
+  std::vector<int> numbers_, place_;
+  Groups bodies_, contacts_;
+};
+// [island]
+
+} // namespace cookbook

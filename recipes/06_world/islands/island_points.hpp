@@ -1,0 +1,200 @@
+#pragma once
+
+/// \file
+/// \brief The contact points of an island as solvers that go from point to point need them.
+
+#include "05_resolution/contact_constraint/contact_constraint.hpp"
+#include "06_world/islands/island.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace cookbook
+{
+
+// [island_points]
+/// A contact point of an island.
+struct IslandPoint : ContactConstraint<double>
+{
+  RigidBody* a;                ///< the body that the normal points away from
+  RigidBody* b;                ///< the body that it points to
+  const WorldContact* contact; ///< whose point it is
+  WorldPoint* known;           ///< what the next frame finds again
+};
+
+/// What a solver may see and change.
+struct IslandView
+{
+  std::span<RigidBody> bodies;      ///< all bodies of the world
+  std::span<WorldContact> contacts; ///< all contacts of the world
+  Vector3<double> gravity;          ///< [m/s²], world
+  std::vector<IslandPoint>& room;   ///< for the points of an island; kept from step to step
+  std::span<const Pull> forces{};   ///< of this step, force_on()
+};
+
+/// What pulls a body that is not fixed.
+inline Pull pull_on(IslandView world, int body)
+{
+  return pull_on(world.gravity, world.forces, place_of(body));
+}
+
+/// Has that pull it for a time [s].
+inline void pull(IslandView world, int body, double time)
+{
+  pull(world.bodies[place_of(body)], pull_on(world, body), time);
+}
+
+/// How fast [m/s²] that parts the two bodies of a contact; negative where they press.
+inline double parting_pull(IslandView world, const WorldContact& contact)
+{
+  const auto pulls = [&](int body)
+  {
+    const bool fixed = is_fixed(world.bodies[place_of(body)]);
+    return fixed ? 0.0 : pull_on(world, body).acceleration.dot(contact.normal);
+  };
+  return pulls(contact.b) - pulls(contact.a);
+}
+
+/// Moves the bodies of one island on by a step [s], and sets the impulses of its contacts.
+using IslandSolver = std::function<void(IslandView, const Island&, double)>;
+
+/// The same for any number of islands, none of which may feel that there are others.
+using WorldSolver = std::function<void(IslandView, std::span<const Island>, double)>;
+
+/// A solver that solves islands one after the other; none if there is none for one.
+inline WorldSolver one_by_one(IslandSolver solver)
+{
+  if (!solver)
+  {
+    return {};
+  }
+  return
+      [solver = std::move(solver)](IslandView world, std::span<const Island> islands, double step)
+  {
+    for (const Island& island : islands)
+    {
+      solver(world, island, step);
+    }
+  };
+}
+
+/// Finds what impulses at a point feel, with the bodies as they are turned now.
+inline void find_masses(IslandPoint& point)
+{
+  find_masses<double>(point, *point.a, *point.b);
+}
+
+/// Says how a body is turned, as far as the arms are concerned at which it is pushed.
+using FindAxes = Matrix3<double>(const RigidBody&);
+
+/// As it is turned now.
+inline Matrix3<double> axes_now(const RigidBody& body)
+{
+  return body.axes;
+}
+
+/// What the points of a contact have in common.
+struct ContactFrame
+{
+  SurfaceAxes<double> surface; ///< [1], world
+  Matrix3<double> axes_a;      ///< [1], of body A, to take its arms by
+  Matrix3<double> axes_b;      ///< [1], of body B
+};
+
+/// That of a contact of two bodies.
+inline ContactFrame frame_of(
+    const RigidBody& a, const RigidBody& b, const WorldContact& contact,
+    FindAxes& find_axes = axes_now)
+{
+  return {surface_axes(contact.normal), find_axes(a), find_axes(b)};
+}
+
+/// A contact point of two bodies as they are, without its masses; friction is turned with it.
+inline ContactConstraint<double> constraint_of(
+    const RigidBody& a, const RigidBody& b, const WorldContact& contact, const ContactFrame& frame,
+    const WorldPoint& of)
+{
+  const Arms<double> arms{frame.axes_a * of.on_a, frame.axes_b * of.on_b};
+  const double apart = gap(a, b, contact.normal, of);
+  const Vector2<double> friction = frame.surface.along(of.friction);
+  return {
+      contact.normal, frame.surface, arms, contact.friction, apart, of.carried, 0, friction, 0, {}};
+}
+
+/// A contact point of an island.
+inline IslandPoint island_point(
+    RigidBody& a, RigidBody& b, const WorldContact& contact, const ContactFrame& frame,
+    WorldPoint& of)
+{
+  IslandPoint point{constraint_of(a, b, contact, frame, of), &a, &b, &contact, &of};
+  find_masses(point);
+  return point;
+}
+
+/// The points of an island, contact by contact, in the room that the world has for them.
+inline std::span<IslandPoint>
+points_of(IslandView world, const Island& island, FindAxes& find_axes = axes_now)
+{
+  std::vector<IslandPoint>& points = world.room;
+  points.clear();
+  for (const int number : island.contacts)
+  {
+    WorldContact& contact = world.contacts[place_of(number)];
+    RigidBody& a = world.bodies[place_of(contact.a)];
+    RigidBody& b = world.bodies[place_of(contact.b)];
+    const ContactFrame frame = frame_of(a, b, contact, find_axes);
+    for (WorldPoint& point : contact.points)
+    {
+      points.push_back(island_point(a, b, contact, frame, point));
+    }
+  }
+  return points;
+}
+
+/// Writes down what points have been given, for the next frame to begin with.
+inline void store(std::span<const IslandPoint> points)
+{
+  for (const IslandPoint& point : points)
+  {
+    point.known->impulse = point.known->carried = point.impulse;
+    point.known->friction = point.surface.in_world(point.friction);
+  }
+}
+
+/// How far apart [m] the surfaces are at a point where the bodies are now.
+inline double gap(const IslandPoint& point)
+{
+  return gap(*point.a, *point.b, point.normal, *point.known);
+}
+
+/// How fast [m/s] the surfaces part at a point.
+inline double separating_velocity(const IslandPoint& point)
+{
+  return separating_velocity<double>(*point.a, *point.b, point);
+}
+
+/// Pushes the bodies of a point along the normal, or takes back at most what it has got; R7.
+inline void add_impulse(IslandPoint& point, double change)
+{
+  add_impulse<double>(*point.a, *point.b, point, change);
+}
+
+/// Takes away what slips at a point; R6.
+inline void add_friction(IslandPoint& point)
+{
+  add_friction<double>(*point.a, *point.b, point);
+}
+
+/// Gives the bodies of a point what the frame before has ended with.
+inline void warm_start(const IslandPoint& point)
+{
+  warm_start<double>(*point.a, *point.b, point);
+}
+// [island_points]
+
+} // namespace cookbook

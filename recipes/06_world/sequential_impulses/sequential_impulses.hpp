@@ -1,0 +1,150 @@
+#pragma once
+
+/// \file
+/// \brief Many contacts by impulses: one point after the other, pass by pass, frame by frame.
+
+#include "05_resolution/position_correction/position_correction.hpp"
+#include "06_world/contacts/moved_body.hpp"
+#include "06_world/islands/body_shift.hpp"
+#include "06_world/islands/island_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace cookbook
+{
+
+// [sequential_settings]
+/// How sequential impulses are run.
+struct SequentialSettings
+{
+  int iterations = 8;          ///< passes over the velocities in a frame
+  bool warm = true;            ///< whether a frame begins with the impulses of the one before
+  double correction = 0.2;     ///< [1], share of an overlap that a frame pushes out
+  double slop = 0.005;         ///< [m], of overlap that stays
+  double correction_speed = 3; ///< [m/s], no overlap is pushed out faster
+  int position_iterations = 0; ///< passes over the positions, which then push out instead
+};
+// [sequential_settings]
+
+// [target_speed]
+/// The speed [m/s] at which the surfaces are to part at a point, at least.
+///
+/// Below zero for a gap, which may close in the step [s]; above zero for an overlap, R11.
+inline double
+target_speed(const IslandPoint& point, double step, const SequentialSettings& settings)
+{
+  const double apart = point.separation;
+  if (apart > 0 || settings.position_iterations > 0)
+  {
+    return std::min(0.0, -apart / step);
+  }
+  return push_speed(-apart, settings.slop, settings.correction / step, settings.correction_speed);
+}
+// [target_speed]
+
+// [velocity_pass]
+/// A contact point and what it is to come to.
+struct SequentialPoint
+{
+  IslandPoint point;
+  double target; ///< [m/s], the least parting speed
+};
+
+/// Corrects every point once: its sum of impulses, never below zero, then its friction; R7.
+inline void velocity_pass(std::vector<SequentialPoint>& points)
+{
+  for (SequentialPoint& one : points)
+  {
+    IslandPoint& point = one.point;
+    add_impulse(point, point.normal_mass * (one.target - separating_velocity(point)));
+    add_friction(point);
+  }
+}
+
+/// How far [m/s] the impulses are from an answer: the largest change of speed that R7 would still
+/// make at a point; R10.
+inline double complementarity_residual(const std::vector<SequentialPoint>& points)
+{
+  double most = 0;
+  for (const auto& [point, target] : points)
+  {
+    const double pressed = point.impulse / point.normal_mass;
+    most = std::max(most, std::abs(std::min(pressed, separating_velocity(point) - target)));
+  }
+  return most;
+}
+// [velocity_pass]
+
+// [position_pass]
+/// Takes a share of every overlap beyond the slop away by moving the bodies, not their velocities;
+/// R12.
+inline void position_pass(std::vector<SequentialPoint>& points, const SequentialSettings& settings)
+{
+  for (SequentialPoint& one : points)
+  {
+    const Vector3<double>& normal = one.point.normal;
+    const double apart = relaxation(-gap(one.point), settings.slop, settings.correction);
+    if (apart > 0)
+    {
+      shift_apart(one.point, apart / shift_inverse_mass(one.point, normal) * normal);
+    }
+  }
+}
+// [position_pass]
+
+// [sequential_impulses]
+/// The points of an island, their bodies pulled for a step [s] and pushed once more as
+/// in the frame before, or not.
+inline std::vector<SequentialPoint> sequential_points(
+    IslandView world, const Island& island, double step, const SequentialSettings& settings)
+{
+  for (const int body : island.bodies)
+  {
+    pull(world, body, step);
+  }
+  std::vector<SequentialPoint> points;
+  for (IslandPoint& point : points_of(world, island))
+  {
+    if (settings.warm)
+    {
+      warm_start(point);
+    }
+    else
+    {
+      point.impulse = 0;
+      point.friction.setZero();
+    }
+    points.push_back({point, target_speed(point, step, settings)});
+  }
+  return points;
+}
+
+/// Moves the bodies of an island on by a step [s]; R7.
+///
+/// Without iterations nothing holds the bodies but the impulses of the frame before.
+inline void sequential_impulses(
+    IslandView world, const Island& island, double step, const SequentialSettings& settings)
+{
+  std::vector<SequentialPoint> points = sequential_points(world, island, step, settings);
+  for (int i = 0; i < settings.iterations; ++i)
+  {
+    velocity_pass(points);
+  }
+  for (const SequentialPoint& one : points)
+  {
+    store({&one.point, 1});
+  }
+  for (const int body : island.bodies)
+  {
+    move(world.bodies[static_cast<std::size_t>(body)], step);
+  }
+  for (int i = 0; i < settings.position_iterations; ++i)
+  {
+    position_pass(points, settings);
+  }
+}
+// [sequential_impulses]
+
+} // namespace cookbook

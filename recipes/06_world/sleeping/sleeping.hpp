@@ -1,0 +1,133 @@
+#pragma once
+
+/// \file
+/// \brief Bodies that rest may sleep: when islands of them fall asleep, and what wakes them.
+
+#include "03_sphere_manifolds/collision/motion.hpp"
+#include "06_world/islands/find_islands.hpp"
+#include "common/math/vector.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace cookbook
+{
+
+// [watch]
+/// How little a body must move, and for how long, before it may sleep.
+template <class Real>
+struct SleepLimits
+{
+  Real speed = Real(0.05);   ///< [m/s], of its fastest point, at any time
+  Real way = Real(0.002);    ///< [m], all that its fastest point goes in the time
+  Real change = Real(0.005); ///< [m/s], between its velocity at the start and at any time
+  Real time = Real(0.5);     ///< [s]
+};
+
+/// What is known of a body that is watched until it rests.
+template <class Real>
+struct SleepState
+{
+  Vector3<Real> velocity = Vector3<Real>::Zero();         ///< [m/s], when the watch began
+  Vector3<Real> angular_velocity = Vector3<Real>::Zero(); ///< [rad/s], when the watch began
+  Real way = Real(0);                                     ///< [m], gone since
+  Real still = Real(0);                                   ///< [s], since the watch began
+  bool asleep = false; ///< whether the body is left out of the simulation
+  bool calm = true;    ///< at the first body of an island: whether all of it may sleep
+};
+
+/// The watch of an awake body a step [s] later; it begins anew where the body has moved too much.
+///
+/// A velocity that is not a number is too much.
+template <class Real>
+SleepState<Real> watched(
+    SleepState<Real> state, const Vector3<Real>& velocity, const Vector3<Real>& angular_velocity,
+    const Real& radius, const Real& step, const SleepLimits<Real>& limits)
+{
+  const Real speed = fastest_point(velocity, angular_velocity, radius);
+  const Real change = fastest_point<Real>(
+      velocity - state.velocity, angular_velocity - state.angular_velocity, radius);
+  const Real way = state.way + step * speed;
+  if (speed <= limits.speed && way <= limits.way && change <= limits.change)
+  {
+    state.way = way;
+    state.still += step;
+    return state;
+  }
+  return {velocity, angular_velocity, Real(0), Real(0), false};
+}
+
+/// Whether a body has been watched long enough.
+template <class Real>
+bool may_sleep(const SleepState<Real>& state, const SleepLimits<Real>& limits)
+{
+  return state.still >= limits.time;
+}
+// [watch]
+
+// [settle]
+/// Puts to sleep every island all of whose bodies may, and wakes every other.
+template <class Real>
+void settle(
+    std::vector<SleepState<Real>>& states, const std::vector<int>& island_of,
+    const SleepLimits<Real>& limits)
+{
+  const auto calm = [&](std::size_t i) -> bool&
+  { return states[static_cast<std::size_t>(island_of[i])].calm; };
+  for (SleepState<Real>& state : states)
+  {
+    state.calm = true;
+  }
+  for (std::size_t i = 0; i < states.size(); ++i)
+  {
+    if (island_of[i] >= 0 && !may_sleep(states[i], limits))
+    {
+      calm(i) = false;
+    }
+  }
+  for (std::size_t i = 0; i < states.size(); ++i)
+  {
+    if (island_of[i] >= 0 && states[i].asleep != calm(i))
+    {
+      const bool rests = calm(i);
+      states[i] = rests ? states[i] : SleepState<Real>{};
+      states[i].asleep = states[i].calm = rests;
+    }
+  }
+}
+
+/// Wakes the whole islands of some bodies: before one is removed, and when one is pushed or moved
+/// by hand.
+template <class Real>
+void wake(
+    std::vector<SleepState<Real>>& states, const std::vector<int>& island_of,
+    std::span<const int> bodies)
+{
+  std::vector<bool> woken(states.size(), false);
+  for (const int body : bodies)
+  {
+    const int island = island_of[static_cast<std::size_t>(body)];
+    if (island >= 0)
+    {
+      woken[static_cast<std::size_t>(island)] = true;
+    }
+  }
+  for (std::size_t i = 0; i < states.size(); ++i)
+  {
+    if (island_of[i] >= 0 && woken[static_cast<std::size_t>(island_of[i])])
+    {
+      states[i] = {};
+    }
+  }
+}
+
+/// Wakes the whole island of one body.
+template <class Real>
+void wake(std::vector<SleepState<Real>>& states, const std::vector<int>& island_of, int body)
+{
+  wake(states, island_of, std::span<const int>(&body, 1));
+}
+// [settle]
+
+} // namespace cookbook

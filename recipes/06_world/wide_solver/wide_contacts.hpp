@@ -1,0 +1,176 @@
+#pragma once
+
+/// \file
+/// \brief The contacts of islands side by side, colour by colour, and all that is done to them.
+
+#include "06_world/wide_solver/islands_together.hpp"
+#include "06_world/wide_solver/lane_numbers.hpp"
+#include "06_world/wide_solver/passes_in_lanes.hpp"
+#include "06_world/wide_solver/wide_turns.hpp"
+#include "common/simd/lanes.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace cookbook
+{
+
+// [widest_passes]
+/// The passes in the widest registers of this processor, where cookbook::wide_passes is linked;
+/// otherwise in those of the processors that this file is compiled for. All give the same bits.
+#if defined(COOKBOOK_WIDE_PASSES)
+WidePasses widest_passes();
+#else
+inline WidePasses widest_passes()
+{
+  return passes_in_lanes<Lanes>();
+}
+#endif
+// [widest_passes]
+
+/// The contacts of islands, and their bodies, as lanes.
+class WideContacts
+{
+public:
+  /// Lanes for these passes.
+  explicit WideContacts(const WidePasses& passes = widest_passes()) : turns(passes), passes_(passes)
+  {
+  }
+
+  IslandsTogether islands; ///< those whose contacts are taken
+  WideTurns turns;         ///< how their bodies move on
+
+  /// Takes the contacts of all islands, their impulses as they are for one of so many small steps.
+  void take(IslandView world, int substeps)
+  {
+    const double share = 1.0 / substeps;
+    take_bodies(world);
+    groups_.find(world, islands.contacts(), passes_.lanes);
+    numbers_.clear(groups_, passes_.lanes, static_cast<int>(world.bodies.size()));
+    for_each_contact(
+        world,
+        [&](const WorldContact& contact, std::size_t lane)
+        {
+          numbers_.put(contact, lane);
+          std::size_t place = first_of(lane);
+          const RigidBody& a = world.bodies[place_of(contact.a)];
+          const RigidBody& b = world.bodies[place_of(contact.b)];
+          const ContactFrame frame = frame_of(a, b, contact, kept_axes);
+          for (const WorldPoint& point : contact.points)
+          {
+            ContactConstraint<double> at = constraint_of(a, b, contact, frame, point);
+            at.impulse *= share;
+            at.friction *= share;
+            numbers_.put(at, place++, lane);
+          }
+        });
+    find_masses();
+  }
+
+  /// Finds what impulses feel, by the inverse masses that the bodies have here.
+  void find_masses() { passes_.find_masses(view()); }
+
+  /// Pushes as the step before has ended.
+  void warm_start() { passes_.warm_start(view()); }
+
+  /// Forgets what the points of these bodies have been given.
+  void start_cold(IslandView world, std::span<const TurningBody> bodies)
+  {
+    for_each_contact(
+        world,
+        [&](const WorldContact& contact, std::size_t lane)
+        {
+          const auto touches = [&](const TurningBody& one)
+          { return one.number == contact.a || one.number == contact.b; };
+          if (std::any_of(bodies.begin(), bodies.end(), touches))
+          {
+            for (std::size_t i = 0; i < contact.points.size(); ++i)
+            {
+              numbers_.start_cold(first_of(lane) + i, lane);
+            }
+          }
+        });
+  }
+
+  /// Corrects every point once, with a spring, in a small step [s]; whether that is the last time.
+  void correct(const Softness<double>& spring, double small, bool last)
+  {
+    const auto rounded = [](double number) { return static_cast<float>(number); };
+    passes_.correct(
+        view(),
+        {rounded(spring.bias_rate), rounded(spring.mass_scale), rounded(spring.impulse_scale)},
+        rounded(small), last);
+  }
+
+  /// Carries all gaps on for a small step [s].
+  void part(double small) { passes_.part(view(), static_cast<float>(small)); }
+
+  /// Writes down what the points have been given in so many small steps.
+  void store(IslandView world, int substeps)
+  {
+    const float scale = static_cast<float>(substeps);
+    for_each_contact(
+        world,
+        [&](WorldContact& contact, std::size_t lane)
+        {
+          std::size_t place = first_of(lane);
+          const SurfaceAxes<double> surface = surface_axes(contact.normal);
+          for (WorldPoint& known : contact.points)
+          {
+            const ContactConstraint<float> at = numbers_.pushed(place++, lane);
+            known.impulse = at.sum;
+            known.carried = scale * at.impulse;
+            known.friction = surface.in_world((scale * at.friction).cast<double>());
+          }
+        });
+  }
+
+  /// A body of the world, to be pushed here.
+  LaneBody& body(int number) { return bodies_[place_of(number)]; }
+
+private:
+  WideView view() { return numbers_.view(groups_.all(), bodies_.data()); }
+
+  /// The place of the first point of a lane.
+  std::size_t first_of(std::size_t lane) const { return groups_.all()[lane / passes_.lanes].first; }
+
+  /// Calls `call(contact, lane)` for all contacts, with their lanes among all.
+  template <class Call>
+  void for_each_contact(IslandView world, const Call& call)
+  {
+    for (std::size_t lane = 0; lane < groups_.taken().size(); ++lane)
+    {
+      const int taken = groups_.taken()[lane];
+      if (taken != WideGroups::none)
+      {
+        call(world.contacts[place_of(islands.contacts()[place_of(taken)])], lane);
+      }
+    }
+  }
+
+  /// Bodies have their places in the world; behind them is nobody, of whom all numbers are zero, as
+  /// of what is fixed: nothing moves it.
+  void take_bodies(IslandView world)
+  {
+    bodies_.assign(world.bodies.size() + 1, {});
+    for (std::size_t island = 0; island < islands.all().size(); ++island)
+    {
+      const float speed = static_cast<float>(islands.correction_speeds()[island]);
+      for (const int i : islands.all()[island].bodies)
+      {
+        put_motion(world.bodies[place_of(i)], body(i));
+        put_inverse_masses(world.bodies[place_of(i)], body(i));
+        body(i).inverse_inertia[3] = speed;
+      }
+    }
+  }
+
+  WidePasses passes_;
+  WideGroups groups_;
+  LaneNumbers numbers_;
+  std::vector<LaneBody> bodies_; // by their places in the world
+};
+
+} // namespace cookbook

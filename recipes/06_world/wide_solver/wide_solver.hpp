@@ -1,0 +1,155 @@
+#pragma once
+
+/// \file
+/// \brief Soft steps, many contacts at a time: what one contact teaches, on packs of floats.
+
+#include "06_world/soft_steps/soft_steps.hpp"
+#include "06_world/wide_solver/wide_contacts.hpp"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace cookbook
+{
+
+// [fits_floats]
+/// Whether what an island is about to be pushed by fits into floats, and its squares, too.
+inline bool fits_floats(IslandView world, const Island& island, double step)
+{
+  constexpr double most = 1e15;
+  const auto fits = [&](int i)
+  {
+    const RigidBody& body = world.bodies[place_of(i)];
+    const Motion<double> motion = after_pull(body.motion, pull_on(world, i), step);
+    const double turning = body.inverse_inertia.cwiseAbs().maxCoeff();
+    return body.inverse_mass * most >= 1 && body.inverse_mass <= most && turning <= most * most &&
+           motion.velocity.cwiseAbs().maxCoeff() <= most &&
+           motion.angular_velocity.cwiseAbs().maxCoeff() <= most;
+  };
+  return std::all_of(island.bodies.begin(), island.bodies.end(), fits);
+}
+// [fits_floats]
+
+// [wide_bodies]
+/// Has forces pull all bodies for a small step [s]; those that turn noticeably in it.
+inline std::vector<TurningBody> pull(IslandView world, double small, WideContacts& lanes)
+{
+  std::vector<TurningBody> turning;
+  lanes.islands.for_each_body(
+      [&](int i)
+      {
+        RigidBody& body = world.bodies[place_of(i)];
+        take_motion(lanes.body(i), body);
+        pull(world, i, small);
+        put_motion(body, lanes.body(i));
+        add_turning(i, body, small, turning);
+      });
+  return turning;
+}
+
+/// Pushes as the step before has ended; of those that turn noticeably, which are reordered, whoever
+/// would gain energy by it starts from nothing.
+inline void warm_start(IslandView world, std::span<TurningBody> turning, WideContacts& lanes)
+{
+  lanes.warm_start();
+  const auto gains = [&](const TurningBody& one)
+  {
+    RigidBody pushed = world.bodies[place_of(one.number)];
+    take_motion(lanes.body(one.number), pushed);
+    return kinetic_energy(pushed) > one.energy;
+  };
+  const auto cold = std::partition(turning.begin(), turning.end(), gains);
+  if (cold == turning.begin())
+  {
+    return;
+  }
+  lanes.start_cold(world, {turning.begin(), cold});
+  lanes.islands.for_each_body([&](int i) { put_motion(world.bodies[place_of(i)], lanes.body(i)); });
+  lanes.warm_start();
+}
+
+/// Moves all bodies on by a small step [s], and finds what impulses feel, where any of an island
+/// turns by what is noticed.
+inline void move(IslandView world, double small, WideContacts& lanes)
+{
+  lanes.turns.move(
+      world.bodies, lanes.islands, small,
+      [&](int i, RigidBody& body) { take_motion(lanes.body(i), body); });
+  bool any = false;
+  for (const Island& island : lanes.islands.all())
+  {
+    bool turned = false;
+    for (const int i : island.bodies)
+    {
+      const RigidBody& body = world.bodies[place_of(i)];
+      put_motion(body, lanes.body(i));
+      turned = turned || turns_noticeably(body, small);
+    }
+    if (turned)
+    {
+      any = true;
+      for (const int i : island.bodies)
+      {
+        update_axes(world.bodies[place_of(i)]);
+        put_inverse_masses(world.bodies[place_of(i)], lanes.body(i));
+      }
+    }
+  }
+  if (any)
+  {
+    lanes.find_masses();
+  }
+}
+// [wide_bodies]
+
+// [wide_steps]
+/// Moves the bodies of islands on by a step [s], as soft_steps() does, a contact in every lane of a
+/// pack of floats; R13, R16. They may be of different islands: none feels that there are others.
+///
+/// Contacts come colour by colour, so that the order differs from that of soft_steps(), and with it
+/// the answer; poses stay in double. What does not fit into floats is left to soft_steps(). `lanes`
+/// is kept from step to step for its room alone.
+inline void wide_steps(
+    IslandView world, std::span<const Island> islands, double step, const SoftSettings& settings,
+    WideContacts& lanes)
+{
+  lanes.islands.clear();
+  for (const Island& island : islands)
+  {
+    if (fits_floats(world, island, step))
+    {
+      take_arms(world, island, settings.kept_turn);
+      lanes.islands.add(island, speed_of_correction(world, island, step, settings));
+    }
+    else
+    {
+      soft_steps(world, island, step, settings);
+    }
+  }
+  const double small = step / settings.substeps;
+  lanes.take(world, settings.substeps);
+  for (int i = 0; i < settings.substeps; ++i)
+  {
+    std::vector<TurningBody> turning = pull(world, small, lanes);
+    warm_start(world, turning, lanes);
+    lanes.correct(spring_for(small, settings), small, false);
+    move(world, small, lanes);
+    lanes.part(small);
+    lanes.correct(rigid<double>(), small, true);
+  }
+  lanes.islands.for_each_body(
+      [&](int i)
+      {
+        take_motion(lanes.body(i), world.bodies[place_of(i)]);
+        update_axes(world.bodies[place_of(i)]);
+      });
+  lanes.store(world, settings.substeps);
+  for (const Island& island : lanes.islands.all())
+  {
+    hold_corners(world, island, settings.worn_corner);
+  }
+}
+// [wide_steps]
+
+} // namespace cookbook

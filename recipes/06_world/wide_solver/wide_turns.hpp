@@ -1,0 +1,89 @@
+#pragma once
+
+/// \file
+/// \brief Bodies of a world that move on, as many at a time as a register has doubles.
+
+#include "06_world/contacts/moved_body.hpp"
+#include "06_world/lanes/turn_in_lanes.hpp"
+#include "06_world/wide_solver/islands_together.hpp"
+#include "06_world/wide_solver/wide_view.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace cookbook
+{
+
+// [wide_turns]
+/// Moves bodies on as move() does; those that turn little, many at a time, balls and cubes among
+/// them: these by the right angle to a ten-millionth.
+class WideTurns
+{
+public:
+  /// Turns them by these passes.
+  explicit WideTurns(const WidePasses& passes) : turn_(passes.turn), lanes_(passes.lanes / 2) {}
+
+  /// Moves the bodies of islands with their velocities, which `take(number, body)` may give them
+  /// first, for a time [s]; their matrices are left for update_axes().
+  template <class Take>
+  void
+  move(std::span<RigidBody> bodies, const IslandsTogether& islands, double time, const Take& take)
+  {
+    little_.clear();
+    little_.reserve(bodies.size());
+    islands.for_each_body(
+        [&](int i)
+        {
+          RigidBody& body = bodies[place_of(i)];
+          take(i, body);
+          body.motion.center += time * body.motion.velocity;
+          if (turns_little(body, time))
+          {
+            little_.push_back(&body);
+          }
+          else
+          {
+            turn_pose(body, time);
+          }
+        });
+    for (std::size_t first = 0; first < little_.size(); first += lanes_)
+    {
+      turn(first, time);
+    }
+  }
+
+private:
+  static constexpr std::size_t most_lanes = 8; // of doubles, in the widest register
+
+  /// Turns as many as there are lanes; where fewer are left, the last one is in several.
+  void turn(std::size_t first, double time)
+  {
+    const auto body = [&](std::size_t lane) -> RigidBody&
+    { return *little_[std::min(first + lane, little_.size() - 1)]; };
+    alignas(64) double numbers[turning_numbers * most_lanes];
+    for (std::size_t lane = 0; lane < lanes_; ++lane)
+    {
+      TurningLane<double> put{spinning(body(lane)), body(lane).moments};
+      WriteLane<double> write{numbers + lane, lanes_};
+      each_turned(put, write);
+      each_given(put, write);
+    }
+    turn_(numbers, time);
+    for (std::size_t lane = 0; lane < lanes_; ++lane)
+    {
+      TurningLane<double> taken;
+      ReadLane<double> read{numbers + lane, lanes_};
+      each_turned(taken, read);
+      take_spin(taken.now, body(lane));
+    }
+  }
+
+  void (*turn_)(double* numbers, double time);
+  std::size_t lanes_;
+  std::vector<RigidBody*> little_;
+};
+// [wide_turns]
+
+} // namespace cookbook
