@@ -61,6 +61,7 @@ inline void check(const std::string& member, double value, double least, double 
 inline RigidBody make_body(
     bool is_sphere, const Vector3<double>& center, const Vector3<double>& half_extents, double mass)
 {
+  check("mass", mass, mass == 0 ? 0 : 1e-6, 1e6);
   const double infinite = std::numeric_limits<double>::infinity();
   const MassProperties<double> properties =
       mass == 0   ? MassProperties<double>{infinite, Vector3<double>::Constant(infinite)}
@@ -88,10 +89,11 @@ inline RigidBody sphere(const Vector3<double>& center, double radius, double mas
 /// Refuses a body that is not of a room: 1 mm to 1 km, 1 mg to 1,000 t, up to 10 km/s.
 inline void check(const RigidBody& body)
 {
-  check("half_extents", body.half_extents.minCoeff(), 0.001, 1000);
-  check("half_extents", body.half_extents.maxCoeff(), 0.001, 1000);
+  for (const double half_extent : body.half_extents)
+  {
+    check("half_extents", half_extent, 0.001, 1000);
+  }
   check("inverse_mass", body.inverse_mass, 0, 1e6);
-  check("mass", body.inverse_mass == 0 ? 1 : 1 / body.inverse_mass, 1e-6, 1e6);
   check("orientation.norm()", body.orientation.norm(), 0.999, 1.001);
   check("center.norm()", body.motion.center.norm(), 0, 1e6);
   check("velocity.norm()", body.motion.velocity.norm(), 0, 1e4);
