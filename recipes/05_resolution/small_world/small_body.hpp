@@ -104,11 +104,13 @@ inline void check(const RigidBody& body)
 // [make_body]
 
 // [manifold_of]
+/// The sphere that a body is.
 inline Sphere<double> sphere_of(const RigidBody& body)
 {
   return {body.motion.center, body.half_extents.x()};
 }
 
+/// The oriented box (OBB) that a body is.
 inline Obb<double> box_of(const RigidBody& body)
 {
   return {body.motion.center, body.orientation.toRotationMatrix(), body.half_extents};
