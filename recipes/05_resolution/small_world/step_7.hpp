@@ -7,7 +7,6 @@
 #include "05_resolution/contact_constraint/soft_contact.hpp"
 #include "05_resolution/restitution/restitution.hpp"
 #include "05_resolution/small_world/small_body.hpp"
-#include "05_resolution/tunnelling/first_touch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -356,62 +355,73 @@ inline void apply_restitution(World& world)
   }
 }
 
-/// From a point [m]: the direction to a body, and how far [m] its surface is; zero inside.
-inline Direction<double> surface_from(const Vector3<double>& point, const RigidBody& body)
+/// The first touch of a sphere that moves.
+struct Touch
 {
-  if (body.is_sphere)
+  double time;            ///< [1], as a fraction of its displacement
+  Vector3<double> normal; ///< [1], unit, from the sphere to what it touches
+};
+
+/// The first touch of a sphere that moves by a displacement [m] with a body that stands still, by
+/// conservative advancement: on by what the gap allows, until a thousandth of the radius is left of
+/// it; P20.
+inline std::optional<Touch>
+first_touch(const Sphere<double>& start, const Vector3<double>& displacement, const RigidBody& body)
+{
+  double time = 0;
+  for (int i = 0; i < 64; ++i)
   {
-    const Direction<double> to = normalize<double>(body.motion.center - point);
-    return {to.unit, to.length - body.half_extents.x()};
+    const Vector3<double> center = start.center + time * displacement;
+    const Vector3<double> closest =
+        body.is_sphere ? body.motion.center : closest_on_box(box_of(body), center);
+    const double distance = (closest - center).norm();
+    const double gap = distance - start.radius - (body.is_sphere ? body.half_extents.x() : 0);
+    const Vector3<double> normal = (closest - center) / distance;
+    const double closing = displacement.dot(normal);
+    if (!(closing > 0) || time > 1)
+    {
+      return std::nullopt; // it moves away, or the step ends before
+    }
+    if (gap <= 0.001 * start.radius)
+    {
+      return Touch{time, normal};
+    }
+    time += gap / closing;
   }
-  return normalize<double>(closest_on_box(box_of(body), point) - point);
+  return std::nullopt;
 }
 
-/// When a sphere that has moved by a displacement [m] first touched a body, as a fraction of that,
-/// by conservative advancement; nothing if it did not, or if they touched before; P20.
-inline std::optional<SweptHit<double>> time_of_impact(
-    const World& world, std::size_t i, const Vector3<double>& displacement, std::size_t j)
+/// Whether two bodies touched at the beginning of the step.
+inline bool touched(const World& world, std::size_t i, std::size_t j)
 {
-  const auto touched = [&](const Contact& contact)
-  { return contact.a == std::min(i, j) && contact.b == std::max(i, j); };
-  if (i == j || std::any_of(world.contacts.begin(), world.contacts.end(), touched))
-  {
-    return std::nullopt;
-  }
-  const RigidBody& sphere = world.bodies[i];
-  const Vector3<double> start = sphere.motion.center - displacement;
-  const double radius = sphere.half_extents.x();
-  const auto gap = [&](const Vector3<double>& offset)
-  {
-    const Direction<double> to = surface_from(start + offset, world.bodies[j]);
-    return Direction<double>{to.unit, to.length - radius};
-  };
-  const double size = start.norm() + displacement.norm() + radius;
-  return first_touch<double>(displacement, 16 * std::numeric_limits<double>::epsilon() * size, gap);
+  return std::any_of(
+      world.contacts.begin(), world.contacts.end(),
+      [&](const Contact& contact)
+      { return contact.a == std::min(i, j) && contact.b == std::max(i, j); });
 }
 
 /// Takes a sphere that has moved by a displacement [m] in a step of a time [s] back to where it
 /// first touched another body, and a hundredth of its radius into it; and its speed towards that
-/// body with it, which gravity has gone on to change.
+/// body, which gravity has gone on to change.
 inline void
 stop_at_first_touch(World& world, std::size_t i, const Vector3<double>& displacement, double time)
 {
   RigidBody& sphere = world.bodies[i];
-  Aabb<double> swept = bounds_of(sphere);
-  swept.extend(swept.translated(Vector3<double>(-displacement)));
-  SweptHit<double> first{1, Vector3<double>::Zero()};
+  const Sphere<double> start{sphere.motion.center - displacement, sphere.half_extents.x()};
+  Touch first{1, Vector3<double>::Zero()};
   for (std::size_t j = 0; j < world.bodies.size(); ++j)
   {
-    if (swept.intersects(bounds_of(world.bodies[j])))
+    const std::optional<Touch> touch =
+        i == j ? std::nullopt : first_touch(start, displacement, world.bodies[j]);
+    if (touch && touch->time < first.time && !touched(world, i, j))
     {
-      const std::optional<SweptHit<double>> hit = time_of_impact(world, i, displacement, j);
-      first = hit && hit->time < first.time ? *hit : first;
+      first = *touch;
     }
   }
   const double too_long = (1 - first.time) * time;
   sphere.motion.velocity -= too_long * world.gravity.dot(first.normal) * first.normal;
   sphere.motion.center -= (1 - first.time) * displacement;
-  sphere.motion.center += 0.01 * sphere.half_extents.x() * first.normal;
+  sphere.motion.center += 0.01 * start.radius * first.normal;
 }
 
 /// Continuous collision detection (CCD): does so with each sphere that has moved more than half its
