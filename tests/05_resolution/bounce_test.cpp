@@ -55,7 +55,7 @@ TEST_CASE("at one point a bounce of one pass is a collision, exactly", "[R5]")
     Manifold<Rational> manifold{meeting.normal, 0, {}};
     manifold.points.push_back({meeting.point, 0, 0});
     const BodyPair<Rational> once =
-        collide<Rational>(meeting.bodies, meeting.normal, meeting.point, Rational(1) / 3);
+        resolve_collision<Rational>(meeting.bodies, meeting.normal, meeting.point, Rational(1) / 3);
     const BodyPair<Rational> same = bounce<Rational>(meeting.bodies, manifold, Rational(1) / 3, 1);
     CHECK(same.a.motion.velocity == once.a.motion.velocity);
     CHECK(same.b.motion.angular_velocity == once.b.motion.angular_velocity);

@@ -61,7 +61,7 @@ double energy(const Body<double>& body)
 BodyPair<double> over_ground(const V& velocity)
 {
   const Solid ball = ball_at({0, 0.5, 0}, 1, 0.5);
-  BodyPair<double> bodies{immovable<double>({0, 0, 0}), ball.body};
+  BodyPair<double> bodies{static_body<double>({0, 0, 0}), ball.body};
   bodies.b.motion.velocity = velocity;
   return bodies;
 }
@@ -70,12 +70,12 @@ BodyPair<double> over_ground(const V& velocity)
 const SlidingMass<double> of_ball{Matrix2<double>::Identity() * 2 / 7, 2 / 7.0};
 
 /// Friction after one more visit to the lowest point of a ball, in the world.
-V visited(const BodyPair<double>& ball, const V& so_far, double most)
+V visited(const BodyPair<double>& ball, const V& accumulated, double most)
 {
   const Arms<double> arms = arms_to<double>(ball, {0, 0, 0});
   const AlongSurface sliding = sliding_velocity(ball.a, ball.b, floor_axes, arms);
   return floor_axes.in_world(
-      friction_impulse<double>(sliding, of_ball, floor_axes.along(so_far), most));
+      friction_impulse<double>(sliding, of_ball, floor_axes.along(accumulated), most));
 }
 
 FrictionRule cone()
@@ -141,12 +141,12 @@ TEST_CASE("a ball that slides at (3, 0, 4) feels 2/7 of its mass: 10/7 N s make 
   const BodyPair<double> bodies = over_ground({3, 0, 4});
   const Arms<double> arms = arms_to<double>(bodies, {0, 0, 0});
   const SlidingMass<double> felt = sliding_mass(bodies.a, bodies.b, floor_axes, arms);
-  CHECK(felt.least == Catch::Approx(2 / 7.0).epsilon(rounding));
-  CHECK((felt.ending - of_ball.ending).norm() <= rounding);
+  CHECK(felt.smallest == Catch::Approx(2 / 7.0).epsilon(rounding));
+  CHECK((felt.matrix - of_ball.matrix).norm() <= rounding);
   const V enough = visited(bodies, {0, 0, 0}, 5);
   CHECK((enough + V(3, 0, 4) * 2 / 7).norm() <= rounding);
   BodyPair<double> rolls = bodies;
-  push_apart(rolls.a, rolls.b, arms, enough);
+  apply_impulse(rolls.a, rolls.b, arms, enough);
   CHECK(sliding_velocity(rolls.a, rolls.b, floor_axes, arms).norm() <= 4 * rounding);
   CHECK((rolls.b.motion.velocity - V(3, 0, 4) * 5 / 7).norm() <= 4 * rounding);
   // No more than 1/2, straight against the sliding.
@@ -177,7 +177,7 @@ TEST_CASE("friction keeps momenta and takes energy, for 100 random pairs", "[R6]
     const AlongSurface sliding = sliding_velocity(before.a, before.b, surface, arms);
     const V impulse = surface.in_world(friction_impulse<double>(sliding, mass, {0, 0}, 0.5));
     BodyPair<double> after = before;
-    push_apart(after.a, after.b, arms, impulse);
+    apply_impulse(after.a, after.b, arms, impulse);
     CHECK(impulse.norm() <= 0.5 + rounding);
     CHECK(std::abs(impulse.dot(normal)) <= 100 * rounding);
     CHECK(energy(after.a) + energy(after.b) <= energy(before.a) + energy(before.b) + 1e-12);
@@ -204,7 +204,7 @@ TEST_CASE("visited often, 100 points either stick or rub straight against their 
     {
       const AlongSurface next =
           friction_impulse(sliding_velocity(a, b, surface, arms), mass, sum, 0.2);
-      push_apart<double>(a, b, arms, surface.in_world(next - sum));
+      apply_impulse<double>(a, b, arms, surface.in_world(next - sum));
       sum = next;
     }
     const AlongSurface slides = sliding_velocity(a, b, surface, arms);
@@ -225,7 +225,7 @@ TEST_CASE(
   // The corner is (1/2, −1/2, 1/2) from the centre and the moment 1/6. Along (1, 0, 1)/√2 the
   // lever is 1/2, across it √3/2: 1 + 6/4 and 1 + 6 · 3/4.
   const Solid cube = box_on_floor(1, {0.5, 0.5, 0.5});
-  const Body<double> ground = immovable<double>({0, 0, 0});
+  const Body<double> ground = static_body<double>({0, 0, 0});
   const Arms<double> corner = arms_to<double>({ground, cube.body}, {0.5, 0, 0.5});
   CHECK(
       inverse_mass_at(ground, cube.body, heading(45), corner) ==
@@ -233,9 +233,9 @@ TEST_CASE(
   const SlidingMass<double> felt = sliding_mass(ground, cube.body, floor_axes, corner);
   const AlongSurface diagonal = floor_axes.along(heading(45)),
                      across = floor_axes.along(heading(135));
-  CHECK(1 / felt.least == Catch::Approx(5.5).epsilon(4 * rounding));
-  CHECK((felt.ending * diagonal - diagonal / 2.5).norm() <= 4 * rounding);
-  CHECK((felt.ending * across - across / 5.5).norm() <= 4 * rounding);
+  CHECK(1 / felt.smallest == Catch::Approx(5.5).epsilon(4 * rounding));
+  CHECK((felt.matrix * diagonal - diagonal / 2.5).norm() <= 4 * rounding);
+  CHECK((felt.matrix * across - across / 5.5).norm() <= 4 * rounding);
 }
 
 TEST_CASE("one direction coupled with itself is K; with one across it, what turning alone couples")
@@ -269,7 +269,7 @@ TEST_CASE("no direction of 360 along the surface has a larger K, for 100 random 
       largest = std::max(largest, inverse_mass_at(a, b, direction, arms));
     }
     // Half a degree off, a cosine squared is short of one by 7.6e-5.
-    const double k = 1 / sliding_mass(a, b, surface_axes(normal), arms).least;
+    const double k = 1 / sliding_mass(a, b, surface_axes(normal), arms).smallest;
     CHECK(k >= largest * (1 - 10 * rounding));
     CHECK(k <= largest * (1 + 8e-5));
   }
@@ -288,7 +288,7 @@ TEST_CASE("one visit ends the sliding of 100 random pairs, if the cone is wide e
     const AlongSurface sliding = sliding_velocity(a, b, surface, arms);
     const AlongSurface impulse =
         friction_impulse<double>(sliding, sliding_mass(a, b, surface, arms), {0, 0}, 1e9);
-    push_apart(a, b, arms, surface.in_world(impulse));
+    apply_impulse(a, b, arms, surface.in_world(impulse));
     CHECK(sliding_velocity(a, b, surface, arms).norm() <= 1e-12 * (1 + sliding.norm()));
   }
 }
@@ -296,11 +296,11 @@ TEST_CASE("one visit ends the sliding of 100 random pairs, if the cone is wide e
 TEST_CASE("a rod that turns about its length only, and cannot be moved, is held across it", "[R6]")
 {
   // Its surface is 1 m off the axis and the moment 1/2: K is 2 across the axis, none along it.
-  const Body<double> ground = immovable<double>({0, 0, 0});
-  Body<double> rod = immovable<double>({0, 1, 0});
+  const Body<double> ground = static_body<double>({0, 0, 0});
+  Body<double> rod = static_body<double>({0, 1, 0});
   rod.inverse_inertia(0, 0) = 2;
   const SlidingMass<double> felt = sliding_mass(ground, rod, floor_axes, {{0, 0, 0}, {0, -1, 0}});
-  CHECK(felt.least == 0.5);
+  CHECK(felt.smallest == 0.5);
   const auto held = [&](const V& sliding)
   {
     return floor_axes.in_world(
@@ -319,13 +319,13 @@ TEST_CASE("nothing rubs where nothing moves, and where no push moves it", "[R6]"
   driven.b.inverse_inertia.setZero();
   const Arms<double> arms = arms_to<double>(driven, {0, 0, 0});
   const SlidingMass<double> felt = sliding_mass(driven.a, driven.b, floor_axes, arms);
-  CHECK(felt.least == 0);
-  CHECK(felt.ending.isZero(0));
+  CHECK(felt.smallest == 0);
+  CHECK(felt.matrix.isZero(0));
   CHECK(friction_impulse<double>({1, 0}, felt, {0, 0}, 1) == AlongSurface(0, 0));
 }
 // [R6]
 
-// [hold_turn]
+// [torsional_friction]
 TEST_CASE("two bodies that turn against each other turn together, if the impulse may be so large")
 {
   RandomMeetings random;
@@ -336,19 +336,19 @@ TEST_CASE("two bodies that turn against each other turn together, if the impulse
     const auto spin = [](const Body<double>& body) -> V { return body.motion.angular_velocity; };
     const V gap = spin(before.b) - spin(before.a);
     BodyPair<double> held = before;
-    hold_turn<double>(held.a, held.b, 1e9);
+    apply_torsional_friction<double>(held.a, held.b, 1e9);
     CHECK((spin(held.b) - spin(held.a)).norm() <= 1e-12 * (1 + gap.norm()));
     // What one has gained the other has lost, and half of it takes away half of the turning.
     const V impulse = before.b.inverse_inertia.inverse() * (spin(held.b) - spin(before.b));
     const V other = before.a.inverse_inertia.inverse() * (spin(held.a) - spin(before.a));
     CHECK((impulse + other).norm() <= 1e-10 * (1 + impulse.norm()));
     BodyPair<double> half = before;
-    hold_turn<double>(half.a, half.b, impulse.norm() / 2);
+    apply_torsional_friction<double>(half.a, half.b, impulse.norm() / 2);
     CHECK((spin(half.b) - spin(half.a) - gap / 2).norm() <= 1e-10 * (1 + gap.norm()));
     CHECK(energy(half.a) + energy(half.b) <= energy(before.a) + energy(before.b) + 1e-12);
     CHECK(half.a.motion.velocity == before.a.motion.velocity);
     BodyPair<double> free = before;
-    hold_turn<double>(free.a, free.b, 0);
+    apply_torsional_friction<double>(free.a, free.b, 0);
     CHECK(spin(free.a) == spin(before.a));
   }
 }
@@ -358,22 +358,22 @@ TEST_CASE("nothing is held that cannot be turned, and nothing ceases to be a num
   for (const V& inverse : {V(0, 0, 0), V(1, 0, 1), V(1e150, 1e150, 1e-150)})
   {
     CAPTURE(inverse);
-    BodyPair<double> bodies{immovable<double>({0, 0, 0}), immovable<double>({0, 1, 0})};
+    BodyPair<double> bodies{static_body<double>({0, 0, 0}), static_body<double>({0, 1, 0})};
     bodies.b.inverse_inertia = inverse.asDiagonal();
     bodies.b.motion.angular_velocity = {1, 2, 3};
-    hold_turn<double>(bodies.a, bodies.b, 1);
+    apply_torsional_friction<double>(bodies.a, bodies.b, 1);
     CHECK(bodies.b.motion.angular_velocity == V(1, 2, 3));
   }
   for (const double inverse : {1e-150, 1.0, 1e150})
   {
-    BodyPair<double> bodies{immovable<double>({0, 0, 0}), immovable<double>({0, 1, 0})};
+    BodyPair<double> bodies{static_body<double>({0, 0, 0}), static_body<double>({0, 1, 0})};
     bodies.b.inverse_inertia = inverse * Matrix3<double>::Identity();
     bodies.b.motion.angular_velocity = {1, 2, 3};
-    hold_turn<double>(bodies.a, bodies.b, 4 / inverse);
+    apply_torsional_friction<double>(bodies.a, bodies.b, 4 / inverse);
     CHECK(bodies.b.motion.angular_velocity.norm() <= rounding);
   }
 }
-// [hold_turn]
+// [torsional_friction]
 
 // [R27]
 TEST_CASE("a ball at 7 m/s, μ = 0.2, slides for 1.0194 s, then rolls at 5 m/s", "[R27][case:S28]")

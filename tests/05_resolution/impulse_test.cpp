@@ -62,7 +62,7 @@ TEMPLATE_TEST_CASE("a unit cube at -1 m/s on one corner, e = 0.5: j = 0.375", "[
   const Arms<TestType> arms = arms_to(bodies, corner);
   const TestType impulse = bounce_impulse(bodies.a, bodies.b, down, arms, half);
   CHECK(std::abs(impulse - TestType(0.375)) <= some);
-  const Motion<TestType> after = collide(bodies, down, corner, half).a.motion;
+  const Motion<TestType> after = resolve_collision(bodies, down, corner, half).a.motion;
   const Vector3<TestType> velocity(0, TestType(-0.625), 0);
   const Vector3<TestType> spin(TestType(1.125), 0, TestType(-1.125));
   CHECK((after.velocity - velocity).norm() <= some);
@@ -77,7 +77,7 @@ TEST_CASE("surfaces that part or rest get no impulse, and stay as they are", "[R
   {
     bodies.a.motion.velocity.y() = up;
     CHECK(bounce_impulse(bodies.a, bodies.b, down, arms_to(bodies, corner), 1.0) == 0);
-    const Motion<double> after = collide(bodies, down, corner, 1.0).a.motion;
+    const Motion<double> after = resolve_collision(bodies, down, corner, 1.0).a.motion;
     CHECK(after.velocity == Vector3<double>(0, up, 0));
     CHECK(after.angular_velocity == Vector3<double>(0, 0, 0));
   }
@@ -85,13 +85,13 @@ TEST_CASE("surfaces that part or rest get no impulse, and stay as they are", "[R
 
 TEST_CASE("two immovable bodies that run into each other get no impulse", "[R2]")
 {
-  BodyPair<double> bodies{immovable<double>({0, 1, 0}), immovable<double>({0, -1, 0})};
+  BodyPair<double> bodies{static_body<double>({0, 1, 0}), static_body<double>({0, -1, 0})};
   bodies.a.motion.velocity = {0, -1, 0};
   const Vector3<double> down(0, -1, 0), point(0, 0, 0);
   const Arms<double> arms = arms_to(bodies, point);
   CHECK(inverse_mass_at(bodies.a, bodies.b, down, arms) == 0);
   CHECK(bounce_impulse(bodies.a, bodies.b, down, arms, 1.0) == 0);
-  CHECK(collide(bodies, down, point, 1.0).a.motion.velocity == Vector3<double>(0, -1, 0));
+  CHECK(resolve_collision(bodies, down, point, 1.0).a.motion.velocity == Vector3<double>(0, -1, 0));
   const Manifold<double> manifold = landing_at<double>({point});
   CHECK(bounce(bodies, manifold, 1.0, 3).a.motion.velocity == Vector3<double>(0, -1, 0));
 }
@@ -107,7 +107,7 @@ TEST_CASE("200 random bounces keep momentum and angular momentum, exactly", "[R3
     const Rational restitution = Rational(i % 5) / 4;
     const Conserved<Rational> before = meeting.sums(meeting.bodies);
     const Conserved<Rational> after =
-        meeting.sums(collide(meeting.bodies, meeting.normal, meeting.point, restitution));
+        meeting.sums(resolve_collision(meeting.bodies, meeting.normal, meeting.point, restitution));
     CHECK(after.momentum == before.momentum);
     CHECK(after.angular_momentum == before.angular_momentum);
   }
@@ -131,15 +131,15 @@ TEST_CASE("in double, two tumbling bodies keep their momenta to rounding", "[R3]
   const MassProperties<double> box = solid_box<double>(3, {0.3, 0.2, 0.7});
   const MassProperties<double> ball = solid_sphere<double>(0.7, 0.4);
   const BodyPair<double> bodies{
-      movable<double>({{0, 0, 0}, {1, 2, -1}, {3, -2, 1}}, box, axes_a),
-      movable<double>({{1, 0, 0}, {-2, 1, 0}, {0, 4, -3}}, ball, axes_b)};
+      dynamic_body<double>({{0, 0, 0}, {1, 2, -1}, {3, -2, 1}}, box, axes_a),
+      dynamic_body<double>({{1, 0, 0}, {-2, 1, 0}, {0, 4, -3}}, ball, axes_b)};
   const auto sums = [&](const BodyPair<double>& moving)
   {
     return conserved(moving.a.motion, box.mass, world_inertia(box.moments, axes_a)) +
            conserved(moving.b.motion, ball.mass, world_inertia(ball.moments, axes_b));
   };
   const Vector3<double> normal(0.8, 0.6, 0), point(0.6, 0.1, 0.2);
-  const BodyPair<double> after = collide(bodies, normal, point, 0.3);
+  const BodyPair<double> after = resolve_collision(bodies, normal, point, 0.3);
   // Some thirty operations on numbers up to ten.
   CHECK((sums(after).momentum - sums(bodies).momentum).norm() <= 30 * rounding);
   CHECK((sums(after).angular_momentum - sums(bodies).angular_momentum).norm() <= 30 * rounding);
@@ -157,7 +157,8 @@ TEST_CASE("200 random bounces lose exactly (1 - e²) v² / 2K of energy", "[R4]"
     const Rational e = Rational(i % 5) / 4;
     const Rational v = meeting.parting_speed_of(meeting.bodies);
     const Rational k = meeting.inverse_mass();
-    const BodyPair<Rational> after = collide(meeting.bodies, meeting.normal, meeting.point, e);
+    const BodyPair<Rational> after =
+        resolve_collision(meeting.bodies, meeting.normal, meeting.point, e);
     CHECK(
         meeting.sums(after).energy - meeting.sums(meeting.bodies).energy ==
         -(1 - e * e) * v * v / (2 * k));
@@ -167,8 +168,8 @@ TEST_CASE("200 random bounces lose exactly (1 - e²) v² / 2K of energy", "[R4]"
 TEST_CASE("balls of 1 kg and 2 kg that meet at 1.2 m/s, e = 0.5, lose 0.36 J of 2 J", "[R4]")
 {
   const TwoBalls balls = two_balls(2);
-  const BodyPair<double> after =
-      collide(balls.bodies, balls.manifold.normal, balls.manifold.points[0].position, 0.5);
+  const BodyPair<double> after = resolve_collision(
+      balls.bodies, balls.manifold.normal, balls.manifold.points[0].position, 0.5);
   CHECK(conserved(balls, balls.bodies).energy == Catch::Approx(2).epsilon(rounding));
   CHECK(conserved(balls, after).energy == Catch::Approx(1.64).epsilon(rounding));
 }
@@ -183,7 +184,8 @@ TEST_CASE("200 random bounces part at e times the speed of approach, exactly", "
     const RandomMeeting meeting = random.next();
     const Rational e = Rational(i % 5) / 4;
     const Rational v = meeting.parting_speed_of(meeting.bodies);
-    const BodyPair<Rational> after = collide(meeting.bodies, meeting.normal, meeting.point, e);
+    const BodyPair<Rational> after =
+        resolve_collision(meeting.bodies, meeting.normal, meeting.point, e);
     CHECK(meeting.parting_speed_of(after) == -e * v);
   }
 }
@@ -191,8 +193,8 @@ TEST_CASE("200 random bounces part at e times the speed of approach, exactly", "
 TEST_CASE("a glancing hit changes velocities along the normal only", "[R5]")
 {
   const TwoBalls balls = two_balls(2);
-  const BodyPair<double> after =
-      collide(balls.bodies, balls.manifold.normal, balls.manifold.points[0].position, 0.5);
+  const BodyPair<double> after = resolve_collision(
+      balls.bodies, balls.manifold.normal, balls.manifold.points[0].position, 0.5);
   // n = (0.6, 0.8), v_n = -1.2, K = 1 + 1/2, so j = 1.2.
   CHECK((after.a.motion.velocity - Vector3<double>(1.28, -0.96, 0)).norm() <= 4 * rounding);
   CHECK((after.b.motion.velocity - Vector3<double>(0.36, 0.48, 0)).norm() <= 4 * rounding);
@@ -207,12 +209,12 @@ TEST_CASE("head-on with e = 1, balls take the velocities of the closed form, exa
     const Vector3<Rational> zero = Vector3<Rational>::Zero();
     const Matrix3<Rational> upright = Matrix3<Rational>::Identity();
     const BodyPair<Rational> bodies{
-        movable<Rational>(
+        dynamic_body<Rational>(
             {zero, vec<Rational>(v, 0, 0), zero}, solid_sphere<Rational>(mass_a, 1), upright),
-        movable<Rational>(
+        dynamic_body<Rational>(
             {vec<Rational>(2, 0, 0), zero, zero}, solid_sphere<Rational>(mass_b, 1), upright)};
     const BodyPair<Rational> result =
-        collide<Rational>(bodies, vec<Rational>(1, 0, 0), vec<Rational>(1, 0, 0), 1);
+        resolve_collision<Rational>(bodies, vec<Rational>(1, 0, 0), vec<Rational>(1, 0, 0), 1);
     return std::pair(result.a.motion.velocity.x(), result.b.motion.velocity.x());
   };
   CHECK(after(1, 1, 3) == std::pair<Rational, Rational>(0, 3)); // they swap
@@ -231,8 +233,8 @@ TEST_CASE("a hit of two balls needs no rotation: left out, nothing changes", "[R
   points.b.inverse_inertia.setZero();
   const Vector3<double> normal = balls.manifold.normal;
   const Vector3<double> contact = balls.manifold.points[0].position;
-  const BodyPair<double> with = collide(balls.bodies, normal, contact, 0.5);
-  const BodyPair<double> without = collide(points, normal, contact, 0.5);
+  const BodyPair<double> with = resolve_collision(balls.bodies, normal, contact, 0.5);
+  const BodyPair<double> without = resolve_collision(points, normal, contact, 0.5);
   CHECK((with.a.motion.velocity - without.a.motion.velocity).norm() <= rounding);
   CHECK((with.b.motion.velocity - without.b.motion.velocity).norm() <= rounding);
   CHECK(with.a.motion.angular_velocity.norm() <= 10 * rounding);

@@ -280,9 +280,9 @@ TEST_CASE("a grain of 1e-20 kg and 1e-10 m is thrown as far as a cube of 1 kg an
   {
     const Vector3<Real> zero = Vector3<Real>::Zero(), down(0, -1, 0);
     const MassProperties<Real> cube = solid_box<Real>(mass, Vector3<Real>::Constant(side / 2));
-    const Body<Real> body = movable<Real>({zero, down, zero}, cube, Matrix3<Real>::Identity());
+    const Body<Real> body = dynamic_body<Real>({zero, down, zero}, cube, Matrix3<Real>::Identity());
     const Vector3<Real> corner(side / 2, -side / 2, side / 2);
-    return collide<Real>({body, immovable(zero)}, down, corner, Real(0.5)).a.motion;
+    return resolve_collision<Real>({body, static_body(zero)}, down, corner, Real(0.5)).a.motion;
   };
   CHECK(up(1.0, 1.0).velocity.y() == Catch::Approx(-0.625).epsilon(rounding));
   CHECK(up(1e-20, 1e-10).velocity.y() == Catch::Approx(-0.625).epsilon(rounding));
@@ -312,7 +312,7 @@ TEMPLATE_TEST_CASE("no mass and no size makes a body that is not a number", "", 
         {
           CAPTURE(mass, x, y);
           REQUIRE_FALSE(solid.moments.hasNaN());
-          const Body<TestType> body = movable<TestType>({zero, zero, zero}, solid, axes);
+          const Body<TestType> body = dynamic_body<TestType>({zero, zero, zero}, solid, axes);
           REQUIRE(std::isfinite(body.inverse_mass));
           REQUIRE(body.inverse_inertia.allFinite());
         }
@@ -323,11 +323,11 @@ TEMPLATE_TEST_CASE("no mass and no size makes a body that is not a number", "", 
 
 TEST_CASE("a mass that is no number in float's reach is the least, or immovable")
 {
-  CHECK(inverse_of(2.0f) == 0.5f);
-  CHECK(inverse_of(1e-30f) == inverse_of(0.0f));
-  CHECK(inverse_of(0.0f) == std::sqrt(std::numeric_limits<float>::max()));
-  CHECK(inverse_of(1e30f) == 0);
-  CHECK(inverse_of(std::ldexp(1.0, 100)) == std::ldexp(1.0, -100));
-  CHECK(inverse_of(Rational(3)) == Rational(1) / 3);
+  CHECK(bounded_inverse(2.0f) == 0.5f);
+  CHECK(bounded_inverse(1e-30f) == bounded_inverse(0.0f));
+  CHECK(bounded_inverse(0.0f) == std::sqrt(std::numeric_limits<float>::max()));
+  CHECK(bounded_inverse(1e30f) == 0);
+  CHECK(bounded_inverse(std::ldexp(1.0, 100)) == std::ldexp(1.0, -100));
+  CHECK(bounded_inverse(Rational(3)) == Rational(1) / 3);
 }
 // [any_size]

@@ -30,7 +30,8 @@ BodyPair<Real> falling_on_ground()
   const MassProperties<Real> cube = solid_box<Real>(1, Vector3<Real>::Constant(half));
   const Motion<Real> down{Vector3<Real>::Zero(), vec<Real>(0, -1, 0), Vector3<Real>::Zero()};
   return {
-      movable<Real>(down, cube, Matrix3<Real>::Identity()), immovable<Real>(Vector3<Real>::Zero())};
+      dynamic_body<Real>(down, cube, Matrix3<Real>::Identity()),
+      static_body<Real>(Vector3<Real>::Zero())};
 }
 
 /// A body of mass 1 and moments 1 at the origin, that moves along y and turns about z, above
@@ -40,7 +41,7 @@ BodyPair<Real> unit_body(const Real& velocity, const Real& spin)
 {
   const Motion<Real> motion{
       Vector3<Real>::Zero(), vec<Real>(0, velocity, 0), vec<Real>(0, 0, spin)};
-  return {{motion, Real(1), Matrix3<Real>::Identity()}, immovable<Real>(Vector3<Real>::Zero())};
+  return {{motion, Real(1), Matrix3<Real>::Identity()}, static_body<Real>(Vector3<Real>::Zero())};
 }
 
 /// Two bodies about to meet, with all that is needed to weigh them.
@@ -107,7 +108,8 @@ private:
     const MassProperties<Rational> properties{whole(1, 9), {x, y, whole(1, 9)}};
     const Matrix3<Rational> axes = rotation();
     const Vector3<Rational> center = vector(), velocity = vector();
-    const Body<Rational> made = movable<Rational>({center, velocity, vector()}, properties, axes);
+    const Body<Rational> made =
+        dynamic_body<Rational>({center, velocity, vector()}, properties, axes);
     return {made, properties.mass, world_inertia(properties.moments, axes)};
   }
   std::mt19937 random_{5};

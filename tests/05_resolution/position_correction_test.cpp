@@ -35,11 +35,11 @@ Rational implicit_speed(
 TEST_CASE("half a metre at β = 1/5 and 60 Hz is pushed out at 6 m/s, exactly", "[R11]")
 {
   const Rational rate = share * 60;
-  CHECK(push_speed<Rational>(Rational(1) / 2, 0, rate, 100) == 6);
-  CHECK(push_speed<Rational>(Rational(1) / 2, Rational(1) / 10, rate, 100) == Rational(24) / 5);
-  CHECK(push_speed<Rational>(Rational(1) / 2, 0, rate, 3) == 3);
-  CHECK(push_speed<Rational>(Rational(1) / 10, Rational(1) / 10, rate, 100) == 0);
-  CHECK(push_speed<Rational>(-1, 0, rate, 100) == 0);
+  CHECK(bias_velocity<Rational>(Rational(1) / 2, 0, rate, 100) == 6);
+  CHECK(bias_velocity<Rational>(Rational(1) / 2, Rational(1) / 10, rate, 100) == Rational(24) / 5);
+  CHECK(bias_velocity<Rational>(Rational(1) / 2, 0, rate, 3) == 3);
+  CHECK(bias_velocity<Rational>(Rational(1) / 10, Rational(1) / 10, rate, 100) == 0);
+  CHECK(bias_velocity<Rational>(-1, 0, rate, 100) == 0);
 }
 
 TEST_CASE(
@@ -66,12 +66,12 @@ TEST_CASE("k passes of β leave (1 − β)^k of what is beyond the slop, exactly
   Rational depth = Rational(1) / 2, left = depth - slop;
   for (int pass = 0; pass < 30; ++pass)
   {
-    depth -= relaxation(depth, slop, share);
+    depth -= position_correction(depth, slop, share);
     left *= 1 - share;
     CHECK(depth == slop + left);
   }
-  CHECK(relaxation<Rational>(slop, slop, share) == 0);
-  CHECK(relaxation<Rational>(-1, slop, share) == 0);
+  CHECK(position_correction<Rational>(slop, slop, share) == 0);
+  CHECK(position_correction<Rational>(-1, slop, share) == 0);
 }
 
 TEST_CASE("four passes a frame bring 0.5 m to 1 mm + 0.499 · 0.8^4k", "[R12]")

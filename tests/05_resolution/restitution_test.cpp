@@ -56,43 +56,43 @@ TEMPLATE_TEST_CASE(
   const ContactStep<TestType> below{-10, tenth, TestType(0.55)};
   const TestType some = 16 * std::numeric_limits<TestType>::epsilon();
   // The step's gravity, 1 m/s, is in the speeds; half of it too much.
-  CHECK(std::abs(touch_speed(-4 - half, above) - 5) <= some);
-  CHECK(std::abs(touch_speed(-6 - half, below) - 5) <= some);
-  CHECK(std::abs(bounced_speed<TestType>(-4 - half, above, 1, 2) - (4 - half)) <= some);
-  CHECK(std::abs(bounced_speed<TestType>(-6 - half, below, 1, 2) - (6 - half)) <= some);
+  CHECK(std::abs(impact_speed(-4 - half, above) - 5) <= some);
+  CHECK(std::abs(impact_speed(-6 - half, below) - 5) <= some);
+  CHECK(std::abs(rebound_speed<TestType>(-4 - half, above, 1, 2) - (4 - half)) <= some);
+  CHECK(std::abs(rebound_speed<TestType>(-6 - half, below, 1, 2) - (6 - half)) <= some);
 }
 
 TEST_CASE("with e = 0 a ball comes up to the touch and no further: 3 m/s for 0.45 m", "[R19]")
 {
   const ContactStep<double> step{-10, 0.1, 0.45};
   // 4 at the touch, 5 at that depth.
-  CHECK(bounced_speed(-5.5, step, 0.0, 2.0) == Catch::Approx(2.5).epsilon(10 * rounding));
-  CHECK(bounced_speed(-4.5, {-10, 0.1, 0.0}, 0.0, 2.0) == 0);
+  CHECK(rebound_speed(-5.5, step, 0.0, 2.0) == Catch::Approx(2.5).epsilon(10 * rounding));
+  CHECK(rebound_speed(-4.5, {-10, 0.1, 0.0}, 0.0, 2.0) == 0);
 }
 
 TEST_CASE("no touch where surfaces part, and where the fall is too short for the depth", "[R19]")
 {
-  CHECK(touch_speed(-0.5, ContactStep<double>{-10, 0.1, 0}) == 0);
-  CHECK(touch_speed(3.0, ContactStep<double>{-10, 0.1, 0.2}) == 0);
-  CHECK(touch_speed(-1.0, ContactStep<double>{-10, 0.1, 0.2}) == 0);
-  CHECK(bounced_speed(-1.0, ContactStep<double>{-10, 0.1, 0.2}, 1.0, 0.0) == 0);
+  CHECK(impact_speed(-0.5, ContactStep<double>{-10, 0.1, 0}) == 0);
+  CHECK(impact_speed(3.0, ContactStep<double>{-10, 0.1, 0.2}) == 0);
+  CHECK(impact_speed(-1.0, ContactStep<double>{-10, 0.1, 0.2}) == 0);
+  CHECK(rebound_speed(-1.0, ContactStep<double>{-10, 0.1, 0.2}, 1.0, 0.0) == 0);
 }
 
 TEST_CASE("two balls that fall together bounce as if nothing fell", "[R19]")
 {
   const ContactStep<double> step{0, 0.1, 0.25};
-  CHECK(touch_speed(-3.0, step) == 3);
-  CHECK(bounced_speed(-3.0, step, 0.5, 1.0) == 1.5);
+  CHECK(impact_speed(-3.0, step) == 3);
+  CHECK(rebound_speed(-3.0, step, 0.5, 1.0) == 1.5);
 }
 
 TEST_CASE("at 60 Hz what touches at 0.327 m/s or slower rests, what is faster bounces", "[R19]")
 {
-  const double threshold = bounce_threshold(9.81, 1.0 / 60);
+  const double threshold = restitution_threshold(9.81, 1.0 / 60);
   CHECK(threshold == Catch::Approx(0.327).epsilon(rounding));
   const auto up = [&](double touch)
   {
     const double half = 9.81 / 120;
-    return bounced_speed(-touch - half, ContactStep<double>{-9.81, 1.0 / 60, 0}, 0.8, threshold) +
+    return rebound_speed(-touch - half, ContactStep<double>{-9.81, 1.0 / 60, 0}, 0.8, threshold) +
            half;
   };
   CHECK(up(0.326) == 9.81 / 120);
@@ -113,7 +113,7 @@ TEST_CASE("from 5 m with g = 10 and e = 1/2: 1 s down, then 1 + 1/2 + 1/4 + … 
 }
 // [R19]
 
-// [pushed_to]
+// [with_separating_velocity]
 TEST_CASE("50 exact pairs part at 3/2 m/s after one push, and keep their momenta", "[R3][R5]")
 {
   RandomMeetings random;
@@ -122,12 +122,12 @@ TEST_CASE("50 exact pairs part at 3/2 m/s after one push, and keep their momenta
     const RandomMeeting meeting = random.next();
     const Rational target = Rational(3) / 2;
     const BodyPair<Rational> after =
-        pushed_to<Rational>(meeting.bodies, meeting.normal, meeting.point, target);
+        with_separating_velocity<Rational>(meeting.bodies, meeting.normal, meeting.point, target);
     CHECK(meeting.parting_speed_of(after) == target);
     CHECK(meeting.sums(after).momentum == meeting.sums(meeting.bodies).momentum);
     CHECK(meeting.sums(after).angular_momentum == meeting.sums(meeting.bodies).angular_momentum);
     const BodyPair<Rational> same =
-        pushed_to<Rational>(after, meeting.normal, meeting.point, Rational(1));
+        with_separating_velocity<Rational>(after, meeting.normal, meeting.point, Rational(1));
     CHECK(same.a.motion.velocity == after.a.motion.velocity);
   }
 }
@@ -135,12 +135,12 @@ TEST_CASE("50 exact pairs part at 3/2 m/s after one push, and keep their momenta
 TEST_CASE("two immovable bodies are pushed to no speed, and stay", "[R5]")
 {
   const Vector3<double> zero = Vector3<double>::Zero();
-  const BodyPair<double> fixed{immovable(zero), immovable(zero)};
-  const BodyPair<double> after = pushed_to<double>(fixed, {0, 1, 0}, zero, 1.0);
+  const BodyPair<double> fixed{static_body(zero), static_body(zero)};
+  const BodyPair<double> after = with_separating_velocity<double>(fixed, {0, 1, 0}, zero, 1.0);
   CHECK(after.a.motion.velocity == zero);
   CHECK(after.b.motion.velocity == zero);
 }
-// [pushed_to]
+// [with_separating_velocity]
 
 // [S15]
 TEST_CASE("e = 0.5 from 1 m: 0.25 and 0.0625 m to rounding, whatever the step", "[case:S15]")
@@ -186,9 +186,9 @@ TEST_CASE(
   // The true speed at the start of a step is the step's speed less half of its gravity.
   const ContactStep<double> step{-10, 0.125, 0.3};
   const double half = 0.625, down = -4;
-  CHECK(bounced_after_gravity(down - half, 1.0, 0.0) + half == 4 + 1.25);
-  CHECK(bounced_before_gravity(down - half, step, 1.0) + half == 4 - 1.25);
-  CHECK(bounced_speed(down - half, step, 1.0, 0.0) + half == 4);
+  CHECK(rebound_after_gravity(down - half, 1.0, 0.0) + half == 4 + 1.25);
+  CHECK(rebound_before_gravity(down - half, step, 1.0) + half == 4 - 1.25);
+  CHECK(rebound_speed(down - half, step, 1.0, 0.0) + half == 4);
   const Drop drop{1, 1, 20};
   CHECK(energy_change(flight(drop, rule("after gravity")), drop.gravity) > 1.5);
   CHECK(apexes(flight(drop, rule("before gravity, as published")), drop.gravity).back() < 0.2);
@@ -214,9 +214,9 @@ TEST_CASE("after gravity, e = 0.8 never falls below 4 steps of gravity: no rest"
 {
   // u = 0.8 (u + g h) for u = 4 g h, twice the threshold.
   const double pull = 9.81 / 60;
-  const double threshold = bounce_threshold(9.81, 1.0 / 60);
+  const double threshold = restitution_threshold(9.81, 1.0 / 60);
   CHECK(
-      bounced_after_gravity(-5 * pull, 0.8, threshold) ==
+      rebound_after_gravity(-5 * pull, 0.8, threshold) ==
       Catch::Approx(4 * pull).epsilon(rounding));
   const std::vector<Flight> rows = flight({1, 0.8, 60}, rule("after gravity, threshold"));
   CHECK(last_move(rows) == rows.back().time);
@@ -229,7 +229,7 @@ TEST_CASE("stopped at the floor in time, 10 m/s comes back as 10, unless forgott
   int lost_half = 0;
   for (int i = 0; i < 40; ++i)
   {
-    Drop drop{5.0 + i / 100.0, 1, 3, 1.0 / 60, Ahead::stop_in_time};
+    Drop drop{5.0 + i / 100.0, 1, 3, 1.0 / 60, Speculative::stop_and_remember};
     const auto apex = [&]
     {
       const std::vector<double> high =
@@ -237,7 +237,7 @@ TEST_CASE("stopped at the floor in time, 10 m/s comes back as 10, unless forgott
       return high.empty() ? 0 : high[0];
     };
     CHECK(apex() == Catch::Approx(drop.height).epsilon(1e-12));
-    drop.ahead = Ahead::stop;
+    drop.speculative = Speculative::stop;
     lost_half += apex() < drop.height / 4 ? 1 : 0; // half the speed, a quarter of the height
   }
   INFO(lost_half);

@@ -153,13 +153,13 @@ TEST_CASE("each lane does to the bit what one contact alone does: masses, pushes
     {
       OneContact& one = ones.emplace_back(drawn_contact(draw));
       set_lane(wide, lane, one);
-      find_masses<float>(one.at, one.a, one.b);
+      compute_masses<float>(one.at, one.a, one.b);
       warm_start<float>(one.a, one.b, one.at);
       solve_contact<float>(one.a, one.b, one.at, spring, small, 1.0f);
       solve_contact<float>(one.a, one.b, one.at, rigid<float>(), small, 1.0f);
     }
     auto& [of, at] = wide;
-    find_masses<Four>(at, of.a, of.b);
+    compute_masses<Four>(at, of.a, of.b);
     warm_start<Four>(of.a, of.b, at);
     solve_contact<Four>(of.a, of.b, at, wide_spring, small, 1.0f);
     solve_contact<Four>(of.a, of.b, at, rigid<Four>(), small, 1.0f);

@@ -161,7 +161,7 @@ TEST_CASE("a body fixed later is like one fixed from the start: a push neither m
   later.motion.velocity = {1, 2, 3};
   later.motion.angular_velocity = {4, 5, 6};
   fix(later);
-  push<double>(later, {0.5, 0.5, 0.5}, {1, 2, 3});
+  apply_impulse<double>(later, {0.5, 0.5, 0.5}, {1, 2, 3});
   CHECK(later.motion.velocity.isZero(0));
   CHECK(later.motion.angular_velocity.isZero(0));
   CHECK(later.inverse_inertia == from_start.inverse_inertia);

@@ -25,7 +25,7 @@ Body<double> drawn_body(Draw& draw)
   const double mass = draw.number(0.1, 9);
   const MassProperties<double> solid = solid_box<double>(mass, draw.half_extents());
   const Matrix3<double> axes = draw.axes();
-  return draw.one_in(8) ? immovable<double>(motion.center) : movable(motion, solid, axes);
+  return draw.one_in(8) ? static_body<double>(motion.center) : dynamic_body(motion, solid, axes);
 }
 
 Meeting drawn_meeting(Draw& draw)
@@ -169,7 +169,7 @@ int main()
       [](Draw& draw, Bits& bits)
       {
         const auto [bodies, normal, point] = drawn_meeting(draw);
-        add(bits, collide(bodies, normal, point, draw.number(0, 1)));
+        add(bits, resolve_collision(bodies, normal, point, draw.number(0, 1)));
       });
 #endif
 #ifdef TAKE_friction
@@ -182,12 +182,12 @@ int main()
         const Arms<double> arms = arms_to(bodies, point);
         const SurfaceAxes<double> surface = surface_axes(normal);
         const SlidingMass<double> mass = sliding_mass(a, b, surface, arms);
-        const Vector2<double> so_far = surface.along(0.1 * draw.unit());
+        const Vector2<double> accumulated = surface.along(0.1 * draw.unit());
         const Vector2<double> sliding = sliding_velocity(a, b, surface, arms);
         const Vector3<double> impulse =
-            surface.in_world(friction_impulse(sliding, mass, so_far, draw.number(0, 2)));
-        bits(mass.least, impulse);
-        push_apart(a, b, arms, impulse);
+            surface.in_world(friction_impulse(sliding, mass, accumulated, draw.number(0, 2)));
+        bits(mass.smallest, impulse);
+        apply_impulse(a, b, arms, impulse);
         add(bits, BodyPair<double>{a, b});
       });
 #endif
@@ -198,12 +198,13 @@ int main()
       {
         const auto [bodies, normal, point] = drawn_meeting(draw);
         const ContactStep<double> step{draw.number(-10, 0), 1.0 / 60, draw.number(-0.1, 0.1)};
-        const double back = draw.number(0, 0.9), slowest = bounce_threshold(9.81, step.duration);
+        const double back = draw.number(0, 0.9),
+                     slowest = restitution_threshold(9.81, step.duration);
         const double speed =
             separating_velocity(bodies.a, bodies.b, normal, arms_to(bodies, point));
-        const double target = bounced_speed(speed, step, back, slowest);
+        const double target = rebound_speed(speed, step, back, slowest);
         bits(target, settling_time(draw.number(0.1, 2), 9.81, back));
-        add(bits, pushed_to(bodies, normal, point, target));
+        add(bits, with_separating_velocity(bodies, normal, point, target));
       });
 #endif
 #ifdef TAKE_mass_properties
@@ -258,9 +259,9 @@ int main()
         const Softness<double> soft = softness(frequency, ratio, 1.0 / 60);
         const double depth = draw.number(-0.5, 0.5);
         const double mass = draw.number(0, 2), speed = draw.number(-1, 1);
-        const double bias = push_speed(depth, 0.005, soft.bias_rate, 3.0);
+        const double bias = bias_velocity(depth, 0.005, soft.bias_rate, 3.0);
         bits(soft.bias_rate, soft.mass_scale, soft.impulse_scale, bias);
-        bits(relaxation(depth, 0.005, 0.2));
+        bits(position_correction(depth, 0.005, 0.2));
         bits(soft_change(soft, mass, speed, bias, draw.number(0, 1)));
       });
 #endif

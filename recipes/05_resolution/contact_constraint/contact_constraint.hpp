@@ -20,7 +20,7 @@ struct ContactConstraint
   Real coefficient;          ///< [1], of friction
   Real separation;           ///< [m], along the normal; negative where the surfaces overlap
   Real impulse;              ///< [N s], accumulated along the normal, zero or more
-  Real sum;                  ///< [N s], of that over the small steps of a step
+  Real total_impulse;        ///< [N s], sum of `impulse` over the substeps of a step
   Vector2<Real> friction;    ///< [N s], accumulated on B along the surface
   Real normal_mass;          ///< [kg], effective mass along the normal
   SlidingMass<Real> sliding; ///< [kg], effective mass along the surface
@@ -28,55 +28,55 @@ struct ContactConstraint
 
 /// Computes the effective masses of a contact point for the present orientations; R1.
 template <class Real>
-void find_masses(ContactConstraint<Real>& at, const Body<Real>& a, const Body<Real>& b)
+void compute_masses(ContactConstraint<Real>& contact, const Body<Real>& a, const Body<Real>& b)
 {
-  at.normal_mass = effective_mass(inverse_mass_at(a, b, at.normal, at.arms));
-  at.sliding = sliding_mass(a, b, at.surface, at.arms);
+  contact.normal_mass = effective_mass(inverse_mass_at(a, b, contact.normal, contact.arms));
+  contact.sliding = sliding_mass(a, b, contact.surface, contact.arms);
 }
 
 /// The separating velocity [m/s] along the normal at a point; negative where the surfaces approach.
 template <class Real>
 Real separating_velocity(
-    const Body<Real>& a, const Body<Real>& b, const ContactConstraint<Real>& at)
+    const Body<Real>& a, const Body<Real>& b, const ContactConstraint<Real>& contact)
 {
-  return separating_velocity(a, b, at.normal, at.arms);
+  return separating_velocity(a, b, contact.normal, contact.arms);
 }
 // [contact_constraint]
 
-// [pushes]
+// [contact_impulses]
 /// Adds to the impulse along the normal; the accumulated impulse never falls below zero; R7.
 template <class Real>
-void add_impulse(Body<Real>& a, Body<Real>& b, ContactConstraint<Real>& at, const Real& change)
+void add_impulse(Body<Real>& a, Body<Real>& b, ContactConstraint<Real>& contact, const Real& change)
 {
-  const Real sum = accumulated(at.impulse, change);
-  push_apart<Real>(a, b, at.arms, (sum - at.impulse) * at.normal);
-  at.impulse = sum;
+  const Real sum = accumulated_impulse(contact.impulse, change);
+  apply_impulse<Real>(a, b, contact.arms, (sum - contact.impulse) * contact.normal);
+  contact.impulse = sum;
 }
 
 /// Ends the sliding at a point by an impulse within the friction cone; R6.
 template <class Real>
-void add_friction(Body<Real>& a, Body<Real>& b, ContactConstraint<Real>& at)
+void add_friction(Body<Real>& a, Body<Real>& b, ContactConstraint<Real>& contact)
 {
   const Vector2<Real> sum = friction_impulse<Real>(
-      sliding_velocity(a, b, at.surface, at.arms), at.sliding, at.friction,
-      at.coefficient * at.impulse);
-  push_apart<Real>(a, b, at.arms, at.surface.in_world(sum - at.friction));
-  at.friction = sum;
+      sliding_velocity(a, b, contact.surface, contact.arms), contact.sliding, contact.friction,
+      contact.coefficient * contact.impulse);
+  apply_impulse<Real>(a, b, contact.arms, contact.surface.in_world(sum - contact.friction));
+  contact.friction = sum;
 }
 
 /// The accumulated impulse [N s] on B, normal and friction, world.
 template <class Real>
-Vector3<Real> given(const ContactConstraint<Real>& at)
+Vector3<Real> contact_impulse(const ContactConstraint<Real>& contact)
 {
-  return at.impulse * at.normal + at.surface.in_world(at.friction);
+  return contact.impulse * contact.normal + contact.surface.in_world(contact.friction);
 }
 
 /// Warm starting: applies the impulses that the frame or substep before ended with.
 template <class Real>
-void warm_start(Body<Real>& a, Body<Real>& b, const ContactConstraint<Real>& at)
+void warm_start(Body<Real>& a, Body<Real>& b, const ContactConstraint<Real>& contact)
 {
-  push_apart<Real>(a, b, at.arms, given(at));
+  apply_impulse<Real>(a, b, contact.arms, contact_impulse(contact));
 }
-// [pushes]
+// [contact_impulses]
 
 } // namespace cookbook

@@ -16,21 +16,22 @@ namespace cookbook
 /// separated, a stop that lets the gap close within one substep [s], R14. Then its friction.
 template <class Real>
 void solve_contact(
-    Body<Real>& a, Body<Real>& b, ContactConstraint<Real>& at, const Softness<Real>& spring,
-    const Real& small, const Real& correction_speed)
+    Body<Real>& a, Body<Real>& b, ContactConstraint<Real>& contact, const Softness<Real>& spring,
+    const Real& substep, const Real& correction_speed)
 {
   using std::min;
-  const auto closed = at.separation <= Real(0);
-  const Real push_out = min(Real(-spring.bias_rate * at.separation), correction_speed);
-  const Real bias = either(closed, push_out, [&] { return -at.separation / small; });
+  const auto closed = contact.separation <= Real(0);
+  const Real push_out = min(Real(-spring.bias_rate * contact.separation), correction_speed);
+  const Real bias = either(closed, push_out, [&] { return -contact.separation / substep; });
   const Softness<Real> soft{
       either(closed, spring.bias_rate, [] { return Real(0); }),
       either(closed, spring.mass_scale, [] { return Real(1); }),
       either(closed, spring.impulse_scale, [] { return Real(0); })};
   add_impulse<Real>(
-      a, b, at,
-      soft_change<Real>(soft, at.normal_mass, separating_velocity(a, b, at), bias, at.impulse));
-  add_friction(a, b, at);
+      a, b, contact,
+      soft_change<Real>(
+          soft, contact.normal_mass, separating_velocity(a, b, contact), bias, contact.impulse));
+  add_friction(a, b, contact);
 }
 // [soft_contact]
 

@@ -10,12 +10,13 @@
 namespace cookbook
 {
 
-// [hold_turn]
-/// Takes away what two bodies turn against each other, by an impulse [N m s] no larger than `most`.
+// [torsional_friction]
+/// Takes away what two bodies turn against each other, by an impulse [N m s] no larger than
+/// `max_impulse`.
 ///
 /// Nothing changes where there is a direction about which, to rounding, neither can be turned.
 template <class Real>
-void hold_turn(Body<Real>& a, Body<Real>& b, const Real& most)
+void apply_torsional_friction(Body<Real>& a, Body<Real>& b, const Real& max_impulse)
 {
   const Matrix3<Real> inverse_mass = a.inverse_inertia + b.inverse_inertia;
   const Real scale = inverse_mass.cwiseAbs().maxCoeff();
@@ -25,11 +26,11 @@ void hold_turn(Body<Real>& a, Body<Real>& b, const Real& most)
     return;
   }
   const Vector3<Real> turning = b.motion.angular_velocity - a.motion.angular_velocity;
-  const Vector3<Real> ending = -relative.inverse() * turning / scale;
-  const Vector3<Real> impulse = within_cone<Real, 3>(ending, most);
+  const Vector3<Real> matrix = -relative.inverse() * turning / scale;
+  const Vector3<Real> impulse = within_cone<Real, 3>(matrix, max_impulse);
   a.motion.angular_velocity -= a.inverse_inertia * impulse;
   b.motion.angular_velocity += b.inverse_inertia * impulse;
 }
-// [hold_turn]
+// [torsional_friction]
 
 } // namespace cookbook

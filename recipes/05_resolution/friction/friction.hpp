@@ -65,11 +65,13 @@ Vector2<Real> sliding_velocity(
 ///
 /// A length of zero or less leaves none.
 template <class Real, int Size>
-Vector<Real, Size> within_cone(const Vector<Real, Size>& impulse, const Real& most)
+Vector<Real, Size> within_cone(const Vector<Real, Size>& impulse, const Real& max_friction)
 {
   using std::max;
   const Real length = impulse.norm();
-  return either(length <= most, impulse, [&] { return impulse * (max(Real(0), most) / length); });
+  return either(
+      length <= max_friction, impulse,
+      [&] { return impulse * (max(Real(0), max_friction) / length); });
 }
 // [within_cone]
 
@@ -87,14 +89,14 @@ Real coupling_at(
 
 /// A direction whose K is less than this share of the largest is not told from one that nothing
 /// moves.
-inline constexpr float almost_none = 1e-6f;
+inline constexpr float singular_fraction = 1e-6f;
 
 /// What a push along the surface feels. It stays as it is while impulses are found.
 template <class Real>
 struct SlidingMass
 {
-  Matrix2<Real> ending; ///< [kg], surface: times a sliding velocity, the impulse that ends it
-  Real least;           ///< [kg], in the direction that is moved most, 1/K; zero: none is moved
+  Matrix2<Real> matrix; ///< [kg], surface: times a sliding velocity, the impulse that ends it
+  Real smallest;        ///< [kg], in the direction that is moved most, 1/K; zero: none is moved
 };
 
 /// The mass that a push along the surface feels, from K along its two axes.
@@ -111,13 +113,13 @@ SlidingMass<Real> sliding_mass(
   const Real apart = half * (uu - ww);
   const Real least = effective_mass<Real>(half * (uu + ww) + sqrt(apart * apart + uw * uw));
   const Real alone = least * (uu + ww) - Real(1); // the lesser K, as a share of the largest
-  const auto one_alone = alone <= Real(almost_none);
+  const auto one_alone = alone <= Real(singular_fraction);
   const Real share = either(one_alone, least, [&] { return least / alone; });
   const auto entry = [&](const Real& if_alone, const Real& of)
   { return share * either(one_alone, if_alone, [&] { return of * least; }); };
   const Real across = entry(Real(0), -uw);
   SlidingMass<Real> mass{{}, least};
-  mass.ending << entry(Real(1), ww), across, across, entry(Real(1), uu);
+  mass.matrix << entry(Real(1), ww), across, across, entry(Real(1), uu);
   return mass;
 }
 // [sliding_mass]
@@ -126,18 +128,19 @@ SlidingMass<Real> sliding_mass(
 /// The impulse [N s] of friction on B after one more visit to a contact point that slides at a
 /// velocity [m/s], both along the surface; R6.
 ///
-/// It is what ends the sliding, where that is at most μ times the normal impulse, `most` [N s].
-/// Where that is more, it goes straight against the sliding, by so little that no direction is
-/// turned back, and is cut. `so_far` is what earlier visits gave, and only the difference is still
-/// to be given: it may be one that takes back.
+/// It is what ends the sliding, where that is at most μ times the normal impulse, `max_friction` [N
+/// s]. Where that is more, it goes straight against the sliding, by so little that no direction is
+/// turned back, and is cut. `accumulated` is what earlier visits gave, and only the difference is
+/// still to be given: it may be one that takes back.
 template <class Real>
 Vector2<Real> friction_impulse(
-    const Vector2<Real>& sliding, const SlidingMass<Real>& mass, const Vector2<Real>& so_far,
-    const Real& most)
+    const Vector2<Real>& sliding, const SlidingMass<Real>& mass, const Vector2<Real>& accumulated,
+    const Real& max_friction)
 {
-  const Vector2<Real> holding = so_far - mass.ending * sliding;
-  const auto cut = [&] { return within_cone<Real, 2>(so_far - mass.least * sliding, most); };
-  return either(holding.norm() <= most, holding, cut);
+  const Vector2<Real> holding = accumulated - mass.matrix * sliding;
+  const auto cut = [&]
+  { return within_cone<Real, 2>(accumulated - mass.smallest * sliding, max_friction); };
+  return either(holding.norm() <= max_friction, holding, cut);
 }
 // [friction_impulse]
 

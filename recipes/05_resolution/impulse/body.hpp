@@ -19,7 +19,7 @@ namespace cookbook
 /// A mass too small for that, even zero, counts as the smallest that is not, 5e-20 in float and
 /// 7e-155 in double; one too large as immovable.
 template <class Real>
-Real inverse_of(const Real& resistance)
+Real bounded_inverse(const Real& resistance)
 {
   using std::sqrt;
   const Real inverse = Real(1) / resistance;
@@ -35,7 +35,7 @@ Real inverse_of(const Real& resistance)
 template <class Real>
 Matrix3<Real> world_inverse_inertia(const Vector3<Real>& moments, const Matrix3<Real>& axes)
 {
-  const Vector3<Real> inverses = moments.unaryExpr(&inverse_of<Real>);
+  const Vector3<Real> inverses = moments.unaryExpr(&bounded_inverse<Real>);
   return axes * inverses.asDiagonal() * axes.transpose();
 }
 // [inertia]
@@ -52,15 +52,16 @@ struct Body
 
 /// A body with these mass properties, turned so that its axes are the columns of a matrix.
 template <class Real>
-Body<Real> movable(
+Body<Real> dynamic_body(
     const Motion<Real>& motion, const MassProperties<Real>& properties, const Matrix3<Real>& axes)
 {
-  return {motion, inverse_of(properties.mass), world_inverse_inertia(properties.moments, axes)};
+  return {
+      motion, bounded_inverse(properties.mass), world_inverse_inertia(properties.moments, axes)};
 }
 
 /// A body at rest that nothing moves, such as the ground.
 template <class Real>
-Body<Real> immovable(const Vector3<Real>& center)
+Body<Real> static_body(const Vector3<Real>& center)
 {
   const Vector3<Real> zero = Vector3<Real>::Zero();
   return {{center, zero, zero}, Real(0), Matrix3<Real>::Zero()};

@@ -21,7 +21,7 @@ bounce_in_turn(BodyPair<Real> bodies, const Manifold<Real, Capacity>& manifold, 
 {
   for (const ContactPoint<Real>& point : manifold.points)
   {
-    bodies = collide(bodies, manifold.normal, point.position, restitution);
+    bodies = resolve_collision(bodies, manifold.normal, point.position, restitution);
   }
   return bodies;
 }
@@ -51,11 +51,11 @@ BouncePoint<Real> bounce_point(
 
 /// Pushes at a point until it parts at its target, or takes back what it has got; R7.
 template <class Real>
-void correct(BodyPair<Real>& bodies, const Vector3<Real>& normal, BouncePoint<Real>& point)
+void solve_point(BodyPair<Real>& bodies, const Vector3<Real>& normal, BouncePoint<Real>& point)
 {
-  const Real missing = point.target - separating_velocity(bodies.a, bodies.b, normal, point.arms);
-  const Real sum = accumulated<Real>(point.impulse, point.mass * missing);
-  push_apart<Real>(bodies.a, bodies.b, point.arms, (sum - point.impulse) * normal);
+  const Real residual = point.target - separating_velocity(bodies.a, bodies.b, normal, point.arms);
+  const Real sum = accumulated_impulse<Real>(point.impulse, point.mass * residual);
+  apply_impulse<Real>(bodies.a, bodies.b, point.arms, (sum - point.impulse) * normal);
   point.impulse = sum;
 }
 
@@ -76,7 +76,7 @@ BodyPair<Real> bounce(
   {
     for (std::size_t i = 0; i < manifold.points.size(); ++i)
     {
-      correct(bodies, manifold.normal, points[i]);
+      solve_point(bodies, manifold.normal, points[i]);
     }
   }
   return bodies;

@@ -23,7 +23,7 @@ void run(const Arguments& given)
   const TwoBalls balls = two_balls(number_option(given, "mass", 0.001, 1000.0));
   const ContactPoint<double>& contact = balls.manifold.points[0];
   const BodyPair<double> after =
-      collide(balls.bodies, balls.manifold.normal, contact.position, restitution);
+      resolve_collision(balls.bodies, balls.manifold.normal, contact.position, restitution);
   std::cout << balls_table(balls, after) << "\n"
             << landings_table(restitution) << "\n"
             << passes_table();

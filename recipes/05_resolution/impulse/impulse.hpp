@@ -106,10 +106,10 @@ Real bounce_impulse(
 }
 // [impulse]
 
-// [pushed]
+// [apply_impulse]
 /// Gives a body an impulse [N s], world, at an arm [m], world.
 template <class Real>
-void push(Body<Real>& body, const Vector3<Real>& arm, const Vector3<Real>& impulse)
+void apply_impulse(Body<Real>& body, const Vector3<Real>& arm, const Vector3<Real>& impulse)
 {
   body.motion.velocity += body.inverse_mass * impulse;
   body.motion.angular_velocity += body.inverse_inertia * arm.cross(impulse);
@@ -117,38 +117,39 @@ void push(Body<Real>& body, const Vector3<Real>& arm, const Vector3<Real>& impul
 
 /// Gives B an impulse [N s], world, at a contact point, and A its opposite; R3.
 template <class Real>
-void push_apart(Body<Real>& a, Body<Real>& b, const Arms<Real>& arms, const Vector3<Real>& impulse)
+void apply_impulse(
+    Body<Real>& a, Body<Real>& b, const Arms<Real>& arms, const Vector3<Real>& impulse)
 {
-  push<Real>(a, arms.a, -impulse);
-  push<Real>(b, arms.b, impulse);
+  apply_impulse<Real>(a, arms.a, -impulse);
+  apply_impulse<Real>(b, arms.b, impulse);
 }
-// [pushed]
+// [apply_impulse]
 
-// [accumulated]
+// [accumulated_impulse]
 /// What a contact point has been given along its normal [N s] after one more push: never less than
 /// nothing, for a push can be taken back, but a contact does not pull; R7.
 template <class Real>
-Real accumulated(const Real& so_far, const Real& change)
+Real accumulated_impulse(const Real& accumulated, const Real& change)
 {
   using std::max;
-  return max(Real(0), Real(so_far + change));
+  return max(Real(0), Real(accumulated + change));
 }
-// [accumulated]
+// [accumulated_impulse]
 
-// [collide]
+// [resolve_collision]
 /// Two bodies after they bounced at one contact point [m], world; R5.
 ///
 /// They stay as they are where `bounce_impulse` is zero.
 template <class Real>
-BodyPair<Real> collide(
+BodyPair<Real> resolve_collision(
     BodyPair<Real> bodies, const Vector3<Real>& normal, const Vector3<Real>& point,
     const Real& restitution)
 {
   const Arms<Real> arms = arms_to(bodies, point);
   const Real impulse = bounce_impulse(bodies.a, bodies.b, normal, arms, restitution);
-  push_apart<Real>(bodies.a, bodies.b, arms, impulse * normal);
+  apply_impulse<Real>(bodies.a, bodies.b, arms, impulse * normal);
   return bodies;
 }
-// [collide]
+// [resolve_collision]
 
 } // namespace cookbook

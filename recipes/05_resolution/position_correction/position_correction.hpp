@@ -62,32 +62,32 @@ constexpr Softness<Real> softness(Real frequency, Real damping_ratio, Real step)
 template <class Real>
 Real soft_change(
     const Softness<Real>& soft, const Real& mass, const Real& speed, const Real& bias,
-    const Real& so_far)
+    const Real& accumulated)
 {
   using std::max;
-  const Real missing = mass * soft.mass_scale * (bias - speed);
-  return max(Real(-so_far), Real(missing - soft.impulse_scale * so_far));
+  const Real residual = mass * soft.mass_scale * (bias - speed);
+  return max(Real(-accumulated), Real(residual - soft.impulse_scale * accumulated));
 }
 // [soft_change]
 
-// [push_speed]
+// [bias_velocity]
 /// The speed [m/s] at which a depth [m] beyond a slop [m] is pushed out, at a rate [1/s], and at
-/// `fastest` [m/s] at most; R11 with a rate of β / step.
+/// `max_speed` [m/s] at most; R11 with a rate of β / step.
 template <class Real>
-Real push_speed(const Real& depth, const Real& slop, const Real& rate, const Real& fastest)
+Real bias_velocity(const Real& depth, const Real& slop, const Real& rate, const Real& max_speed)
 {
-  return std::min(fastest, std::max(Real(0), Real(rate * (depth - slop))));
+  return std::min(max_speed, std::max(Real(0), Real(rate * (depth - slop))));
 }
-// [push_speed]
+// [bias_velocity]
 
-// [relaxation]
+// [position_correction]
 /// How far [m] one pass over positions takes two surfaces apart: a share [1] of the depth [m]
 /// beyond a slop [m]; R12.
 template <class Real>
-Real relaxation(const Real& depth, const Real& slop, const Real& share)
+Real position_correction(const Real& depth, const Real& slop, const Real& fraction)
 {
-  return share * std::max(Real(0), Real(depth - slop));
+  return fraction * std::max(Real(0), Real(depth - slop));
 }
-// [relaxation]
+// [position_correction]
 
 } // namespace cookbook

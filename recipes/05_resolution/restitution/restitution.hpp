@@ -22,27 +22,27 @@ struct ContactStep
 };
 // [contact_step]
 
-// [touch_speed]
+// [impact_speed]
 /// The speed [m/s] of approach at the moment of touch, zero or more; R19.
 ///
 /// `speed` is the parting speed once the step's gravity is in it. Half of that gravity is taken out
 /// again, and what was fallen since the touch. Zero for surfaces that part, and where the fall does
 /// not reach from touch to depth at all.
 template <class Real>
-Real touch_speed(Real speed, const ContactStep<Real>& step)
+Real impact_speed(Real speed, const ContactStep<Real>& step)
 {
   using std::sqrt;
   const Real now = speed - step.acceleration * step.duration / Real(2);
   const Real squared = now * now + Real(2) * step.acceleration * step.depth;
   return now < Real(0) && squared > Real(0) ? sqrt(squared) : Real(0);
 }
-// [touch_speed]
+// [impact_speed]
 
-// [bounced_speed]
+// [rebound_speed]
 /// The fastest approach [m/s] that is a rest and no bounce, under a gravity [m/s²]: two steps
 /// [s] of it; R19.
 template <class Real>
-Real bounce_threshold(Real gravity, Real duration)
+Real restitution_threshold(Real gravity, Real duration)
 {
   return Real(2) * gravity * duration;
 }
@@ -50,13 +50,13 @@ Real bounce_threshold(Real gravity, Real duration)
 /// The parting speed [m/s], zero or more, that a contact is to leave a step with; R19.
 ///
 /// It takes the surfaces back to the touch, where they part by the restitution [1] times
-/// `touch_speed`. Zero where that is no more than a threshold [m/s]. Whatever else undoes the depth
-/// has to leave it alone in this step, or be told a depth of zero here.
+/// `impact_speed`. Zero where that is no more than a threshold [m/s]. Whatever else undoes the
+/// depth has to leave it alone in this step, or be told a depth of zero here.
 template <class Real>
-Real bounced_speed(Real speed, const ContactStep<Real>& step, Real restitution, Real threshold)
+Real rebound_speed(Real speed, const ContactStep<Real>& step, Real restitution, Real threshold)
 {
   using std::sqrt;
-  const Real touch = touch_speed(speed, step);
+  const Real touch = impact_speed(speed, step);
   if (touch <= threshold)
   {
     return Real(0);
@@ -66,23 +66,23 @@ Real bounced_speed(Real speed, const ContactStep<Real>& step, Real restitution, 
   const Real now = squared > Real(0) ? sqrt(squared) : Real(0);
   return std::max(Real(0), Real(now + step.acceleration * step.duration / Real(2)));
 }
-// [bounced_speed]
+// [rebound_speed]
 
-// [pushed_to]
+// [with_separating_velocity]
 /// Two bodies after the push that makes them part at a speed [m/s]; as they are where they part as
 /// fast already, and where no push moves the point.
 template <class Real>
-BodyPair<Real> pushed_to(
+BodyPair<Real> with_separating_velocity(
     BodyPair<Real> bodies, const Vector3<Real>& normal, const Vector3<Real>& point,
     const Real& target)
 {
   const Arms<Real> arms = arms_to(bodies, point);
-  const Real missing = target - separating_velocity(bodies.a, bodies.b, normal, arms);
+  const Real residual = target - separating_velocity(bodies.a, bodies.b, normal, arms);
   const Real mass = effective_mass(inverse_mass_at(bodies.a, bodies.b, normal, arms));
-  push_apart<Real>(bodies.a, bodies.b, arms, std::max(Real(0), missing) * mass * normal);
+  apply_impulse<Real>(bodies.a, bodies.b, arms, std::max(Real(0), residual) * mass * normal);
   return bodies;
 }
-// [pushed_to]
+// [with_separating_velocity]
 
 /// How long [s] a ball bounces that is dropped from a height [m]: infinitely often, but not for
 /// ever; R19. The restitution [1] is below one.

@@ -69,7 +69,7 @@ inline RigidBody make_body(
                   : solid_box(mass, half_extents);
   const Vector3<double> zero = Vector3<double>::Zero();
   const Motion<double> at_rest{center, zero, zero};
-  const Body<double> body = movable<double>(at_rest, properties, Matrix3<double>::Identity());
+  const Body<double> body = dynamic_body<double>(at_rest, properties, Matrix3<double>::Identity());
   return {body, is_sphere, half_extents, properties.moments};
 }
 

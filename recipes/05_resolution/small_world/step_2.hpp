@@ -57,7 +57,7 @@ inline Contact make_contact(
   contact.coefficient = std::sqrt(a.friction * b.friction);
   contact.separation = -point.depth;
   contact.friction.setZero();
-  find_masses<double>(contact, a, b);
+  compute_masses<double>(contact, a, b);
   return contact;
 }
 
@@ -119,10 +119,10 @@ inline void find_contacts(World& world)
 inline void solve(World& world, Contact& contact, double time)
 {
   RigidBody &a = world.bodies[contact.a], &b = world.bodies[contact.b];
-  const double push_out = push_speed(-contact.separation, 0.005, 0.2 / time, 3.0);
+  const double push_out = bias_velocity(-contact.separation, 0.005, 0.2 / time, 3.0);
   const double target = contact.separation > 0 ? -contact.separation / time : push_out;
-  const double missing = target - separating_velocity<double>(a, b, contact);
-  add_impulse<double>(a, b, contact, contact.normal_mass * missing);
+  const double residual = target - separating_velocity<double>(a, b, contact);
+  add_impulse<double>(a, b, contact, contact.normal_mass * residual);
   add_friction<double>(a, b, contact);
 }
 

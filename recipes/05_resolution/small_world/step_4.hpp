@@ -57,7 +57,7 @@ inline Contact make_contact(
   contact.coefficient = std::sqrt(a.friction * b.friction);
   contact.separation = -point.depth;
   contact.friction.setZero();
-  find_masses<double>(contact, a, b);
+  compute_masses<double>(contact, a, b);
   return contact;
 }
 

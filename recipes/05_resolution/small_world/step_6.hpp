@@ -86,7 +86,7 @@ inline Contact make_contact(
   contact.coefficient = std::sqrt(a.friction * b.friction);
   contact.separation = -point.depth;
   contact.friction.setZero();
-  find_masses<double>(contact, a, b);
+  compute_masses<double>(contact, a, b);
   return contact;
 }
 
@@ -275,7 +275,7 @@ inline void solve(World& world, const Softness<double>& spring, double time)
     const Softness<double> softness = contact.rebound ? rigid<double>() : spring;
     solve_contact<double>(
         world.bodies[contact.a], world.bodies[contact.b], contact, softness, time, 3.0);
-    contact.sum += contact.impulse;
+    contact.total_impulse += contact.impulse;
   }
 }
 
@@ -321,7 +321,7 @@ inline void apply_warm_start(World& world)
 /// to separate with after this step, before the next gravity acts for a substep [s]; R19.
 inline void find_impacts(World& world, double time, double small)
 {
-  const double threshold = bounce_threshold(world.gravity.norm(), time);
+  const double threshold = restitution_threshold(world.gravity.norm(), time);
   for (Contact& contact : world.contacts)
   {
     const RigidBody &a = world.bodies[contact.a], &b = world.bodies[contact.b];
@@ -330,9 +330,9 @@ inline void find_impacts(World& world, double time, double small)
     const ContactStep<double> substep{acceleration, small, -contact.separation};
     const double speed = separating_velocity<double>(a, b, contact) + acceleration * small;
     const double restitution = std::max(a.restitution, b.restitution);
-    if (touch_speed(speed, substep) > threshold)
+    if (impact_speed(speed, substep) > threshold)
     {
-      const double rebound = bounced_speed(speed, substep, restitution, threshold);
+      const double rebound = rebound_speed(speed, substep, restitution, threshold);
       contact.rebound = restitution > 0 ? rebound - acceleration * small : 0;
     }
   }
@@ -346,10 +346,10 @@ inline void apply_restitution(World& world)
     for (Contact& contact : world.contacts)
     {
       RigidBody &a = world.bodies[contact.a], &b = world.bodies[contact.b];
-      if (contact.rebound && contact.sum > 0)
+      if (contact.rebound && contact.total_impulse > 0)
       {
-        const double missing = *contact.rebound - separating_velocity<double>(a, b, contact);
-        add_impulse<double>(a, b, contact, contact.normal_mass * missing);
+        const double residual = *contact.rebound - separating_velocity<double>(a, b, contact);
+        add_impulse<double>(a, b, contact, contact.normal_mass * residual);
       }
     }
   }

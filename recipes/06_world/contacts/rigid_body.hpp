@@ -85,7 +85,7 @@ inline Pull pull_on(const Vector3<double>& gravity, std::span<const Pull> forces
 /// this acceleration [m/s²]: by gravity, or by what presses them, if that is more.
 inline double rest_threshold(const Vector3<double>& gravity, double parting_pull, double step)
 {
-  return bounce_threshold(std::max(gravity.norm(), -parting_pull), step);
+  return restitution_threshold(std::max(gravity.norm(), -parting_pull), step);
 }
 
 /// How a body moves once something has pulled it for a time [s], where it is.
@@ -167,7 +167,7 @@ inline RigidBody rigid_body(const SceneBody& body)
   const Motion<double> motion{body.position, body.velocity, body.angular_velocity};
   const MassProperties<double> mass = mass_properties(body);
   const Body<double> pushed =
-      fixed ? Body<double>{motion, 0, Matrix3<double>::Zero()} : movable(motion, mass, axes);
+      fixed ? Body<double>{motion, 0, Matrix3<double>::Zero()} : dynamic_body(motion, mass, axes);
   const Quaternion<double> orientation = body.orientation.normalized();
   RigidBody made{pushed, round, 0, orientation, orientation, mass.moments, axes};
   update_axes(made);

@@ -90,7 +90,7 @@ inline void press(
 {
   const double speed = moving.dot(normal);
   const Vector3<double> slip = moving - speed * normal;
-  point.impulse = accumulated(0.0, -(speed + point.bias) * stiffness.push);
+  point.impulse = accumulated_impulse(0.0, -(speed + point.bias) * stiffness.push);
   point.pressed = point.impulse > 0;
   const bool known = point.bound < std::numeric_limits<double>::infinity();
   const bool grips = known ? point.bound > 0 : point.pressed;

@@ -19,7 +19,7 @@ inline void apply_impulse(
   check_finite("impulse", impulse);
   check_finite("point", point);
   Body<double> pushed = world.body(body);
-  push<double>(pushed, point - pushed.motion.center, impulse);
+  apply_impulse<double>(pushed, point - pushed.motion.center, impulse);
   world.set_velocity(body, pushed.motion.velocity, pushed.motion.angular_velocity);
 }
 

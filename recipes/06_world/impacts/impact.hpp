@@ -52,7 +52,7 @@ add_impacts(IslandView world, const Island& island, double step, std::vector<Imp
       const Arms<double> arms = arms_of(a, b, point);
       const double parting = separating_velocity<double>(a, b, contact.normal, arms);
       const double apart = gap(a, b, contact.normal, point);
-      const double speed = touch_speed<double>(parting, {pull, 0, -apart});
+      const double speed = impact_speed<double>(parting, {pull, 0, -apart});
       const bool touches = apart + step * (parting + step * pull) <= 0;
       if (speed > fastest.speed && touches && is_heard(speed, step, arms.a.norm() + arms.b.norm()))
       {

@@ -166,7 +166,7 @@ inline double stop_center(
 {
   const Arms<double> arms{Vector3<double>::Zero(), place - b.motion.center};
   const double approach = std::max(0.0, -separating_velocity(a, b, normal, arms));
-  push_apart<double>(a, b, arms, bounce_impulse(a, b, normal, arms, 0.0) * normal);
+  apply_impulse<double>(a, b, arms, bounce_impulse(a, b, normal, arms, 0.0) * normal);
   return approach;
 }
 // [bounce_at]

@@ -35,7 +35,7 @@ inline void hold_corner(std::span<RigidBody> bodies, const WorldContact& contact
   }
   const double radius =
       std::min(corner_radius(a, point->on_a, share), corner_radius(b, point->on_b, share));
-  hold_turn<double>(a, b, contact.friction * point->impulse * radius);
+  apply_torsional_friction<double>(a, b, contact.friction * point->impulse * radius);
 }
 
 /// The same for all bodies of an island.

@@ -84,9 +84,9 @@ inline WorldSolver one_by_one(IslandSolver solver)
 }
 
 /// Finds what impulses at a point feel, with the bodies as they are turned now.
-inline void find_masses(IslandPoint& point)
+inline void compute_masses(IslandPoint& point)
 {
-  find_masses<double>(point, *point.a, *point.b);
+  compute_masses<double>(point, *point.a, *point.b);
 }
 
 /// Says how a body is turned, as far as the arms are concerned at which it is pushed.
@@ -132,7 +132,7 @@ inline IslandPoint island_point(
     WorldPoint& of)
 {
   IslandPoint point{constraint_of(a, b, contact, frame, of), &a, &b, &contact, &of};
-  find_masses(point);
+  compute_masses(point);
   return point;
 }
 

@@ -30,7 +30,7 @@ inline double impact_target(const IslandPoint& point, IslandView world, double s
   }
   const double acceleration = parting_pull(world, *point.contact);
   const double threshold = rest_threshold(world.gravity, acceleration, step);
-  const double target = bounced_speed<double>(
+  const double target = rebound_speed<double>(
       speed, {acceleration, 0, -apart}, point.contact->restitution, threshold);
   return target > 0 ? target : -1;
 }

@@ -33,7 +33,7 @@ inline void correct_speed(PositionPoint& one, double threshold)
   {
     const double wanted = one.parted > threshold ? one.parted : 0;
     const double change = wanted - separating_velocity(one.point);
-    push_apart<double>(
+    apply_impulse<double>(
         *one.point.a, *one.point.b, one.point.arms,
         one.point.normal_mass * change * one.point.normal);
   }
@@ -49,7 +49,7 @@ position_points(IslandView world, const Island& island, double small)
   for (const IslandPoint& point : points_of(world, island))
   {
     const Vector3<double> owed =
-        point.surface.in_world(point.friction) * small / point.sliding.least;
+        point.surface.in_world(point.friction) * small / point.sliding.smallest;
     points.push_back({point, owed});
     point.known->impulse = 0;
   }
@@ -74,12 +74,12 @@ inline void end(PositionPoint& one, double small, double threshold)
   one.point.arms = arms_now(one.point);
   if (touches)
   {
-    find_masses(one.point);
+    compute_masses(one.point);
   }
   correct_speed(one, threshold);
   one.point.known->impulse += one.pressed / small;
   one.owed = touches ? slip(one) : Vector3<double>(0, 0, 0);
-  one.point.known->friction = one.owed * one.point.sliding.least / small;
+  one.point.known->friction = one.owed * one.point.sliding.smallest / small;
 }
 
 /// Moves the bodies of an island on by a step [s]; R15, R16.
@@ -91,7 +91,7 @@ inline void position_based(
 {
   const double small = step / settings.substeps;
   const double compliance = settings.compliance / (small * small);
-  const double threshold = bounce_threshold(world.gravity.norm(), small);
+  const double threshold = restitution_threshold(world.gravity.norm(), small);
   std::vector<PositionPoint> points = position_points(world, island, small);
   std::vector<RigidBody> before(island.bodies.size());
   const auto each_body = [&](const auto& change)

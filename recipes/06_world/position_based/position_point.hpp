@@ -18,10 +18,10 @@ namespace cookbook
 /// the small step: α̃. Zero where nothing can move.
 template <class Real>
 Real compliant_change(
-    const Real& error, const Real& inverse_mass, const Real& compliance, const Real& so_far)
+    const Real& error, const Real& inverse_mass, const Real& compliance, const Real& accumulated)
 {
   const Real felt = inverse_mass + compliance;
-  return felt == Real(0) ? Real(0) : Real((-error - compliance * so_far) / felt);
+  return felt == Real(0) ? Real(0) : Real((-error - compliance * accumulated) / felt);
 }
 // [compliant_change]
 
@@ -68,7 +68,7 @@ inline void correct_gap(PositionPoint& one, double compliance, double most)
   const double inverse_mass = shift_inverse_mass(one.point, normal);
   const double error = std::max(gap(one.point), -most);
   const double change = compliant_change(error, inverse_mass, compliance, one.pressed);
-  const double sum = accumulated(one.pressed, change);
+  const double sum = accumulated_impulse(one.pressed, change);
   shift_apart(one.point, (sum - one.pressed) * normal);
   one.pressed = sum;
 }

@@ -40,7 +40,8 @@ target_speed(const IslandPoint& point, double step, const SequentialSettings& se
   {
     return std::min(0.0, -apart / step);
   }
-  return push_speed(-apart, settings.slop, settings.correction / step, settings.correction_speed);
+  return bias_velocity(
+      -apart, settings.slop, settings.correction / step, settings.correction_speed);
 }
 // [target_speed]
 
@@ -85,7 +86,7 @@ inline void position_pass(std::vector<SequentialPoint>& points, const Sequential
   for (SequentialPoint& one : points)
   {
     const Vector3<double>& normal = one.point.normal;
-    const double apart = relaxation(-gap(one.point), settings.slop, settings.correction);
+    const double apart = position_correction(-gap(one.point), settings.slop, settings.correction);
     if (apart > 0)
     {
       shift_apart(one.point, apart / shift_inverse_mass(one.point, normal) * normal);

@@ -61,7 +61,7 @@ inline void start_cold(std::span<IslandPoint> points, const RigidBody& body)
   {
     if (point.a == &body || point.b == &body)
     {
-      push_apart<double>(*point.a, *point.b, point.arms, -given(point));
+      apply_impulse<double>(*point.a, *point.b, point.arms, -contact_impulse(point));
       point.impulse = 0;
       point.friction.setZero();
     }

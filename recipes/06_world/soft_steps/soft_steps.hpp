@@ -67,7 +67,7 @@ inline void store(std::span<IslandPoint> points, double substeps)
   store(points);
   for (const IslandPoint& point : points)
   {
-    point.known->impulse = point.sum;
+    point.known->impulse = point.total_impulse;
   }
 }
 
@@ -105,13 +105,13 @@ soft_steps(IslandView world, const Island& island, double step, const SoftSettin
       point.separation += small * separating_velocity(point);
       if (turned)
       {
-        find_masses(point);
+        compute_masses(point);
       }
     }
     for (IslandPoint& point : points)
     {
       solve_contact<double>(*point.a, *point.b, point, rigid<double>(), small, correction_speed);
-      point.sum += point.impulse;
+      point.total_impulse += point.impulse;
     }
   }
   store(points, settings.substeps);

@@ -60,13 +60,13 @@ void look_at_each(const WideView& all, bool pushes, const Look& look)
 template <class Lanes>
 struct PassesInLanes
 {
-  [[gnu::flatten]] static void find_masses(const WideView& all)
+  [[gnu::flatten]] static void compute_masses(const WideView& all)
   {
     look_at_each<Lanes>(
         all, false,
         [](const WideContact<Lanes>& of, ContactConstraint<Lanes>& at, float* numbers)
         {
-          cookbook::find_masses<Lanes>(at, of.a, of.b);
+          cookbook::compute_masses<Lanes>(at, of.a, of.b);
           WriteLanes<Lanes> write{numbers + lanes_of<Lanes> * (gap_numbers + pushed_numbers)};
           each_mass(at, write);
         });
@@ -89,7 +89,7 @@ struct PassesInLanes
         [&](WideContact<Lanes>& of, ContactConstraint<Lanes>& at, float* numbers)
         {
           solve_contact<Lanes>(of.a, of.b, at, how, small, of.correction_speed);
-          at.sum += last ? at.impulse : Lanes(0);
+          at.total_impulse += last ? at.impulse : Lanes(0);
           WriteLanes<Lanes> write{numbers + lanes_of<Lanes> * gap_numbers};
           each_pushed(at, write);
         });
@@ -112,8 +112,8 @@ template <class Lanes>
 constexpr WidePasses passes_in_lanes()
 {
   using Passes = PassesInLanes<Lanes>;
-  return {lanes_of<Lanes>, Passes::find_masses, Passes::warm_start,
-          Passes::correct, Passes::part,        turn_in_lanes<Doubles<Lanes>>};
+  return {lanes_of<Lanes>, Passes::compute_masses, Passes::warm_start,
+          Passes::correct, Passes::part,           turn_in_lanes<Doubles<Lanes>>};
 }
 // [passes_in_lanes]
 

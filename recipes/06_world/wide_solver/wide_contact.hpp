@@ -37,7 +37,7 @@ template <class Real, class Call>
 void each_pushed(ContactConstraint<Real>& at, Call& call)
 {
   call(at.impulse);
-  call(at.sum);
+  call(at.total_impulse);
   each_number(at.friction, call);
 }
 
@@ -46,8 +46,8 @@ template <class Real, class Call>
 void each_mass(ContactConstraint<Real>& at, Call& call)
 {
   call(at.normal_mass);
-  each_number_once(at.sliding.ending, call);
-  call(at.sliding.least);
+  each_number_once(at.sliding.matrix, call);
+  call(at.sliding.smallest);
 }
 
 /// Then what stays for the whole frame.

@@ -66,11 +66,11 @@ public:
             numbers_.put(at, place++, lane);
           }
         });
-    find_masses();
+    compute_masses();
   }
 
   /// Finds what impulses feel, by the inverse masses that the bodies have here.
-  void find_masses() { passes_.find_masses(view()); }
+  void compute_masses() { passes_.compute_masses(view()); }
 
   /// Pushes as the step before has ended.
   void warm_start() { passes_.warm_start(view()); }
@@ -120,7 +120,7 @@ public:
           for (WorldPoint& known : contact.points)
           {
             const ContactConstraint<float> at = numbers_.pushed(place++, lane);
-            known.impulse = at.sum;
+            known.impulse = at.total_impulse;
             known.carried = scale * at.impulse;
             known.friction = surface.in_world((scale * at.friction).cast<double>());
           }

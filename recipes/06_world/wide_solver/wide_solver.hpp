@@ -98,7 +98,7 @@ inline void move(IslandView world, double small, WideContacts& lanes)
   }
   if (any)
   {
-    lanes.find_masses();
+    lanes.compute_masses();
   }
 }
 // [wide_bodies]

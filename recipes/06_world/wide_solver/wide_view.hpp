@@ -38,7 +38,7 @@ struct WidePasses
   std::size_t lanes; ///< of a group
 
   /// Finds what impulses feel, with the bodies as they are turned now.
-  void (*find_masses)(const WideView& all);
+  void (*compute_masses)(const WideView& all);
   /// Pushes as the frame before, or the step before, has ended.
   void (*warm_start)(const WideView& all);
   /// Corrects each point once, with a spring, in a small step [s], the last time or not.

@@ -147,7 +147,7 @@ inline double way_error(const FrictionRule& rule, int axes)
 inline FrictionRule polygon_rule(int axes)
 {
   return {"polygon", [=](const FrictionVisit& at) {
-            return within_polygon(at.against(), at.most, axes);
+            return within_polygon(at.against(), at.max_friction, axes);
           }};
 }
 

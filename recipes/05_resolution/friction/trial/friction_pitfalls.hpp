@@ -16,17 +16,18 @@ namespace cookbook
 /// An impulse [N s] along a surface, cut along each of its axes to at most a length [N s]: along
 /// the diagonal it may be √2 times as long.
 template <class Real>
-Vector2<Real> within_pyramid(const Vector2<Real>& impulse, const Real& most)
+Vector2<Real> within_pyramid(const Vector2<Real>& impulse, const Real& max_friction)
 {
-  const auto cut = [&](const Real& along) { return std::max(Real(-most), std::min(most, along)); };
+  const auto cut = [&](const Real& along)
+  { return std::max(Real(-max_friction), std::min(max_friction, along)); };
   return {cut(impulse.x()), cut(impulse.y())};
 }
 // [within_pyramid]
 
 /// An impulse [N s] along a surface, shortened to end on a regular polygon of 2 `axes`
-/// sides around the circle of radius `most` [N s]: a scalar product for each axis.
+/// sides around the circle of radius `max_friction` [N s]: a scalar product for each axis.
 template <class Real>
-Vector2<Real> within_polygon(const Vector2<Real>& impulse, const Real& most, int axes)
+Vector2<Real> within_polygon(const Vector2<Real>& impulse, const Real& max_friction, int axes)
 {
   using std::abs;
   using std::cos;
@@ -38,7 +39,7 @@ Vector2<Real> within_polygon(const Vector2<Real>& impulse, const Real& most, int
     const Vector2<Real> axis(cos(angle), sin(angle));
     farthest = std::max(farthest, Real(abs(impulse.dot(axis))));
   }
-  return farthest <= most ? impulse : Vector2<Real>(impulse * (most / farthest));
+  return farthest <= max_friction ? impulse : Vector2<Real>(impulse * (max_friction / farthest));
 }
 
 // [answered_as_published]
@@ -64,7 +65,7 @@ BodyPair<Real> answered_as_published(
   }
   const Vector3<Real> sliding =
       along_surface<Real>(relative_velocity(a.motion, b.motion, arms), normal);
-  push_apart<Real>(a, b, arms, j * normal);
+  apply_impulse<Real>(a, b, arms, j * normal);
   const Real speed = sliding.norm();
   if (speed * speed <= Real(published_zero))
   {
@@ -74,7 +75,7 @@ BodyPair<Real> answered_as_published(
   const Real rub = speed / inverse_mass_at(a, b, direction, arms) / Real(count);
   if (rub > Real(published_zero))
   {
-    push_apart<Real>(a, b, arms, -std::min(rub, Real(friction * j)) * direction);
+    apply_impulse<Real>(a, b, arms, -std::min(rub, Real(friction * j)) * direction);
   }
   return bodies;
 }

@@ -20,14 +20,14 @@ namespace cookbook
 /// What a rule knows when it visits a touch; vectors are along the axes of the floor.
 struct FrictionVisit
 {
-  Vector2<double> sliding;  ///< [m/s]
-  SlidingMass<double> mass; ///< [kg]
-  Vector2<double> so_far;   ///< [N s]
-  double most;              ///< [N s], the bound from the normal impulse
-  double planned;           ///< [N s], the bound that was planned from the weight
+  Vector2<double> sliding;     ///< [m/s]
+  SlidingMass<double> mass;    ///< [kg]
+  Vector2<double> accumulated; ///< [N s]
+  double max_friction;         ///< [N s], the bound from the normal impulse
+  double planned;              ///< [N s], the bound that was planned from the weight
 
   /// What goes against the sliding [N s], not cut yet.
-  Vector2<double> against() const { return so_far - mass.least * sliding; }
+  Vector2<double> against() const { return accumulated - mass.smallest * sliding; }
 };
 
 /// The impulse of friction [N s] after a visit.
@@ -48,9 +48,9 @@ inline std::vector<FrictionRule> friction_rules()
       {"box: constant bound",
        [](const FrictionVisit& at) { return within_pyramid(at.against(), at.planned); }},
       {"pyramid: two axes",
-       [](const FrictionVisit& at) { return within_pyramid(at.against(), at.most); }},
+       [](const FrictionVisit& at) { return within_pyramid(at.against(), at.max_friction); }},
       {"cone", [](const FrictionVisit& at)
-       { return friction_impulse(at.sliding, at.mass, at.so_far, at.most); }}};
+       { return friction_impulse(at.sliding, at.mass, at.accumulated, at.max_friction); }}};
 }
 // [friction_rules]
 
@@ -68,20 +68,20 @@ inline void visit(OneContactScene& scene, Touch& touch, const FrictionCut& cut)
   const Vector3<double> up = Vector3<double>::UnitY();
   Body<double>&a = scene.solids[touch.a].body, &b = scene.solids[touch.b].body;
   const Arms<double> arms = arms_to<double>({a, b}, touch.point);
-  const double missing = -touch.gap / scene.step - separating_velocity(a, b, up, arms);
-  const double sum = accumulated(touch.pushed, touch.mass * missing);
+  const double residual = -touch.gap / scene.step - separating_velocity(a, b, up, arms);
+  const double sum = accumulated_impulse(touch.pushed, touch.mass * residual);
   if (sum == 0 && touch.pushed == 0)
   {
     return;
   }
-  push_apart<double>(a, b, arms, (sum - touch.pushed) * up);
+  apply_impulse<double>(a, b, arms, (sum - touch.pushed) * up);
   touch.pushed = sum;
   const double planned = sum > 0 ? touch.friction * touch.weight * scene.step : 0;
   const SurfaceAxes<double> floor = surface_axes(up);
   const Vector2<double> rub = cut(
       {sliding_velocity(a, b, floor, arms), touch.sliding, touch.rubbed, touch.friction * sum,
        planned});
-  push_apart<double>(a, b, arms, floor.in_world(rub - touch.rubbed));
+  apply_impulse<double>(a, b, arms, floor.in_world(rub - touch.rubbed));
   touch.rubbed = rub;
 }
 
@@ -101,7 +101,7 @@ inline void prepare(OneContactScene& scene, Touch& touch)
   touch.mass = effective_mass(inverse_mass_at(a, b, up, arms));
   const SurfaceAxes<double> floor = surface_axes(up);
   touch.sliding = sliding_mass(a, b, floor, arms);
-  push_apart<double>(a, b, arms, touch.pushed * up + floor.in_world(touch.rubbed));
+  apply_impulse<double>(a, b, arms, touch.pushed * up + floor.in_world(touch.rubbed));
 }
 // [visit]
 

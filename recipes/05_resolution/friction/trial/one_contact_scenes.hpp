@@ -26,7 +26,7 @@ inline Solid box_on_floor(double mass, const Vector3<double>& half_extents)
   const Vector3<double> zero = Vector3<double>::Zero();
   const MassProperties<double> weighed = solid_box(mass, half_extents);
   const Motion<double> rest{{0, half_extents.y(), 0}, zero, zero};
-  return {movable<double>(rest, weighed, Matrix3<double>::Identity()), weighed, half_extents};
+  return {dynamic_body<double>(rest, weighed, Matrix3<double>::Identity()), weighed, half_extents};
 }
 
 /// A ball of a mass [kg] and a radius [m] at a place.
@@ -35,7 +35,7 @@ inline Solid ball_at(const Vector3<double>& center, double mass, double radius)
   const Vector3<double> zero = Vector3<double>::Zero();
   const MassProperties<double> weighed = solid_sphere(mass, radius);
   const Motion<double> rest{center, zero, zero};
-  return {movable<double>(rest, weighed, Matrix3<double>::Identity()), weighed, zero, radius};
+  return {dynamic_body<double>(rest, weighed, Matrix3<double>::Identity()), weighed, zero, radius};
 }
 
 /// A place where two solids may touch, and what it has given in this step.
@@ -71,7 +71,7 @@ inline OneContactScene on_floor(const std::vector<Solid>& solids, double frictio
 {
   OneContactScene scene;
   const Vector3<double> zero = Vector3<double>::Zero();
-  scene.solids.push_back({immovable(zero), {1, zero}, zero});
+  scene.solids.push_back({static_body(zero), {1, zero}, zero});
   scene.solids.insert(scene.solids.end(), solids.begin(), solids.end());
   for (std::size_t i = 1; i < scene.solids.size(); ++i)
   {

@@ -46,11 +46,11 @@ BounceCase<Real> cube_on_four(const std::string& id, const std::string& what, co
   const Vector3<Real> zero = Vector3<Real>::Zero();
   const Motion<Real> falling{Vector3<Real>(0, half, 0), -Vector3<Real>::UnitY(), zero};
   const MassProperties<Real> cube = solid_box<Real>(1, Vector3<Real>::Constant(half));
-  const Body<Real> body = movable<Real>(falling, cube, Matrix3<Real>::Identity());
+  const Body<Real> body = dynamic_body<Real>(falling, cube, Matrix3<Real>::Identity());
   return {
       id,
       what,
-      {body, immovable(zero)},
+      {body, static_body(zero)},
       landing_at<Real>({{-d, 0, -d}, {-d, 0, d}, {d, 0, -d}, {d, 0, d}})};
 }
 
@@ -62,9 +62,9 @@ BounceCase<Real> ball_on_one_place(const std::string& id, const std::string& wha
   const Vector3<Real> zero = Vector3<Real>::Zero();
   const Motion<Real> falling{Vector3<Real>(0, half, 0), -Vector3<Real>::UnitY(), zero};
   const MassProperties<Real> ball = solid_sphere<Real>(1, half);
-  const Body<Real> body = movable<Real>(falling, ball, Matrix3<Real>::Identity());
+  const Body<Real> body = dynamic_body<Real>(falling, ball, Matrix3<Real>::Identity());
   const std::vector<Vector3<Real>> places(static_cast<std::size_t>(count), zero);
-  return {id, what, {body, immovable(zero)}, landing_at<Real>(places)};
+  return {id, what, {body, static_body(zero)}, landing_at<Real>(places)};
 }
 
 /// All cases of bounces that lose nothing, e = 1.

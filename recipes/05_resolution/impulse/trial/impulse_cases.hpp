@@ -55,9 +55,9 @@ inline ResponseCase pushed_ball()
   const Vector3<double> zero = Vector3<double>::Zero();
   const Vector3<double> impulse(6, 0, 0);
   Body<double> ball =
-      movable<double>({zero, zero, zero}, solid_sphere(2.0, 0.5), Matrix3<double>::Identity());
+      dynamic_body<double>({zero, zero, zero}, solid_sphere(2.0, 0.5), Matrix3<double>::Identity());
   const double regardless = pushed_regardless(ball, impulse).motion.velocity.x();
-  push(ball, zero, impulse);
+  apply_impulse(ball, zero, impulse);
   return {"X26", "ball of 2 kg, pushed by 6 N s [m/s]", regardless, ball.motion.velocity.x(), 3};
 }
 

@@ -26,7 +26,7 @@ BodyPair<Real> bounce_divided(
     {
       const Arms<Real> arms = arms_to(bodies, point.position);
       const Real whole = bounce_impulse(bodies.a, bodies.b, manifold.normal, arms, restitution);
-      push_apart<Real>(bodies.a, bodies.b, arms, whole / count * manifold.normal);
+      apply_impulse<Real>(bodies.a, bodies.b, arms, whole / count * manifold.normal);
     }
   }
   return bodies;

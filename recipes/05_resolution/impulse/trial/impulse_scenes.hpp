@@ -41,8 +41,8 @@ inline TwoBalls two_balls(double mass_b)
       b,
       of_a,
       of_b,
-      {movable({a.center, {2, 0, 0}, zero}, of_a, upright),
-       movable({b.center, zero, zero}, of_b, upright)},
+      {dynamic_body({a.center, {2, 0, 0}, zero}, of_a, upright),
+       dynamic_body({b.center, zero, zero}, of_b, upright)},
       sphere_sphere(a, b).value()};
 }
 
@@ -76,7 +76,7 @@ inline MassProperties<double> unit_cube()
 inline Body<double> falling_cube(const Obb<double>& cube)
 {
   const Vector3<double> zero = Vector3<double>::Zero();
-  return movable({cube.center, {0, -1, 0}, zero}, unit_cube(), cube.axes);
+  return dynamic_body({cube.center, {0, -1, 0}, zero}, unit_cube(), cube.axes);
 }
 
 /// A cube, turned so that its axes are the columns of a matrix, as it meets the floor y = 0.
@@ -90,7 +90,7 @@ inline Landing on_floor(const std::string& name, const Matrix3<double>& axes)
   return {
       name,
       cube,
-      {falling_cube(cube), immovable(floor.center)},
+      {falling_cube(cube), static_body(floor.center)},
       edge_clipping(cube, floor).value()};
 }
 
@@ -113,7 +113,7 @@ inline Landing on_pebble()
   return {
       "level, one corner on a pebble",
       cube,
-      {falling_cube(cube), immovable(pebble.center)},
+      {falling_cube(cube), static_body(pebble.center)},
       roomy(swapped(sphere_box(pebble, cube)).value())};
 }
 

@@ -73,7 +73,7 @@ inline void project(SunkCube& cube)
 /// A share of the depth, by a speed that the cube keeps; R11.
 inline void push_with_speed(SunkCube& cube, double limit)
 {
-  fall_and_push(cube, push_speed(-cube.bottom, 0.0, push_share / frame_time, limit));
+  fall_and_push(cube, bias_velocity(-cube.bottom, 0.0, push_share / frame_time, limit));
   cube.bottom += cube.speed * frame_time;
 }
 
@@ -82,7 +82,7 @@ inline void push_beside_speed(SunkCube& cube, double limit)
 {
   SunkCube beside = cube;
   beside.speed = earth_gravity * frame_time; // nothing pulls at this speed
-  const double bias = push_speed(-cube.bottom, 0.0, push_share / frame_time, limit);
+  const double bias = bias_velocity(-cube.bottom, 0.0, push_share / frame_time, limit);
   fall_and_push(cube, 0);
   fall_and_push(beside, bias);
   cube.bottom += (cube.speed + beside.speed) * frame_time;
@@ -97,7 +97,7 @@ inline void relax_positions(SunkCube& cube, int passes)
   {
     for (std::size_t tile = 0; tile < cube.impulses.size(); ++tile)
     {
-      cube.bottom += relaxation(-cube.bottom, 0.001, push_share);
+      cube.bottom += position_correction(-cube.bottom, 0.001, push_share);
     }
   }
 }
@@ -119,7 +119,7 @@ inline void push_softly(SunkCube& cube, double frequency, double limit, bool rel
     cube.speed -= earth_gravity * step;
     if (touches)
     {
-      push(cube, soft, push_speed(-cube.bottom, 0.0, soft.bias_rate, limit));
+      push(cube, soft, bias_velocity(-cube.bottom, 0.0, soft.bias_rate, limit));
     }
     cube.bottom += cube.speed * step;
     if (touches && relax)

@@ -88,11 +88,11 @@ inline std::vector<DropCase> drop_cases()
       {"", "e = 0.5 from 1 m: rests by 1.355 + 0.5 s", {1, 0.5, 20}, comes_to_rest},
       {"J8",
        "e = 1 at 10 m/s, stopped at the floor: up at 10 m/s",
-       {ten, 1, 4, 1.0 / 60, Ahead::stop},
+       {ten, 1, 4, 1.0 / 60, Speculative::stop},
        keeps_speed},
       {"",
        "the same, and the speed remembered",
-       {ten, 1, 4, 1.0 / 60, Ahead::stop_in_time},
+       {ten, 1, 4, 1.0 / 60, Speculative::stop_and_remember},
        keeps_speed}};
 }
 

@@ -12,7 +12,7 @@ namespace cookbook
 /// The parting speed [m/s] of a bounce that gives back the speed as it is once the step's gravity
 /// is in it: too fast, by up to 1 + e halves of a step's gravity.
 template <class Real>
-Real bounced_after_gravity(Real speed, Real restitution, Real threshold)
+Real rebound_after_gravity(Real speed, Real restitution, Real threshold)
 {
   return speed < -threshold ? Real(-restitution * speed) : Real(0);
 }
@@ -23,7 +23,7 @@ Real bounced_after_gravity(Real speed, Real restitution, Real threshold)
 /// Impulses come before gravity in the code published with the seed book. Gravity then pulls a body
 /// that rests a little into the floor at every step.
 template <class Real>
-Real bounced_before_gravity(Real speed, const ContactStep<Real>& step, Real restitution)
+Real rebound_before_gravity(Real speed, const ContactStep<Real>& step, Real restitution)
 {
   const Real gravity = step.acceleration * step.duration;
   const Real before = speed - gravity;

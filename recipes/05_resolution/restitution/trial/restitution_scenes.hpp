@@ -15,22 +15,22 @@ namespace cookbook
 {
 
 /// What a contact does with a ball that will touch the floor within the step.
-enum class Ahead
+enum class Speculative
 {
-  wait,        ///< nothing: it answers a step later, a little inside the floor
-  stop,        ///< stops it at the floor, and forgets how fast it came
-  stop_in_time ///< stops it at the floor, and remembers
+  off,              ///< nothing: it answers a step later, a little inside the floor
+  stop,             ///< stops it at the floor, and forgets how fast it came
+  stop_and_remember ///< stops it at the floor, and remembers
 };
 
 /// A ball of 1 kg above a floor.
 struct Drop
 {
-  double height;             ///< [m], of its lowest point above the floor
-  double restitution;        ///< [1]
-  double duration;           ///< [s]
-  double step = 1.0 / 60;    ///< [s]
-  Ahead ahead = Ahead::wait; ///< what happens ahead of a touch
-  double gravity = 9.81;     ///< [m/s²]
+  double height;                              ///< [m], of its lowest point above the floor
+  double restitution;                         ///< [1]
+  double duration;                            ///< [s]
+  double step = 1.0 / 60;                     ///< [s]
+  Speculative speculative = Speculative::off; ///< what happens ahead of a touch
+  double gravity = 9.81;                      ///< [m/s²]
 };
 
 /// The ball at an instant.
@@ -59,18 +59,19 @@ struct BounceRule
 inline std::vector<BounceRule> bounce_rules()
 {
   using Step = ContactStep<double>;
-  const auto threshold = [](const Drop& drop) { return bounce_threshold(drop.gravity, drop.step); };
+  const auto threshold = [](const Drop& drop)
+  { return restitution_threshold(drop.gravity, drop.step); };
   return {
       {"before gravity, as published", [](double speed, const Step& step, const Drop& drop)
-       { return bounced_before_gravity(speed, step, drop.restitution); }},
+       { return rebound_before_gravity(speed, step, drop.restitution); }},
       {"after gravity", [](double speed, const Step&, const Drop& drop)
-       { return bounced_after_gravity(speed, drop.restitution, 0.0); }},
+       { return rebound_after_gravity(speed, drop.restitution, 0.0); }},
       {"after gravity, threshold", [=](double speed, const Step&, const Drop& drop)
-       { return bounced_after_gravity(speed, drop.restitution, threshold(drop)); }},
+       { return rebound_after_gravity(speed, drop.restitution, threshold(drop)); }},
       {"at the touch", [](double speed, const Step& step, const Drop& drop)
-       { return bounced_speed(speed, step, drop.restitution, 0.0); }},
+       { return rebound_speed(speed, step, drop.restitution, 0.0); }},
       {"at the touch, threshold", [=](double speed, const Step& step, const Drop& drop)
-       { return bounced_speed(speed, step, drop.restitution, threshold(drop)); }}};
+       { return rebound_speed(speed, step, drop.restitution, threshold(drop)); }}};
 }
 
 /// The floor and the ball, at rest.
@@ -80,21 +81,21 @@ inline BodyPair<double> floor_and_ball(double height)
   const double radius = 0.25;
   const Motion<double> motion{{0, height + radius, 0}, zero, zero};
   const Matrix3<double> upright = Matrix3<double>::Identity();
-  return {immovable(zero), movable<double>(motion, solid_sphere(1.0, radius), upright)};
+  return {static_body(zero), dynamic_body<double>(motion, solid_sphere(1.0, radius), upright)};
 }
 
 /// The speed [m/s] at which the ball moves during a step, which a contact ahead may slow down; the
 /// ball's own speed is what it keeps for the next step.
 inline double moving_speed(const Drop& drop, double gap, double& speed)
 {
-  if (drop.ahead == Ahead::wait || gap <= 0 || speed * drop.step >= -gap)
+  if (drop.speculative == Speculative::off || gap <= 0 || speed * drop.step >= -gap)
   {
     return speed;
   }
   const ContactStep<double> step{-drop.gravity, drop.step, -gap};
-  const double touch = touch_speed(speed, step);
+  const double touch = impact_speed(speed, step);
   const double slow = -gap / drop.step;
-  speed = drop.ahead == Ahead::stop ? slow : -touch + drop.gravity * drop.step / 2;
+  speed = drop.speculative == Speculative::stop ? slow : -touch + drop.gravity * drop.step / 2;
   return slow;
 }
 
@@ -121,7 +122,7 @@ inline std::vector<Flight> flight(const Drop& drop, const BounceRule& rule)
     if (step.depth >= 0 && speed < 0)
     {
       const double target = rule.speed(speed, step, drop);
-      bodies = pushed_to<double>(bodies, up, {0, 0, 0}, target);
+      bodies = with_separating_velocity<double>(bodies, up, {0, 0, 0}, target);
     }
     ball.center.y() += drop.step * moving_speed(drop, -step.depth, ball.velocity.y());
     rows.push_back({i * drop.step, ball.center.y() - radius, ball.velocity.y() - half});
