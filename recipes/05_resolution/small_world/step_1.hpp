@@ -120,6 +120,7 @@ inline void apply_gravity(World& world, double time)
 inline void step(World& world, double time)
 {
   check("time", time, 1e-6, 0.1);
+  check("gravity.norm()", world.gravity.norm(), 0, 1e4);
   find_contacts(world);
   apply_gravity(world, time);
   for (int pass = 0; pass < 10; ++pass)

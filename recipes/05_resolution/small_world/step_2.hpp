@@ -151,6 +151,7 @@ inline void apply_warm_start(World& world)
 inline void step(World& world, double time)
 {
   check("time", time, 1e-6, 0.1);
+  check("gravity.norm()", world.gravity.norm(), 0, 1e4);
   find_contacts(world);
   apply_gravity(world, time);
   apply_warm_start(world);

@@ -163,6 +163,7 @@ inline void apply_warm_start(World& world)
 inline void step(World& world, double time)
 {
   check("time", time, 1e-6, 0.1);
+  check("gravity.norm()", world.gravity.norm(), 0, 1e4);
   find_contacts(world);
   const double small = time / 4;
   const Softness<double> spring = softness(0.125 / small, 5.0, small);

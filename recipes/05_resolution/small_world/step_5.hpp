@@ -241,6 +241,7 @@ inline void apply_restitution(World& world)
 inline void step(World& world, double time)
 {
   check("time", time, 1e-6, 0.1);
+  check("gravity.norm()", world.gravity.norm(), 0, 1e4);
   find_contacts(world);
   const double small = time / 4;
   find_impacts(world, time, small);

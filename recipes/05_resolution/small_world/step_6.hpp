@@ -228,16 +228,25 @@ move_contacts(const World& world, std::vector<Contact>& from, std::vector<Contac
   from.erase(moved, from.end());
 }
 
-/// After a step of a time [s]: updates how long each body has rested, and puts whole islands to
-/// sleep.
+/// After a step of a time [s]: updates how long each body has rested on others, and puts whole
+/// islands to sleep.
 inline void put_to_sleep(World& world, double time)
 {
+  std::vector<bool> touches(world.bodies.size());
+  for (const std::vector<Contact>* contacts : {&world.contacts, &world.asleep})
+  {
+    for (const Contact& contact : *contacts)
+    {
+      touches[contact.a] = touches[contact.b] = true;
+    }
+  }
   for (std::size_t i = 0; i < world.bodies.size(); ++i)
   {
     const auto& [center, velocity, angular_velocity] = world.bodies[i].motion;
     const double speed =
         fastest_point<double>(velocity, angular_velocity, world.bodies[i].half_extents.norm());
-    world.rest_times[i] = speed > 0.05 ? 0 : world.rest_times[i] + time;
+    const bool rests = touches[i] && speed <= 0.05;
+    world.rest_times[i] = rests ? world.rest_times[i] + time : 0;
   }
   share_rest(world, find_islands(world));
   for (std::size_t i = 0; i < world.bodies.size(); ++i)
@@ -359,6 +368,7 @@ inline void apply_restitution(World& world)
 inline void step(World& world, double time)
 {
   check("time", time, 1e-6, 0.1);
+  check("gravity.norm()", world.gravity.norm(), 0, 1e4);
   find_contacts(world);
   const double small = time / 4;
   find_impacts(world, time, small);

@@ -1,0 +1,447 @@
+#include "05_resolution/small_world/small_world.hpp"
+#include "05_resolution/small_world/step_5.hpp"
+#include "05_resolution/small_world/step_6.hpp"
+#include "05_resolution/small_world/trial/small_scenes.hpp"
+#include "tests/catch.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+using Catch::Approx;
+using namespace cookbook;
+using namespace cookbook::small;
+using small_world::World;
+
+namespace
+{
+
+/// A world without gravity, and nothing in it.
+World space()
+{
+  World world;
+  world.gravity.setZero();
+  return world;
+}
+
+/// A sphere that moves.
+RigidBody shot(const Vector3<double>& center, double radius, const Vector3<double>& velocity)
+{
+  RigidBody body = sphere(center, radius, 1);
+  body.motion.velocity = velocity;
+  return body;
+}
+
+/// A box turned by an angle [rad] about an axis.
+RigidBody turned(RigidBody body, double angle, const Vector3<double>& axis)
+{
+  set_orientation(body, Quaternion<double>(Eigen::AngleAxisd(angle, axis.normalized())));
+  return body;
+}
+
+/// The momentum [N s] of all bodies that can move.
+Vector3<double> momentum_of(const World& world)
+{
+  Vector3<double> sum = Vector3<double>::Zero();
+  for (const RigidBody& body : world.bodies)
+  {
+    if (body.inverse_mass > 0)
+    {
+      sum += body.motion.velocity / body.inverse_mass;
+    }
+  }
+  return sum;
+}
+
+/// The kinetic energy of all bodies and their height in gravity [J].
+double energy_of(const World& world)
+{
+  double sum = 0;
+  for (const RigidBody& body : world.bodies)
+  {
+    if (body.inverse_mass > 0)
+    {
+      const auto& [center, velocity, angular_velocity] = body.motion;
+      const Vector3<double> spin = body.orientation.conjugate() * angular_velocity;
+      sum += (velocity.squaredNorm() / 2 - world.gravity.dot(center)) / body.inverse_mass +
+             spin.dot(body.moments.cwiseProduct(spin)) / 2;
+    }
+  }
+  return sum;
+}
+
+/// How many bodies are asleep.
+std::size_t sleepers(const World& world)
+{
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < world.bodies.size(); ++i)
+  {
+    count += small_world::is_asleep(world, i) ? 1U : 0U;
+  }
+  return count;
+}
+
+} // namespace
+
+TEST_CASE("spheres that fly in line at 100 m/s, half a metre apart, do not meet")
+{
+  World world = space();
+  for (int i = 0; i < 3; ++i)
+  {
+    add(world, shot({0.5 * i, 0, 0}, 0.05, {100, 0, 0}));
+  }
+  run(world, 0.5);
+  for (int i = 0; i < 3; ++i)
+  {
+    const Motion<double>& motion = world.bodies[static_cast<std::size_t>(i)].motion;
+    REQUIRE(motion.velocity.x() == 100);
+    REQUIRE(motion.center.x() == Approx(50 + 0.5 * i).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("spheres that meet head-on at 5 to 300 m/s exchange their velocities with e = 1")
+{
+  for (const double speed : {5.0, 20.0, 100.0, 300.0})
+  {
+    World world = space();
+    add(world, shot({-5, 0, 0}, 0.05, {speed, 0, 0}));
+    add(world, shot({5.3, 0, 0}, 0.05, {-speed, 0, 0}));
+    world.bodies[0].restitution = 1;
+    run(world, 20 / speed);
+    REQUIRE(world.bodies[0].motion.velocity.x() == Approx(-speed).epsilon(1e-9));
+    REQUIRE(world.bodies[1].motion.velocity.x() == Approx(speed).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("a shot at a sphere at rest gives it all of its velocity with e = 1, whatever the speed")
+{
+  for (const double speed : {5.0, 50.0, 300.0, 3000.0})
+  {
+    World world = space();
+    add(world, shot({-5, 0, 0}, 0.05, {speed, 0, 0}));
+    add(world, shot({0, 0, 0}, 0.05, {0, 0, 0}));
+    world.bodies[0].restitution = 1;
+    run(world, 10 / speed + 0.1);
+    REQUIRE(world.bodies[1].motion.velocity.x() == Approx(speed).epsilon(1e-9));
+    REQUIRE(std::abs(world.bodies[0].motion.velocity.x()) < 1e-9 * speed);
+  }
+}
+
+TEST_CASE("a sphere in a wagon of 60 m/s bounces off its walls as if the wagon stood")
+{
+  for (const double speed : {0.0, 60.0})
+  {
+    World world = space();
+    for (const double side : {-1.0, 1.0})
+    {
+      RigidBody wall = box({side, 0, 0}, {0.02, 1, 1}, 0);
+      wall.motion.velocity.x() = speed;
+      add(world, wall);
+    }
+    add(world, shot({0, 0, 0}, 0.05, {speed + 5, 0, 0}));
+    world.bodies[2].restitution = 1;
+    run(world, 0.3); // 0.93 m to the wall take 0.186 s
+    REQUIRE(world.bodies[2].motion.velocity.x() - speed == Approx(-5).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("a sphere dropped in a train of 100 m/s comes back to e² of its height, on its place")
+{
+  World world;
+  add(world, box({0, -0.5, 0}, {500, 0.5, 20}, 0));
+  world.bodies[0].motion.velocity.x() = 100;
+  add(world, shot({0, 1.1, 0}, 0.1, {100, 0, 0}));
+  world.bodies[1].restitution = 0.5;
+  REQUIRE(height_of_bounce(world, 1) == Approx(0.25).epsilon(0.01));
+  run(world, 1);
+  REQUIRE(world.bodies[1].motion.center.x() == Approx(100).epsilon(1e-9));
+}
+
+TEST_CASE("a sphere crosses the seams of flush boxes at 10 to 60 m/s and keeps its speed")
+{
+  for (const double speed : {10.0, 30.0, 60.0})
+  {
+    World world;
+    for (int i = 0; i < 50; ++i)
+    {
+      add(world, box({1.0 * i, -0.5, 0}, {0.5, 0.5, 5}, 0));
+    }
+    const std::size_t i = add(world, shot({0.3, 0.25, 0}, 0.25, {speed, 0, 0}));
+    world.bodies[i].friction = 0;
+    run(world, 45 / speed);
+    REQUIRE(world.bodies[i].motion.velocity.x() == Approx(speed).epsilon(1e-9));
+    REQUIRE(std::abs(world.bodies[i].motion.center.y() - 0.25) < 0.001);
+  }
+}
+
+TEST_CASE("a pyramid 500 km from the origin stands as it does there, to 1e-6 m")
+{
+  World world = pyramid<World>(5), remote = pyramid<World>(5);
+  const Vector3<double> place{3e5, 0, -4e5};
+  for (RigidBody& body : remote.bodies)
+  {
+    body.motion.center += place;
+  }
+  run(world, 3);
+  run(remote, 3);
+  for (std::size_t i = 0; i < world.bodies.size(); ++i)
+  {
+    const Vector3<double> there = remote.bodies[i].motion.center - place;
+    REQUIRE((there - world.bodies[i].motion.center).norm() < 1e-6);
+  }
+}
+
+TEST_CASE("a pyramid on ground that moves at 100 m/s stands, and moves with it")
+{
+  World world = pyramid<World>(5);
+  for (RigidBody& body : world.bodies)
+  {
+    body.motion.velocity.x() = 100;
+  }
+  const World start = world;
+  run(world, 5);
+  for (std::size_t i = 0; i < world.bodies.size(); ++i)
+  {
+    const Vector3<double> moved = world.bodies[i].motion.center - start.bodies[i].motion.center;
+    REQUIRE((moved - Vector3<double>(500, 0, 0)).norm() < 0.01);
+  }
+}
+
+TEST_CASE("a world that is turned, gravity too, moves alike, turned")
+{
+  const Quaternion<double> turn(Eigen::AngleAxisd(1, Vector3<double>(1, 2, 3).normalized()));
+  World world = ground<World>(), other;
+  other.gravity = turn * world.gravity;
+  add(world, turned(box({0, 2, 0}, {0.5, 0.3, 0.2}, 1), 0.7, {1, 0, 0.6}));
+  for (RigidBody body : world.bodies)
+  {
+    body.motion.center = turn * body.motion.center;
+    set_orientation(body, turn * body.orientation);
+    add(other, body);
+  }
+  run(world, 0.75); // it has landed on a corner and topples
+  run(other, 0.75);
+  const Vector3<double> center = turn * world.bodies[1].motion.center;
+  REQUIRE((other.bodies[1].motion.center - center).norm() < 1e-6);
+}
+
+TEST_CASE("without gravity a sphere drifts at 4 cm/s for ten seconds, 0.4 m far")
+{
+  World world = space();
+  add(world, shot({0, 0, 0}, 0.5, {0.04, 0, 0}));
+  run(world, 10);
+  REQUIRE(world.bodies[0].motion.center.x() == Approx(0.4).epsilon(1e-9));
+}
+
+TEST_CASE("under a gravity of 0.05 m/s² a body that starts at rest falls, and sleeps on the ground")
+{
+  World world = ground<World>();
+  world.gravity.y() = -0.05;
+  add(world, sphere({0, 1.1, 0}, 0.1, 1));
+  run(world, 4); // it falls 0.4 m
+  REQUIRE(world.bodies[1].motion.center.y() == Approx(0.7).epsilon(0.001));
+  run(world, 6);
+  REQUIRE(world.bodies[1].motion.center.y() == Approx(0.1).epsilon(0.001));
+  REQUIRE(sleepers(world) == 1);
+}
+
+TEST_CASE("an hour of sleep changes no bit")
+{
+  World world = tower<World>(5);
+  run(world, 5);
+  REQUIRE(sleepers(world) == 5);
+  const World start = world;
+  run(world, 3600);
+  for (std::size_t i = 0; i < world.bodies.size(); ++i)
+  {
+    REQUIRE(world.bodies[i].motion.center == start.bodies[i].motion.center);
+    REQUIRE(world.bodies[i].orientation.coeffs() == start.bodies[i].orientation.coeffs());
+  }
+}
+
+TEST_CASE("a cube carries one of ten and of a hundred times its mass")
+{
+  for (const double ratio : {10.0, 100.0})
+  {
+    World world = tower<World>(1);
+    add(world, box({0, 1.5, 0}, {0.5, 0.5, 0.5}, ratio));
+    run(world, 20);
+    REQUIRE(world.bodies[2].motion.center.y() > 1.45);
+    REQUIRE(sleepers(world) == 2);
+  }
+}
+
+TEST_CASE("bodies ride on a lift up and down, and wake as it sets off")
+{
+  World world = tower<World>(2);
+  run(world, 2);
+  REQUIRE(sleepers(world) == 2);
+  for (const double speed : {1.0, -1.0})
+  {
+    world.bodies[0].motion.velocity.y() = speed;
+    run(world, 3);
+    const double top = world.bodies[0].motion.center.y() + 1;
+    REQUIRE(world.bodies[1].motion.center.y() - top == Approx(0.5).margin(0.005));
+    REQUIRE(world.bodies[2].motion.center.y() - top == Approx(1.5).margin(0.005));
+  }
+}
+
+TEST_CASE("a belt of 2 m/s takes a cube along after it has slipped v² / (2 μ g); R6")
+{
+  World world = tower<World>(1);
+  run(world, 2);
+  world.bodies[0].motion.velocity.x() = 2;
+  run(world, 3);
+  const double right = 6 - 4 / (2 * 0.6 * 9.81);
+  REQUIRE(world.bodies[1].motion.center.x() == Approx(right).epsilon(0.01));
+}
+
+TEST_CASE("a cube rides on a turntable for a turn, and creeps outwards by less than 3 cm")
+{
+  World world = ground<World>();
+  world.bodies[0].motion.angular_velocity.y() = 1;
+  add(world, box({0.3, 0.5, 0}, {0.2, 0.5, 0.2}, 1));
+  run(world, 2 * std::numbers::pi);
+  const Vector3<double>& center = world.bodies[1].motion.center;
+  REQUIRE(std::hypot(center.x(), center.z()) == Approx(0.3).margin(0.03));
+}
+
+TEST_CASE("a sleeping cube follows a floor that sinks at 1 m/s")
+{
+  World world = tower<World>(1);
+  run(world, 3);
+  REQUIRE(sleepers(world) == 1);
+  world.bodies[0].motion.velocity.y() = -1;
+  run(world, 1);
+  REQUIRE(world.bodies[1].motion.center.y() == Approx(-0.5).margin(0.005));
+}
+
+TEST_CASE("what lies on a sleeping cube falls once that is moved away and woken, or kicked")
+{
+  for (const bool kicked : {false, true})
+  {
+    World world = tower<World>(2);
+    run(world, 3);
+    REQUIRE(sleepers(world) == 2);
+    if (kicked)
+    {
+      world.bodies[1].motion.velocity.x() = 8;
+    }
+    else
+    {
+      world.bodies[1].motion.center.x() = 3;
+      small_world::wake(world, 1);
+    }
+    run(world, 3);
+    REQUIRE(world.bodies[1].motion.center.x() > 2);
+    REQUIRE(world.bodies[2].motion.center.y() == Approx(0.5).margin(0.001));
+    REQUIRE(sleepers(world) == 2);
+  }
+}
+
+TEST_CASE("a shot wakes a sleeping tower")
+{
+  World world = tower<World>(5);
+  run(world, 3);
+  REQUIRE(sleepers(world) == 5);
+  add(world, shot({-5, 2.5, 0}, 0.2, {40, 0, 0}));
+  run(world, 0.3);
+  REQUIRE(sleepers(world) == 0);
+}
+
+TEST_CASE("a heap without gravity and ground keeps its momentum, and gains no energy")
+{
+  World world = space();
+  for (int i = 0; i < 27; ++i)
+  {
+    const Vector3<double> place{1.5 * (i % 3 - 1), 1.5 * (i / 3 % 3 - 1), 1.5 * (i / 9 - 1)};
+    RigidBody body = i % 2 == 0 ? sphere(place, 0.5, 1) : box(place, {0.5, 0.4, 0.3}, 2);
+    body.motion.velocity = -place;
+    body.motion.angular_velocity = place.reverse();
+    body.restitution = 0.5;
+    add(world, body);
+  }
+  world.bodies[0].motion.velocity.x() += 1;
+  const Vector3<double> before = momentum_of(world);
+  double energy = energy_of(world);
+  for (int i = 0; i < 300; ++i)
+  {
+    step(world, frame);
+    REQUIRE((momentum_of(world) - before).norm() < 1e-9);
+    REQUIRE(energy_of(world) < energy * (1 + 1e-3));
+    energy = energy_of(world);
+  }
+}
+
+TEST_CASE("bodies that overlap at the start come out at less than 3 m/s")
+{
+  for (const double depth : {0.1, 0.5, 0.9})
+  {
+    World world = ground<World>();
+    add(world, cube({0, 0.5 - depth, 0}));
+    for (int i = 0; i < 600; ++i)
+    {
+      step(world, frame);
+      REQUIRE(world.bodies[1].motion.velocity.norm() < 3);
+    }
+    REQUIRE(world.bodies[1].motion.center.y() == Approx(0.5).margin(0.001));
+  }
+}
+
+TEST_CASE("two bodies in one place separate: boxes, and spheres")
+{
+  for (const bool is_sphere : {false, true})
+  {
+    World world = ground<World>();
+    for (int i = 0; i < 2; ++i)
+    {
+      add(world, is_sphere ? sphere({0, 0.5, 0}, 0.5, 1) : cube({0, 0.5, 0}));
+    }
+    run(world, 5);
+    const Vector3<double> apart = world.bodies[2].motion.center - world.bodies[1].motion.center;
+    REQUIRE(apart.norm() > 0.99);
+  }
+}
+
+TEST_CASE("a box that spins at 10 to 10,000 rad/s comes down with no more energy than it had")
+{
+  for (const double spin : {10.0, 100.0, 1000.0, 9990.0})
+  {
+    World world = ground<World>();
+    RigidBody body = box({0, 1, 0}, {0.5, 0.3, 0.2}, 1);
+    body.motion.angular_velocity = {0, spin, 0.01 * spin};
+    body.restitution = 0.5;
+    add(world, body);
+    const double energy = energy_of(world);
+    for (int i = 0; i < 600; ++i)
+    {
+      step(world, frame);
+      REQUIRE(energy_of(world) < energy * (1 + 1e-3));
+    }
+  }
+}
+
+TEST_CASE("bodies of 1 cm to 10 m come to rest on a face, sunk by less than 3 % of their size")
+{
+  for (const double size : {0.01, 0.1, 1.0, 10.0})
+  {
+    World world = ground<World>();
+    const Vector3<double> half_extents = Vector3<double>::Constant(0.5 * size);
+    const double mass = 1000 * size * size * size;
+    add(world, turned(box({0, 2 * size, 0}, half_extents, mass), 0.7, {1, 0, 0.6}));
+    run(world, 10);
+    REQUIRE(world.bodies[1].motion.center.y() / size == Approx(0.5).margin(0.03));
+    REQUIRE(sleepers(world) == 1);
+  }
+}
+
+TEST_CASE("a gravity that is none, or more than 10 km/s², is refused before anything moves")
+{
+  World world = tower<World>(1);
+  world.gravity.y() = std::numeric_limits<double>::quiet_NaN();
+  REQUIRE_THROWS_WITH(
+      step(world, frame), "gravity.norm() is nan; it must be from 0.000000 to 10000.000000");
+  world.gravity.y() = -1e5;
+  REQUIRE_THROWS(step(world, frame));
+  REQUIRE(world.bodies[1].motion.center.y() == 0.5);
+}
