@@ -4,6 +4,7 @@
 
 #include "05_resolution/impulse/impulse.hpp"
 #include "05_resolution/impulse/trial/conserved.hpp"
+#include "05_resolution/mass_properties/mass_properties.hpp"
 #include "common/math/rotation.hpp"
 #include "tools/exact/exact.hpp"
 

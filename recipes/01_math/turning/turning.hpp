@@ -5,6 +5,7 @@
 
 #include "01_math/rotations/unit_quaternion.hpp"
 #include "01_math/turning/rotation_by.hpp"
+#include "01_math/turning/turn_between.hpp"
 
 namespace cookbook
 {

@@ -3,6 +3,7 @@
 /// \file
 /// \brief A point and a plane, a segment, a box: the formulas as they stand, for a room.
 
+#include "02_primitives/plain_points/closest_on_box.hpp"
 #include "02_primitives/shapes/shapes.hpp"
 
 #include <algorithm>
@@ -41,23 +42,6 @@ Vector3<Real> closest_point(const Segment<Real>& segment, const Vector3<Real>& p
   return (Real(1) - t) * segment.start + t * segment.end;
 }
 // [closest_point_segment]
-
-// [closest_on_box]
-/// The point of the box [−h, h] closest to `point`, both in the box's coordinates; P3.
-template <class Real>
-Vector3<Real> clamp_to_box(const Vector3<Real>& point, const Vector3<Real>& half_extents)
-{
-  return point.cwiseMax(-half_extents).cwiseMin(half_extents);
-}
-
-/// The point of a box that is closest to a point, both [m], world; P4.
-template <class Real>
-Vector3<Real> closest_on_box(const Obb<Real>& box, const Vector3<Real>& p)
-{
-  const Vector3<Real> q = box.axes.transpose() * (p - box.center);
-  return box.center + box.axes * clamp_to_box<Real>(q, box.half_extents);
-}
-// [closest_on_box]
 
 // [signed_distance_of_box]
 /// How far a point [m], world, is from the surface of a box; negative inside; P5.

@@ -4,7 +4,7 @@
 /// \brief One contact point solved as a damped spring, with friction.
 
 #include "05_resolution/contact_constraint/contact_constraint.hpp"
-#include "05_resolution/position_correction/position_correction.hpp"
+#include "05_resolution/position_correction/softness.hpp"
 
 #include <algorithm>
 

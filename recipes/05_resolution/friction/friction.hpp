@@ -4,7 +4,7 @@
 /// \brief Friction at a contact point: one impulse along the surface, no longer than its cone lets
 /// it be.
 
-#include "05_resolution/impulse/impulse.hpp"
+#include "05_resolution/impulse/contact_impulse.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 /// \brief Bodies that can be pushed and turned: motion, inverse mass, inverse inertia.
 
 #include "03_sphere_manifolds/collision/motion.hpp"
-#include "05_resolution/mass_properties/mass_properties.hpp"
+#include "05_resolution/mass_properties/solid_mass.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 /// another.
 
 #include "01_math/turning/rotation_by.hpp"
-#include "03_sphere_manifolds/plain_spheres/plain_spheres.hpp"
+#include "03_sphere_manifolds/plain_spheres/plain_sphere_box.hpp"
 #include "04_obb_manifolds/plain_box_box/plain_box_box.hpp"
 #include "05_resolution/impulse/body.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "02_primitives/shape_bounds/obb_bounds.hpp"
 #include "05_resolution/contact_constraint/soft_contact.hpp"
-#include "05_resolution/restitution/restitution.hpp"
+#include "05_resolution/restitution/rebound_speed.hpp"
 #include "05_resolution/small_world/small_body.hpp"
 
 #include <algorithm>

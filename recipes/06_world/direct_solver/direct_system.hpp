@@ -3,6 +3,7 @@
 /// \file
 /// \brief An island as a system of equations: its bodies, contacts and points, and its matrix.
 
+#include "05_resolution/mass_properties/mass_properties.hpp"
 #include "06_world/direct_solver/direct_blocks.hpp"
 #include "06_world/direct_solver/direct_give.hpp"
 #include "06_world/lanes/make_room.hpp"

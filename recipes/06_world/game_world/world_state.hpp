@@ -3,7 +3,7 @@
 /// \file
 /// \brief What a world knows, and that it goes on by a step.
 
-#include "01_math/turning/rotation_by.hpp"
+#include "01_math/turning/turn_between.hpp"
 #include "06_world/contacts/broad_phase.hpp"
 #include "06_world/impacts/impact.hpp"
 #include "06_world/islands/island_points.hpp"

@@ -4,6 +4,7 @@
 /// \brief The bounce of two bodies that touch on their way: the whole impulse, at all points at
 /// once.
 
+#include "05_resolution/impulse/impulse.hpp"
 #include "06_world/contacts/contact_cache.hpp"
 #include "06_world/impacts/next_touch.hpp"
 #include "06_world/islands/simultaneous_impacts.hpp"

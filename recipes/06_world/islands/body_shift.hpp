@@ -4,7 +4,7 @@
 /// \brief Shifts bodies of a world at a contact point: as an impulse does velocities, but
 /// positions.
 
-#include "01_math/turning/rotation_by.hpp"
+#include "01_math/turning/turn_between.hpp"
 #include "06_world/islands/island_points.hpp"
 
 namespace cookbook

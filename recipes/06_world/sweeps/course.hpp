@@ -3,6 +3,7 @@
 /// \file
 /// \brief How a body of a world goes through a step.
 
+#include "01_math/turning/turn_between.hpp"
 #include "06_world/islands/free_flight.hpp"
 
 #include <span>

@@ -5,6 +5,7 @@
 /// asserted to fail.
 
 #include "05_resolution/friction/friction.hpp"
+#include "05_resolution/impulse/impulse.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -7,6 +7,7 @@
 #include "05_resolution/impulse/trial/conserved.hpp"
 #include "05_resolution/impulse/trial/impulse_pitfalls.hpp"
 #include "05_resolution/impulse/trial/impulse_scenes.hpp"
+#include "05_resolution/mass_properties/mass_properties.hpp"
 #include "tools/program/table.hpp"
 
 #include <string>
