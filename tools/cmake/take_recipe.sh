@@ -1,6 +1,7 @@
 #!/bin/sh
 # Prints a recipe as one header that needs nothing but Eigen: take_recipe.sh ROOT HEADER [FIRST], the
-# header as a path from the root, and the names that come first in the list of what it offers.
+# header as a path from the root, and the names that come first in the list of what it offers; a dot after
+# them where no other is listed.
 # ./cookbook take calls it.
 set -eu
 root=$1 header=$2 first=${3:-}
@@ -74,7 +75,7 @@ function offers(path,    line, said, done, any, includes, i, bodies_only) {
     if (said != "" && line !~ /^ /) {
       sub(/[.:;]$/, "", said)
       gsub(/alignas\([0-9]*\) /, "", line)
-      gsub(/ = .*|\(.*|;.*/, "", line)
+      gsub(/ = .*| : .*|\(.*|;.*/, "", line)
       while (sub(/<[^<>]*>/, "", line)) ;
       gsub(/ *$|.*[ >&*:]/, "", line)
       if (only == "" ? !(line in listed) : line == only) printf "//   %s: %s\n", line, said
@@ -93,6 +94,7 @@ function list(    names, count, i, k) {
   count = split(first, names, " ")
   for (i = 1; i <= count; ++i) {
     only = names[i]
+    if (only == ".") return
     found = 0
     for (k = 1; k <= files && !found; ++k) offers(taken_as[k])
     listed[only] = 1
