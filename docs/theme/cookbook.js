@@ -32,6 +32,24 @@ window.addEventListener("DOMContentLoaded", () => {
   }
 });
 
+// A difference: its lines by their first sign, as they stand in the text without this.
+window.addEventListener("DOMContentLoaded", () => {
+  const kinds = { "+": "added", "-": "removed", "@": "place" };
+  for (const block of document.querySelectorAll("pre.fragment")) {
+    if (!block.textContent.startsWith("@@ ")) {
+      continue;
+    }
+    const lines = block.textContent.replace(/\n$/, "").split("\n");
+    block.classList.add("difference");
+    block.replaceChildren(...lines.map((text) => {
+      const line = document.createElement("span");
+      line.className = kinds[text[0]] || "";
+      line.textContent = text + "\n";
+      return line;
+    }));
+  }
+});
+
 // A tagged formula is as wide as its column was: set it anew where the column's width changes.
 let columnWidth = window.innerWidth;
 let pending = 0;

@@ -16,25 +16,57 @@ using Catch::Approx;
 using namespace cookbook;
 using namespace cookbook::small;
 
+// [step_1]
 TEST_CASE("step 1 holds a tower of five for 20 s, and neither ten nor a pyramid")
 {
   REQUIRE(largest_sink(tower<step_1::World>(5), 20) < 0.04);
   REQUIRE_FALSE(stands(largest_sink(tower<step_1::World>(10), 20)));
   REQUIRE_FALSE(stands(largest_sink(pyramid<step_1::World>(10), 20)));
 }
+// [step_1]
 
+// [step_2]
 TEST_CASE("step 2 holds a pyramid of 55 for 20 s, and no tower of ten for 40 s")
 {
   REQUIRE(largest_move(pyramid<step_2::World>(10), 20) < 0.04);
   REQUIRE_FALSE(stands(largest_sink(tower<step_2::World>(10), 40)));
 }
+// [step_2]
 
+// [step_3]
 TEST_CASE("step 3 holds towers of ten for 40 s and of fourteen for 20 s, but not of sixteen")
 {
   REQUIRE(largest_sink(tower<step_3::World>(10), 40) < 0.04);
   REQUIRE(stands(largest_sink(tower<step_3::World>(14), 20)));
   REQUIRE_FALSE(stands(largest_sink(tower<step_3::World>(16), 20)));
 }
+// [step_3]
+
+// [soft]
+TEST_CASE("a cube under step 3 sinks by g / ω², .276 mm, as on springs of 30 Hz", "[R13]")
+{
+  const double angular_frequency = 2 * std::numbers::pi * 30;
+  const double right = 9.81 / (angular_frequency * angular_frequency);
+  REQUIRE(largest_sink(tower<step_3::World>(1), 5) == Approx(right).epsilon(1e-6));
+}
+
+TEST_CASE("a cube 30 cm in the ground hops over it by 21 cm under step 2, not under step 3")
+{
+  const auto highest = [](auto world)
+  {
+    add(world, cube({0, 0.2, 0}));
+    double top = 0;
+    for (int i = 0; i < 120; ++i)
+    {
+      step(world, frame);
+      top = std::max(top, world.bodies[1].motion.center.y() - 0.5);
+    }
+    return top;
+  };
+  REQUIRE(highest(ground<step_2::World>()) > 0.2);
+  REQUIRE(highest(ground<step_3::World>()) == 0);
+}
+// [soft]
 
 namespace
 {
@@ -119,6 +151,7 @@ TEST_CASE("step 7 returns spheres from a wall of 2 cm at 10 to 1,000 m/s; step 6
   REQUIRE_FALSE(comes_back(shot_at_wall<step_6::World>(1000)));
 }
 
+// [friction]
 TEST_CASE("the small world slides as far as Coulomb's friction lets it, within 1 %; R6")
 {
   for (const double friction : {0.1, 0.3, 0.5})
@@ -134,6 +167,7 @@ TEST_CASE("the small world slides as far as Coulomb's friction lets it, within 1
     REQUIRE(world.bodies[i].motion.center.x() + 50 == Approx(right).epsilon(0.01));
   }
 }
+// [friction]
 
 TEST_CASE("a block stays on a slope below the angle of friction, and slides above it")
 {
@@ -158,6 +192,7 @@ TEST_CASE("a block stays on a slope below the angle of friction, and slides abov
   }
 }
 
+// [deterministic]
 TEST_CASE("the same world twice moves alike to the last bit, and so does a copy")
 {
   auto one = pyramid<small_world::World>(5);
@@ -171,6 +206,7 @@ TEST_CASE("the same world twice moves alike to the last bit, and so does a copy"
   run(copy, 1);
   REQUIRE(same_bodies(one, copy));
 }
+// [deterministic]
 
 TEST_CASE("the small world refuses what it is not made for, by name and value")
 {

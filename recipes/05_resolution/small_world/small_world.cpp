@@ -2,6 +2,7 @@
 /// \brief Runs each step of the small world on the scene that it holds and the step before fails.
 
 #include "05_resolution/small_world/trial/small_world_figures.hpp"
+#include "05_resolution/small_world/trial/step_loop.hpp"
 #include "tools/program/program.hpp"
 #include "tools/program/table.hpp"
 
@@ -95,6 +96,7 @@ int main(int argc, char** argv)
       [](const Arguments& given)
       {
         print_steps();
+        save_figure(given, "small_world_loop.svg", loop_figure().svg());
         save_figure(given, "small_world_step_1.svg", first_figure().svg());
         save_figure(given, "small_world_step_2.svg", pyramids_figure().svg());
         save_figure(given, "small_world_step_3.svg", towers_figure().svg());

@@ -8,7 +8,9 @@
 namespace cookbook
 {
 
+// [small_world]
 /// The small world: `small_world::World`, `add`, `step`.
 namespace small_world = small::step_7;
+// [small_world]
 
 } // namespace cookbook
