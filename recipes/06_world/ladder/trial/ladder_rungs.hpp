@@ -1,0 +1,76 @@
+#pragma once
+
+/// \file
+/// \brief The ladder of worlds beyond step 7: each branch on scenes that step 7 fails, and scenes
+/// in which both worlds agree.
+
+#include "05_resolution/small_world/trial/rung.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace cookbook
+{
+
+/// The branches of the ladder: step 7 of the small world below, GameWorld here.
+std::vector<Rung> branch_rungs();
+
+/// A scene in both worlds: step 7 of the small world, and GameWorld under soft steps.
+struct Agreement
+{
+  std::string scene; ///< in a few words
+  double time;       ///< [s], after which the two are compared
+  bool rests;        ///< whether its bodies lie still by then
+  double moved;      ///< [m], the farthest that a body is from where it began, in GameWorld
+  double apart;      ///< [m], the farthest that a body of one world is from the same of the other
+};
+
+/// Ten scenes in both worlds.
+std::vector<Agreement> agreements();
+
+/// How far apart [m] a body may be: 1 mm where it rests, half a percent of how far it has moved
+/// otherwise.
+inline double allowed(const Agreement& one)
+{
+  return one.rests ? 0.001 : 0.005 * one.moved;
+}
+
+// [lines_taken]
+/// What a rung takes in lines, rounded to hundreds, and the headers that are taken for it.
+struct LinesTaken
+{
+  std::string rung;
+  int lines;
+  std::vector<std::string> headers; ///< under recipes/
+};
+
+/// Of each rung.
+inline std::vector<LinesTaken> lines_taken()
+{
+  const std::string step = "05_resolution/small_world/step_";
+  const std::string world = "06_world/game_world/game_world.hpp";
+  const std::string soft = "06_world/soft_steps/soft_steps.hpp";
+  return {
+      {"1", 1300, {step + "1.hpp"}},
+      {"2", 1300, {step + "2.hpp"}},
+      {"3", 1400, {step + "3.hpp"}},
+      {"4", 1400, {step + "4.hpp"}},
+      {"5", 1500, {step + "5.hpp"}},
+      {"6", 1700, {step + "6.hpp"}},
+      {"7", 1800, {step + "7.hpp"}},
+      {"direct", 11900, {world, "06_world/game_world/direct_or_soft.hpp"}},
+      {"SIMD", 12000, {world, "06_world/wide_solver/wide_solver.hpp"}},
+      {"anchors", 10100, {world, soft}},
+      {"sweeps", 10100, {world, soft}},
+      {"queries",
+       13100,
+       {world, soft, "06_world/game_world/world_queries.hpp",
+        "06_world/contact_watch/contact_watch.hpp"}}};
+}
+
+/// How many lines a game takes with these headers, each file of the book once.
+std::size_t lines_to_take(const std::vector<std::string>& headers);
+// [lines_taken]
+
+} // namespace cookbook
