@@ -1,4 +1,5 @@
 #include "05_resolution/small_world/small_world.hpp"
+#include "05_resolution/small_world/step_4.hpp"
 #include "05_resolution/small_world/step_5.hpp"
 #include "05_resolution/small_world/step_6.hpp"
 #include "05_resolution/small_world/trial/small_scenes.hpp"
@@ -83,6 +84,7 @@ std::size_t sleepers(const World& world)
 
 } // namespace
 
+// [spheres_at_spheres]
 TEST_CASE("spheres that fly in line at 100 m/s, half a metre apart, do not meet")
 {
   World world = space();
@@ -112,6 +114,7 @@ TEST_CASE("spheres that meet head-on at 5 to 300 m/s exchange their velocities w
     REQUIRE(world.bodies[1].motion.velocity.x() == Approx(speed).epsilon(1e-9));
   }
 }
+// [spheres_at_spheres]
 
 TEST_CASE("a shot at a sphere at rest gives it all of its velocity with e = 1, whatever the speed")
 {
@@ -157,6 +160,7 @@ TEST_CASE("a sphere dropped in a train of 100 m/s comes back to e² of its heigh
   REQUIRE(world.bodies[1].motion.center.x() == Approx(100).epsilon(1e-9));
 }
 
+// [seams]
 TEST_CASE("a sphere crosses the seams of flush boxes at 10 to 60 m/s and keeps its speed")
 {
   for (const double speed : {10.0, 30.0, 60.0})
@@ -173,6 +177,7 @@ TEST_CASE("a sphere crosses the seams of flush boxes at 10 to 60 m/s and keeps i
     REQUIRE(std::abs(world.bodies[i].motion.center.y() - 0.25) < 0.001);
   }
 }
+// [seams]
 
 TEST_CASE("a pyramid 500 km from the origin stands as it does there, to 1e-6 m")
 {
@@ -339,6 +344,27 @@ TEST_CASE("what lies on a sleeping cube falls once that is moved away and woken,
   }
 }
 
+TEST_CASE("a sleeping tower that is woken stands on its contacts at once, each of them once")
+{
+  for (const bool by_lift : {false, true})
+  {
+    World world = tower<World>(5);
+    run(world, 3);
+    REQUIRE(sleepers(world) == 5);
+    const std::size_t contacts = world.asleep.size();
+    const double speed = by_lift ? 0.01 : 0;
+    world.bodies[0].motion.velocity.y() = speed;
+    small_world::wake(world, 3);
+    step(world, frame);
+    REQUIRE(world.asleep.empty());
+    REQUIRE(world.contacts.size() == contacts);
+    for (const RigidBody& body : world.bodies)
+    {
+      REQUIRE(std::abs(body.motion.velocity.y() - speed) < 0.02); // without contacts: g h = 0.16
+    }
+  }
+}
+
 TEST_CASE("a shot wakes a sleeping tower")
 {
   World world = tower<World>(5);
@@ -445,3 +471,140 @@ TEST_CASE("a gravity that is none, or more than 10 km/s², is refused before any
   REQUIRE_THROWS(step(world, frame));
   REQUIRE(world.bodies[1].motion.center.y() == 0.5);
 }
+
+// [limit_of_step_4]
+TEST_CASE(
+    "sort and sweep compares every pair of a wall of cubes across x, and 160 of a row along it")
+{
+  small::step_4::World wall = ground<small::step_4::World>();
+  small::step_4::World row = ground<small::step_4::World>();
+  for (int i = 0; i < 400; ++i)
+  {
+    add(wall, cube({0, i / 20 + 0.5, 1.1 * (i % 20)}));
+  }
+  for (int i = 0; i < 160; ++i)
+  {
+    add(row, cube({1.1 * (i - 80), 0.5, 0}));
+  }
+  REQUIRE(pairs_compared(wall.bodies) == 401 * 400 / 2);
+  REQUIRE(pairs_compared(row.bodies) == 160); // each with the ground
+}
+// [limit_of_step_4]
+
+TEST_CASE("a floor of n² cubes takes n² + n · n (n - 1) / 2 comparisons: n columns along z")
+{
+  for (const std::size_t n : {5U, 10U, 20U})
+  {
+    const auto world = floor_of_cubes<small::step_4::World>(static_cast<int>(n));
+    REQUIRE(pairs_compared(world.bodies) == n * n + n * n * (n - 1) / 2);
+  }
+}
+
+// [limits_of_step_5]
+TEST_CASE(
+    "a sphere from 5 mm with e = 0.5 stays down: 0.31 m/s is below 2 g h; from 20 mm it bounces")
+{
+  REQUIRE(height_of_bounce(dropped_sphere<small::step_5::World>(0.005, 0.5), 0.4) < 1e-4);
+  REQUIRE(
+      height_of_bounce(dropped_sphere<small::step_5::World>(0.02, 0.5), 0.2) ==
+      Approx(0.005).epsilon(0.1));
+}
+
+TEST_CASE("a row of spheres with e = 1 passes a velocity on across gaps of 1 mm, but not where it "
+          "touches")
+{
+  for (const double gap : {0.001, 0.0})
+  {
+    World world = space();
+    for (int i = 0; i < 5; ++i)
+    {
+      add(world, shot({i * (0.1 + gap), 0, 0}, 0.05, {0, 0, 0}));
+    }
+    add(world, shot({-1, 0, 0}, 0.05, {2, 0, 0}));
+    for (RigidBody& body : world.bodies)
+    {
+      body.restitution = 1;
+    }
+    run(world, 2);
+    const double first = world.bodies[5].motion.velocity.x();
+    const double last = world.bodies[4].motion.velocity.x();
+    const bool right = std::abs(first) < 1e-9 && std::abs(last - 2) < 1e-9;
+    REQUIRE(right == (gap > 0));
+  }
+}
+// [limits_of_step_5]
+
+// [limits_of_step_6]
+TEST_CASE("a cube on its edge, tilted by 0.001, falls over in step 5, and falls asleep in step 6")
+{
+  const RigidBody tilted =
+      turned(cube({0, std::sqrt(0.5), 0}), std::numbers::pi / 4 + 0.001, Vector3<double>::UnitZ());
+  auto world = ground<small::step_5::World>();
+  auto sleeping = ground<small::step_6::World>();
+  add(world, tilted);
+  add(sleeping, tilted);
+  run(world, 10);
+  run(sleeping, 10);
+  REQUIRE(world.bodies[1].motion.center.y() == Approx(0.5).margin(0.001));
+  REQUIRE(sleeping.bodies[1].motion.center.y() > 0.7);
+}
+
+TEST_CASE("a cube that sets off down a slope at 0.05 m/s² slides 2.5 m in 10 s; step 6 stops it")
+{
+  const double slope = std::atan(0.6) + 0.05 / 9.81 * std::cos(std::atan(0.6));
+  const auto slid = [&](auto world)
+  {
+    world.gravity = {9.81 * std::sin(slope), -9.81 * std::cos(slope), 0};
+    add(world, cube({0, 0.5, 0}));
+    run(world, 10);
+    return world.bodies[1].motion.center.x();
+  };
+  const double right = 50 * 9.81 * (std::sin(slope) - 0.6 * std::cos(slope)); // a t² / 2
+  REQUIRE(slid(ground<small::step_5::World>()) == Approx(right).epsilon(0.05));
+  REQUIRE(slid(ground<small::step_6::World>()) < 0.02);
+}
+
+TEST_CASE("a change of gravity wakes nothing; wake() does")
+{
+  World world = tower<World>(1);
+  run(world, 3);
+  world.gravity = {9.81, 0, 0};
+  run(world, 1);
+  REQUIRE(world.bodies[1].motion.center.x() < 1e-3);
+  small_world::wake(world, 1);
+  run(world, 1);
+  REQUIRE(world.bodies[1].motion.center.x() == Approx(4.905).epsilon(0.05)); // g t² / 2
+}
+// [limits_of_step_6]
+
+// [limits_of_step_7]
+TEST_CASE("a box of 10 cm passes a wall of 2 cm at 30 m/s, and so does a thin bat past a sphere")
+{
+  World world = space();
+  add(world, box({0, 0, 0}, {0.01, 5, 5}, 0));
+  add(world, box({-2, 0, 0}, {0.05, 0.05, 0.05}, 1));
+  world.bodies[1].motion.velocity.x() = 30;
+  run(world, 0.5);
+  REQUIRE(world.bodies[1].motion.velocity.x() == 30);
+  World other = space();
+  add(other, box({-2.1, 0, 0}, {0.01, 0.5, 0.5}, 0));
+  other.bodies[0].motion.velocity.x() = 100;
+  add(other, sphere({0, 0, 0}, 0.05, 1));
+  run(other, 0.5);
+  REQUIRE(other.bodies[1].motion.velocity.x() == 0);
+}
+
+TEST_CASE("a shot at 10 to 1,000 m/s comes back later than it should, by less than two frames")
+{
+  for (const double speed : {10.0, 30.0, 100.0, 300.0, 1000.0})
+  {
+    World world = shot_at_wall<World>(speed);
+    run(world, 1);
+    const double time = 1.94 / speed; // [s], until it touches the wall at x = -0.06
+    const double right = -0.06 - 0.5 * speed * (1 - time);
+    const double late = (world.bodies[1].motion.center.x() - right) / (0.5 * speed);
+    REQUIRE(late > 0);
+    REQUIRE(late < 2 * frame);
+  }
+}
+// [limits_of_step_7]

@@ -89,6 +89,7 @@ bool same_bodies(const One& one, const Other& other)
 
 } // namespace
 
+// [step_4]
 TEST_CASE("step 4 finds the contacts of step 3 among a tenth of its pairs, and moves alike")
 {
   auto every_pair = floor_of_cubes<step_3::World>(20);
@@ -101,7 +102,9 @@ TEST_CASE("step 4 finds the contacts of step 3 among a tenth of its pairs, and m
   REQUIRE(every_pair.contacts.size() == 1600);
   REQUIRE(same_bodies(every_pair, swept));
 }
+// [step_4]
 
+// [step_5]
 TEST_CASE("step 4 drops a sphere that step 5 bounces to e² times its height within 1 %; R19")
 {
   REQUIRE(height_of_bounce(dropped_sphere<step_4::World>(1, 0.5), 1.2) < 0.01);
@@ -120,7 +123,9 @@ TEST_CASE("step 4 drops a sphere that step 5 bounces to e² times its height wit
     }
   }
 }
+// [step_5]
 
+// [step_6]
 TEST_CASE("step 6 puts 400 cubes to sleep that step 5 goes on to solve, and a ball wakes four")
 {
   auto awake = floor_of_cubes<step_5::World>(20);
@@ -140,7 +145,9 @@ TEST_CASE("step 6 puts 400 cubes to sleep that step 5 goes on to solve, and a ba
   }
   REQUIRE(woken == 4); // it falls where four cubes meet
 }
+// [step_6]
 
+// [step_7]
 TEST_CASE("step 7 returns spheres from a wall of 2 cm at 10 to 1,000 m/s; step 6 does not")
 {
   for (const double speed : {10.0, 30.0, 100.0, 300.0, 1000.0})
@@ -150,6 +157,7 @@ TEST_CASE("step 7 returns spheres from a wall of 2 cm at 10 to 1,000 m/s; step 6
   REQUIRE_FALSE(comes_back(shot_at_wall<step_6::World>(30)));
   REQUIRE_FALSE(comes_back(shot_at_wall<step_6::World>(1000)));
 }
+// [step_7]
 
 // [friction]
 TEST_CASE("the small world slides as far as Coulomb's friction lets it, within 1 %; R6")

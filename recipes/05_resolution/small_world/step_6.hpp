@@ -263,11 +263,18 @@ inline void put_to_sleep(World& world, double time)
 /// Finds all contact points, and gives them the impulses of the step before.
 inline void find_contacts(World& world)
 {
-  const std::vector<Contact> before = std::move(world.contacts);
+  std::vector<Contact> before = std::move(world.contacts);
   world.contacts.clear();
   find_pairs(world);
   share_rest(world, find_islands(world));
-  move_contacts(world, world.asleep, world.contacts, false);
+  const std::size_t awake = before.size();
+  move_contacts(world, world.asleep, before, false);
+  if (before.size() > awake) // bodies have woken: find their contacts too
+  {
+    std::sort(before.begin(), before.end(), comes_before);
+    world.contacts.clear();
+    find_pairs(world);
+  }
   std::sort(world.contacts.begin(), world.contacts.end(), comes_before);
   for (Contact& contact : world.contacts)
   {

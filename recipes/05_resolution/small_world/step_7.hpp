@@ -264,11 +264,18 @@ inline void put_to_sleep(World& world, double time)
 /// Finds all contact points, and gives them the impulses of the step before.
 inline void find_contacts(World& world)
 {
-  const std::vector<Contact> before = std::move(world.contacts);
+  std::vector<Contact> before = std::move(world.contacts);
   world.contacts.clear();
   find_pairs(world);
   share_rest(world, find_islands(world));
-  move_contacts(world, world.asleep, world.contacts, false);
+  const std::size_t awake = before.size();
+  move_contacts(world, world.asleep, before, false);
+  if (before.size() > awake) // bodies have woken: find their contacts too
+  {
+    std::sort(before.begin(), before.end(), comes_before);
+    world.contacts.clear();
+    find_pairs(world);
+  }
   std::sort(world.contacts.begin(), world.contacts.end(), comes_before);
   for (Contact& contact : world.contacts)
   {
@@ -368,9 +375,9 @@ inline void apply_restitution(World& world)
 /// The first touch of a sphere that moves.
 struct Touch
 {
-  double time;            ///< [1], as a fraction of its displacement
-  Vector3<double> normal; ///< [1], unit, from the sphere to what it touches
-  Vector3<double> rest;   ///< [m], the displacement that is left
+  double time;               ///< [1], as a fraction of its displacement
+  Vector3<double> normal;    ///< [1], unit, from the sphere to what it touches
+  Vector3<double> remaining; ///< [m], the displacement that is left
 };
 
 /// The first touch of a sphere that moves by a displacement [m] with a body that stands still, by
@@ -434,7 +441,7 @@ inline void stop_at_first_touch(
   }
   const double too_long = (1 - first.time) * time;
   sphere.motion.velocity -= too_long * world.gravity.dot(first.normal) * first.normal;
-  sphere.motion.center -= first.rest;
+  sphere.motion.center -= first.remaining;
 }
 
 /// Continuous collision detection (CCD): does so with each sphere that has moved more than half its

@@ -58,6 +58,7 @@ World pyramid(int rows)
   return world;
 }
 
+// [floor_of_cubes]
 /// Cubes on the ground, so many along x and along z, with gaps of 10 cm between them.
 template <class World>
 World floor_of_cubes(int side)
@@ -70,6 +71,7 @@ World floor_of_cubes(int side)
   }
   return world;
 }
+// [floor_of_cubes]
 
 /// A sphere of 10 cm that falls from a height [m] with a restitution [1].
 template <class World>
@@ -170,6 +172,7 @@ bool comes_back(World world)
   return ball.center.x() < 0 && ball.velocity.x() < 0;
 }
 
+// [pairs_compared]
 /// How many pairs of bodies step 4's sort and sweep holds against each other: those whose AABBs
 /// overlap along x.
 inline std::size_t pairs_compared(const std::vector<RigidBody>& bodies)
@@ -185,5 +188,6 @@ inline std::size_t pairs_compared(const std::vector<RigidBody>& bodies)
   }
   return count;
 }
+// [pairs_compared]
 
 } // namespace cookbook::small
