@@ -91,7 +91,7 @@ inline plot::Chart pairs_figure()
   }
   plot::Chart chart(
       "small_world", "", {"cubes on a floor", plot::Scale::log, 20, 2000},
-      {"pairs compared in a step", plot::Scale::log, 100, 3e6});
+      {"pairs compared in a step", plot::Scale::log, 30, 3e6});
   chart.describe("Pairs of bodies compared in a step: all of them, and those of sort and sweep.")
       .size(560, 320)
       .line("step 3: every pair", all, {plot::Ink::overlap, plot::Marker::circle})
