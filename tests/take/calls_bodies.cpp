@@ -11,14 +11,8 @@ using namespace cookbook;
 namespace
 {
 
-#if defined TAKE_impulse || defined TAKE_friction || defined TAKE_restitution
-/// Two bodies and where they meet.
-struct Meeting
-{
-  BodyPair<double> bodies;
-  Vector3<double> normal, point;
-};
-
+#if defined TAKE_impulse || defined TAKE_contact_constraint || defined TAKE_friction ||            \
+    defined TAKE_restitution
 Body<double> drawn_body(Draw& draw)
 {
   const Motion<double> motion{draw.vector(1), draw.vector(2), draw.vector(2)};
@@ -27,6 +21,15 @@ Body<double> drawn_body(Draw& draw)
   const Matrix3<double> axes = draw.axes();
   return draw.one_in(8) ? static_body<double>(motion.center) : dynamic_body(motion, solid, axes);
 }
+#endif
+
+#if defined TAKE_impulse || defined TAKE_friction || defined TAKE_restitution
+/// Two bodies and where they meet.
+struct Meeting
+{
+  BodyPair<double> bodies;
+  Vector3<double> normal, point;
+};
 
 Meeting drawn_meeting(Draw& draw)
 {
@@ -189,6 +192,29 @@ int main()
         bits(mass.smallest, impulse);
         apply_impulse(a, b, arms, impulse);
         add(bits, BodyPair<double>{a, b});
+      });
+#endif
+#ifdef TAKE_contact_constraint
+  print(
+      "contact_constraint",
+      [](Draw& draw, Bits& bits)
+      {
+        Body<double> a = drawn_body(draw), b = drawn_body(draw);
+        ContactConstraint<double> contact{};
+        contact.normal = draw.unit();
+        contact.surface = surface_axes(contact.normal);
+        contact.arms = {draw.vector(1), draw.vector(1)};
+        contact.coefficient = draw.number(0, 1);
+        contact.impulse = draw.number(0, 1);
+        contact.friction = contact.surface.along(0.1 * draw.unit());
+        compute_masses(contact, a, b);
+        warm_start(a, b, contact);
+        const double velocity = separating_velocity(a, b, contact);
+        add_impulse<double>(a, b, contact, -contact.normal_mass * velocity);
+        add_friction(a, b, contact);
+        bits(contact.impulse, contact_impulse(contact));
+        bits(a.motion.velocity, a.motion.angular_velocity);
+        bits(b.motion.velocity, b.motion.angular_velocity);
       });
 #endif
 #ifdef TAKE_restitution
