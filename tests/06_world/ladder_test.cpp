@@ -72,6 +72,17 @@ TEST_CASE("step 7 and GameWorld agree on ten scenes: 1 mm at rest, half a percen
   }
 }
 
+TEST_CASE("step 7 and GameWorld call the same functions of a contact, a bounce and a body")
+{
+  for (const SharedFunction& one : shared_functions())
+  {
+    CAPTURE(one.name);
+    CHECK(calls(one.of_step_7, one.name));
+    CHECK(calls(one.of_game_world, one.name));
+  }
+  CHECK_FALSE(calls("05_resolution/small_world/step_1.hpp", "solve_contact"));
+}
+
 TEST_CASE(
     "a sphere in flight is g t h/8 too low in four substeps of step 7, and exact in GameWorld")
 {

@@ -73,6 +73,8 @@ chart_of(const std::vector<LadderScene>& scenes, const std::vector<std::vector<M
       {"farthest move of what stands [mm]", plot::Scale::log});
   chart.describe("Time of each rung of the ladder against how far it lets a body move.")
       .name_failures("falls")
+      .size(480, 420)
+      .legend(plot::Legend::below)
       .note(measure::machine_line());
   const std::vector<LadderMethod> methods = ladder_methods();
   std::vector<Eigen::Vector2d> steps, points;

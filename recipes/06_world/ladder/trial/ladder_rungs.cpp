@@ -16,8 +16,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <memory>
+#include <regex>
 #include <stdexcept>
 
 namespace cookbook
@@ -300,6 +303,13 @@ std::map<std::string, std::size_t> lines_of_files(const std::string& header)
 }
 
 } // namespace
+
+bool calls(const std::string& header, const std::string& function)
+{
+  std::ifstream file(std::string(COOKBOOK_SOURCE_DIR).append("/recipes/").append(header));
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  return std::regex_search(text, std::regex("\\b" + function + "[<(]"));
+}
 
 std::size_t lines_to_take(const std::vector<std::string>& headers)
 {

@@ -36,6 +36,41 @@ inline double allowed(const Agreement& one)
   return one.rests ? 0.001 : 0.005 * one.moved;
 }
 
+// [shared_functions]
+/// A function that both worlds call, and the headers in which they do, under recipes/.
+struct SharedFunction
+{
+  std::string name;
+  std::string of_step_7;
+  std::string of_game_world;
+};
+
+/// Those of a contact, a bounce and a body.
+inline std::vector<SharedFunction> shared_functions()
+{
+  const std::string step = "05_resolution/small_world/step_7.hpp";
+  const std::string body = "05_resolution/small_world/small_body.hpp";
+  const std::string soft = "06_world/soft_steps/soft_steps.hpp";
+  const std::string rigid = "06_world/contacts/rigid_body.hpp";
+  return {
+      {"solve_contact", step, soft},
+      {"softness", step, soft},
+      {"warm_start", step, soft},
+      {"surface_axes", step, "06_world/islands/island_points.hpp"},
+      {"rebound_speed", step, "06_world/islands/simultaneous_impacts.hpp"},
+      {"impact_speed", step, "06_world/impacts/impact.hpp"},
+      {"restitution_threshold", step, rigid},
+      {"fastest_point", step, "06_world/sleeping/sleeping.hpp"},
+      {"dynamic_body", body, rigid},
+      {"solid_box", body, rigid},
+      {"world_inverse_inertia", body, rigid},
+      {"rotation_by", body, "06_world/contacts/moved_body.hpp"}};
+}
+
+/// Whether a header, under recipes/, calls a function.
+bool calls(const std::string& header, const std::string& function);
+// [shared_functions]
+
 // [lines_taken]
 /// What a rung takes in lines, rounded to hundreds, and the headers that are taken for it.
 struct LinesTaken
