@@ -4,6 +4,7 @@
 #include "05_resolution/small_world/step_6.hpp"
 #include "05_resolution/small_world/trial/small_scenes.hpp"
 #include "tests/catch.hpp"
+#include "tests/random_numbers.hpp"
 
 #include <cmath>
 #include <limits>
@@ -112,9 +113,43 @@ TEST_CASE("spheres that meet head-on at 5 to 300 m/s exchange their velocities w
     run(world, 20 / speed);
     REQUIRE(world.bodies[0].motion.velocity.x() == Approx(-speed).epsilon(1e-9));
     REQUIRE(world.bodies[1].motion.velocity.x() == Approx(speed).epsilon(1e-9));
+    const double middle = world.bodies[0].motion.center.x() + world.bodies[1].motion.center.x();
+    REQUIRE(middle == Approx(0.3).epsilon(1e-9));
   }
 }
 // [spheres_at_spheres]
+
+TEST_CASE("thirty spheres that fly about a room at up to 87 m/s stay in it, and gain no energy")
+{
+  for (const unsigned seed : {1U, 2U, 3U})
+  {
+    World world = space();
+    for (const int axis : {0, 1, 2})
+    {
+      for (const double side : {-1.0, 1.0})
+      {
+        Vector3<double> center = Vector3<double>::Zero(), half_extents{3.2, 3.2, 3.2};
+        center[axis] = 3.1 * side;
+        half_extents[axis] = 0.1;
+        add(world, box(center, half_extents, 0));
+      }
+    }
+    Random random(seed);
+    for (int i = 0; i < 30; ++i)
+    {
+      const Vector3<double> place = random.in_cube(2.5), velocity = random.in_cube(50);
+      add(world, shot(place, 0.1, velocity));
+      world.bodies.back().restitution = 1;
+    }
+    const double energy = energy_of(world);
+    run(world, 10);
+    REQUIRE(energy_of(world) < energy * (1 + 1e-9));
+    for (const RigidBody& body : world.bodies)
+    {
+      REQUIRE((body.inverse_mass == 0 || body.motion.center.cwiseAbs().maxCoeff() < 3));
+    }
+  }
+}
 
 TEST_CASE("a shot at a sphere at rest gives it all of its velocity with e = 1, whatever the speed")
 {

@@ -375,9 +375,8 @@ inline void apply_restitution(World& world)
 /// The first touch of a sphere that moves.
 struct Touch
 {
-  double time;               ///< [1], as a fraction of its displacement
-  Vector3<double> normal;    ///< [1], unit, from the sphere to what it touches
-  Vector3<double> remaining; ///< [m], the displacement that is left
+  double time;            ///< [1], as a fraction of its displacement
+  Vector3<double> normal; ///< [1], unit, from the sphere to what it touches
 };
 
 /// The first touch of a sphere that moves by a displacement [m] with a body that stands still, by
@@ -402,7 +401,7 @@ first_touch(const Sphere<double>& start, const Vector3<double>& displacement, co
     }
     if (gap <= 0.001 * start.radius)
     {
-      return Touch{time, normal, (1 - time) * displacement};
+      return Touch{time, normal};
     }
     time += gap / closing;
   }
@@ -418,15 +417,17 @@ inline bool touched(const World& world, std::size_t i, std::size_t j)
       { return contact.a == std::min(i, j) && contact.b == std::max(i, j); });
 }
 
-/// Takes a sphere back to where it first touched another body in a step of a time [s], as seen from
-/// that body; and its speed towards it, which gravity has gone on to change. A core of 95 % of the
-/// radius is swept: it ends a little inside, and is not stopped at the seam of two flush boxes.
+/// Takes a sphere, and the body that it first touched in a step of a time [s], back to where they
+/// were then, and the sphere's speed towards that body, which gravity has gone on to change. A
+/// fixed body stays, and takes the sphere along. A core of 95 % of the radius is swept: it ends a
+/// little inside, and is not stopped at the seam of two flush boxes.
 inline void stop_at_first_touch(
     World& world, std::size_t i, const std::vector<Vector3<double>>& starts, double time)
 {
   RigidBody& sphere = world.bodies[i];
   const Vector3<double> moved = sphere.motion.center - starts[i];
-  Touch first{1, Vector3<double>::Zero(), Vector3<double>::Zero()};
+  Touch first{1, Vector3<double>::Zero()};
+  std::size_t touched_body = i;
   for (std::size_t j = 0; j < world.bodies.size(); ++j)
   {
     const RigidBody& other = world.bodies[j];
@@ -437,11 +438,22 @@ inline void stop_at_first_touch(
     if (touch && touch->time < first.time && !touched(world, i, j))
     {
       first = *touch;
+      touched_body = j;
     }
   }
-  const double too_long = (1 - first.time) * time;
-  sphere.motion.velocity -= too_long * world.gravity.dot(first.normal) * first.normal;
-  sphere.motion.center -= first.remaining;
+  RigidBody& other = world.bodies[touched_body];
+  const double too_long = 1 - first.time;
+  const Vector3<double> other_moved = other.motion.center - starts[touched_body];
+  sphere.motion.velocity -= too_long * time * world.gravity.dot(first.normal) * first.normal;
+  sphere.motion.center -= too_long * moved;
+  if (other.inverse_mass > 0)
+  {
+    other.motion.center -= too_long * other_moved;
+  }
+  else
+  {
+    sphere.motion.center += too_long * other_moved;
+  }
 }
 
 /// Continuous collision detection (CCD): does so with each sphere that has moved more than half its
