@@ -45,7 +45,7 @@ inline plot::Figure2d above_ground(const std::string& title)
 /// A cube at 5 m/s that would end 5 cm deep.
 inline plot::Figure2d foreseen_panel()
 {
-  plot::Figure2d figure = above_ground("1. foreseen");
+  plot::Figure2d figure = above_ground("1. predicted");
   const DrawnSquare now{{0, 0.132}, 0}, end{{0, 0.132 - 5.0 / 60}, 0};
   const Eigen::Vector2d left = end.corner(-1, -1), right = end.corner(1, -1);
   now.draw(figure, plot::Fill::wash, plot::Stroke::solid);
@@ -65,7 +65,7 @@ inline const DrawnSquare at_first_touch = DrawnSquare::on_corner(first_corner, 0
 /// One that is stopped at one corner, and turns about it onto another.
 inline plot::Figure2d too_deep_panel()
 {
-  plot::Figure2d figure = above_ground("2. looked at once more");
+  plot::Figure2d figure = above_ground("2. checked again");
   const DrawnSquare end = DrawnSquare::on_corner(first_corner, -0.25);
   const Eigen::Vector2d deep = end.corner(1, -1), right = end.corner(1, 1);
   const double share = deep.y() / (deep.y() - right.y());
@@ -92,7 +92,7 @@ inline plot::Figure2d swept_panel()
 /// A heavy cube on a light one on the ground.
 inline plot::Figure2d driven_panel()
 {
-  plot::Figure2d figure = above_ground("4. driven along");
+  plot::Figure2d figure = above_ground("4. impact group");
   const DrawnSquare heavy{{-0.04, 0.2}, 0};
   heavy.draw(figure, plot::Fill::wash, plot::Stroke::solid);
   figure.box({-0.06, 0.05}, 0, {0.05, 0.05}, plot::Ink::muted)
