@@ -6,6 +6,7 @@
 #include "tests/catch.hpp"
 #include "tests/random_numbers.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -344,6 +345,70 @@ TEST_CASE("a cube rides on a turntable for a turn, and creeps outwards by less t
   run(world, 2 * std::numbers::pi);
   const Vector3<double>& center = world.bodies[1].motion.center;
   REQUIRE(std::hypot(center.x(), center.z()) == Approx(0.3).margin(0.03));
+}
+
+TEST_CASE("fifty boxes that are dropped into a pit all sleep within 20 s, and none leaves it")
+{
+  World world = ground<World>();
+  for (const Vector3<double>& side : {Vector3<double>(1, 0, 0), Vector3<double>(0, 0, 1)})
+  {
+    const Vector3<double> half_extents{3 - 2.5 * side.x(), 4, 3 - 2.5 * side.z()};
+    add(world, box(3.5 * side + Vector3<double>(0, 3, 0), half_extents, 0));
+    add(world, box(-3.5 * side + Vector3<double>(0, 3, 0), half_extents, 0));
+  }
+  Random random(7);
+  for (int i = 0; i < 50; ++i)
+  {
+    const Vector3<double> place = random.in_cube(2);
+    RigidBody body = box({place.x(), 1 + 0.8 * i, place.z()}, {0.4, 0.3, 0.5}, 1);
+    add(world, turned(body, 3, random.direction()));
+  }
+  run(world, 20);
+  REQUIRE(sleepers(world) == 50);
+  for (std::size_t i = 5; i < world.bodies.size(); ++i)
+  {
+    const Vector3<double>& center = world.bodies[i].motion.center;
+    REQUIRE(center.y() > 0.29);
+    REQUIRE(std::max(std::abs(center.x()), std::abs(center.z())) < 3);
+  }
+}
+
+TEST_CASE("a sphere rolls down a slope of 10 degrees with 5/7 of the acceleration, within 1 %")
+{
+  World world = ground<World>();
+  const double slope = std::numbers::pi / 18;
+  world.gravity = {9.81 * std::sin(slope), -9.81 * std::cos(slope), 0};
+  add(world, sphere({0, 0.5, 0}, 0.5, 1));
+  run(world, 3);
+  const double right = 5.0 / 7 * 9.81 * std::sin(slope) * 4.5; // a t² / 2
+  REQUIRE(world.bodies[1].motion.center.x() == Approx(right).epsilon(0.01));
+}
+
+TEST_CASE("a tower of ten cubes of 10 cm falls at 60 steps a second and stands at 240")
+{
+  for (const double rate : {60.0, 240.0})
+  {
+    World world = ground<World>();
+    for (int i = 0; i < 10; ++i)
+    {
+      add(world, box({0, 0.1 * i + 0.05, 0}, {0.05, 0.05, 0.05}, 1));
+    }
+    for (int i = 0; i < static_cast<int>(20 * rate); ++i)
+    {
+      step(world, 1 / rate);
+    }
+    REQUIRE((world.bodies[10].motion.center.y() > 0.9) == (rate == 240));
+  }
+}
+
+TEST_CASE("a sphere that spins upright spins for ever: at one point nothing resists a twist")
+{
+  World world = ground<World>();
+  add(world, sphere({0, 0.5, 0}, 0.5, 1));
+  world.bodies[1].motion.angular_velocity.y() = 10;
+  run(world, 20);
+  REQUIRE(world.bodies[1].motion.angular_velocity.y() == Approx(10).epsilon(1e-6));
+  REQUIRE(sleepers(world) == 0);
 }
 
 TEST_CASE("a sleeping cube follows a floor that sinks at 1 m/s")
