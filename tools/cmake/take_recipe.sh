@@ -140,7 +140,10 @@ BEGIN {
     print "// It takes long to compile. In a game of several sources, compile all with COOKBOOK_WORLD_COMPILED"
     print "// defined; and one more, which defines COOKBOOK_WORLD_SOURCE, includes this, and holds no more."
   }
-  print "// Everything is in namespace cookbook. What is here to be called:"
+  space = "cookbook"
+  while ((getline line < (root "/" header)) > 0) if (line ~ /^namespace cookbook::/) space = substr(line, 11)
+  close(root "/" header)
+  print "// Everything is in namespace " space ". What is here to be called:"
   list()
   print "//"
   while ((getline line < (root "/LICENSE")) > 0) print line == "" ? "//" : "// " line

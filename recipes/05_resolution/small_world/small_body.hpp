@@ -4,6 +4,7 @@
 /// \brief A body of the small world: a solid sphere or box, how it moves, and its manifold with
 /// another.
 
+// [head]
 #include "01_math/turning/rotation_by.hpp"
 #include "03_sphere_manifolds/plain_spheres/plain_sphere_box.hpp"
 #include "04_obb_manifolds/plain_box_box/plain_box_box.hpp"
@@ -15,6 +16,7 @@
 
 namespace cookbook::small
 {
+// [head]
 
 // [rigid_body]
 /// A solid sphere or box. One without mass is fixed: it moves only with the velocity it is given.

@@ -5,12 +5,11 @@
 
 #include "05_resolution/small_world/step_7.hpp"
 
-namespace cookbook
+// [small_world]
+/// The small world: a World, its bodies, `add` and `step`.
+namespace cookbook::small_world
 {
-
+using namespace cookbook::small;
+using namespace cookbook::small::step_7;
+} // namespace cookbook::small_world
 // [small_world]
-/// The small world: `small_world::World`, `add`, `step`.
-namespace small_world = small::step_7;
-// [small_world]
-
-} // namespace cookbook

@@ -56,7 +56,7 @@ inline Contact make_contact(
   contact.arms = {point.position - a.motion.center, point.position - b.motion.center};
   contact.coefficient = std::sqrt(a.friction * b.friction);
   contact.separation = -point.depth;
-  contact.friction.setZero();
+  contact.friction.setZero(); // Eigen does not set it
   compute_masses<double>(contact, a, b);
   return contact;
 }
@@ -115,11 +115,21 @@ inline void find_contacts(World& world)
   }
 }
 
+/// How often a step goes through all contact points.
+inline constexpr int passes = 10;
+/// The overlap [m] that stays, so that contacts are not lost.
+inline constexpr double slop = 0.005;
+/// The fraction [1] of the rest of an overlap that a step pushes out.
+inline constexpr double push_fraction = 0.2;
+/// How fast [m/s] an overlap is pushed out at most.
+inline constexpr double max_push_speed = 3;
+
 /// Solves one contact point: the impulse that gives it the velocity it is to have, then friction.
 inline void solve(World& world, Contact& contact, double time)
 {
   RigidBody &a = world.bodies[contact.a], &b = world.bodies[contact.b];
-  const double push_out = bias_velocity(-contact.separation, 0.005, 0.2 / time, 3.0);
+  const double push_out =
+      bias_velocity(-contact.separation, slop, push_fraction / time, max_push_speed);
   const double target = contact.separation > 0 ? -contact.separation / time : push_out;
   const double residual = target - separating_velocity<double>(a, b, contact);
   add_impulse<double>(a, b, contact, contact.normal_mass * residual);
@@ -155,7 +165,7 @@ inline void step(World& world, double time)
   find_contacts(world);
   apply_gravity(world, time);
   apply_warm_start(world);
-  for (int pass = 0; pass < 10; ++pass)
+  for (int pass = 0; pass < passes; ++pass)
   {
     for (Contact& contact : world.contacts)
     {

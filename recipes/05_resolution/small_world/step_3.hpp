@@ -55,7 +55,7 @@ inline Contact make_contact(
   contact.arms = {point.position - a.motion.center, point.position - b.motion.center};
   contact.coefficient = std::sqrt(a.friction * b.friction);
   contact.separation = -point.depth;
-  contact.friction.setZero();
+  contact.friction.setZero(); // Eigen does not set it
   compute_masses<double>(contact, a, b);
   return contact;
 }
@@ -114,13 +114,22 @@ inline void find_contacts(World& world)
   }
 }
 
+/// How often a step moves the bodies.
+inline constexpr int substeps = 4;
+/// The frequency of the contacts' springs, as a fraction [1] of the substeps' rate.
+inline constexpr double spring_rate = 0.125;
+/// The damping ratio [1] of the springs.
+inline constexpr double damping_ratio = 5;
+/// How fast [m/s] an overlap is pushed out at most.
+inline constexpr double max_push_speed = 3;
+
 /// Solves every contact point once, as a damped spring where the surfaces overlap.
 inline void solve(World& world, const Softness<double>& spring, double time)
 {
   for (Contact& contact : world.contacts)
   {
     solve_contact<double>(
-        world.bodies[contact.a], world.bodies[contact.b], contact, spring, time, 3.0);
+        world.bodies[contact.a], world.bodies[contact.b], contact, spring, time, max_push_speed);
   }
 }
 
@@ -159,21 +168,21 @@ inline void apply_warm_start(World& world)
   }
 }
 
-/// Moves a world on by a time [s], in four substeps.
+/// Moves a world on by a time [s], in substeps.
 inline void step(World& world, double time)
 {
   check("time", time, 1e-6, 0.1);
   check("gravity.norm()", world.gravity.norm(), 0, 1e4);
   find_contacts(world);
-  const double small = time / 4;
-  const Softness<double> spring = softness(0.125 / small, 5.0, small);
-  for (int substep = 0; substep < 4; ++substep)
+  const double substep = time / substeps;
+  const Softness<double> spring = softness(spring_rate / substep, damping_ratio, substep);
+  for (int i = 0; i < substeps; ++i)
   {
-    apply_gravity(world, small);
+    apply_gravity(world, substep);
     apply_warm_start(world);
-    solve(world, spring, small);
-    integrate_positions(world, small);
-    solve(world, rigid<double>(), small);
+    solve(world, spring, substep);
+    integrate_positions(world, substep);
+    solve(world, rigid<double>(), substep);
   }
 }
 

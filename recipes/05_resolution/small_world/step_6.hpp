@@ -85,7 +85,7 @@ inline Contact make_contact(
   contact.arms = {point.position - a.motion.center, point.position - b.motion.center};
   contact.coefficient = std::sqrt(a.friction * b.friction);
   contact.separation = -point.depth;
-  contact.friction.setZero();
+  contact.friction.setZero(); // Eigen does not set it
   compute_masses<double>(contact, a, b);
   return contact;
 }
@@ -282,6 +282,15 @@ inline void find_contacts(World& world)
   }
 }
 
+/// How often a step moves the bodies.
+inline constexpr int substeps = 4;
+/// The frequency of the contacts' springs, as a fraction [1] of the substeps' rate.
+inline constexpr double spring_rate = 0.125;
+/// The damping ratio [1] of the springs.
+inline constexpr double damping_ratio = 5;
+/// How fast [m/s] an overlap is pushed out at most.
+inline constexpr double max_push_speed = 3;
+
 /// Solves every contact point once, as a damped spring where the surfaces overlap; an impact is
 /// stopped where it is.
 inline void solve(World& world, const Softness<double>& spring, double time)
@@ -290,7 +299,7 @@ inline void solve(World& world, const Softness<double>& spring, double time)
   {
     const Softness<double> softness = contact.rebound ? rigid<double>() : spring;
     solve_contact<double>(
-        world.bodies[contact.a], world.bodies[contact.b], contact, softness, time, 3.0);
+        world.bodies[contact.a], world.bodies[contact.b], contact, softness, time, max_push_speed);
     contact.total_impulse += contact.impulse;
   }
 }
@@ -335,7 +344,7 @@ inline void apply_warm_start(World& world)
 
 /// Finds the contact points at which bodies meet faster than they would at rest, and the velocity
 /// to separate with after this step, before the next gravity acts for a substep [s]; R19.
-inline void find_impacts(World& world, double time, double small)
+inline void find_impacts(World& world, double time, double substep)
 {
   const double threshold = restitution_threshold(world.gravity.norm(), time);
   for (Contact& contact : world.contacts)
@@ -343,13 +352,13 @@ inline void find_impacts(World& world, double time, double small)
     const RigidBody &a = world.bodies[contact.a], &b = world.bodies[contact.b];
     const double falls = (b.inverse_mass > 0 ? 1 : 0) - (a.inverse_mass > 0 ? 1 : 0);
     const double acceleration = falls * world.gravity.dot(contact.normal);
-    const ContactStep<double> substep{acceleration, small, -contact.separation};
-    const double speed = separating_velocity<double>(a, b, contact) + acceleration * small;
+    const ContactStep<double> now{acceleration, substep, -contact.separation};
+    const double speed = separating_velocity<double>(a, b, contact) + acceleration * substep;
     const double restitution = std::max(a.restitution, b.restitution);
-    if (impact_speed(speed, substep) > threshold)
+    if (impact_speed(speed, now) > threshold)
     {
-      const double rebound = rebound_speed(speed, substep, restitution, threshold);
-      contact.rebound = restitution > 0 ? rebound - acceleration * small : 0;
+      const double rebound = rebound_speed(speed, now, restitution, threshold);
+      contact.rebound = restitution > 0 ? rebound - acceleration * substep : 0;
     }
   }
 }
@@ -371,22 +380,22 @@ inline void apply_restitution(World& world)
   }
 }
 
-/// Moves a world on by a time [s], in four substeps.
+/// Moves a world on by a time [s], in substeps.
 inline void step(World& world, double time)
 {
   check("time", time, 1e-6, 0.1);
   check("gravity.norm()", world.gravity.norm(), 0, 1e4);
   find_contacts(world);
-  const double small = time / 4;
-  find_impacts(world, time, small);
-  const Softness<double> spring = softness(0.125 / small, 5.0, small);
-  for (int substep = 0; substep < 4; ++substep)
+  const double substep = time / substeps;
+  find_impacts(world, time, substep);
+  const Softness<double> spring = softness(spring_rate / substep, damping_ratio, substep);
+  for (int i = 0; i < substeps; ++i)
   {
-    apply_gravity(world, small);
+    apply_gravity(world, substep);
     apply_warm_start(world);
-    solve(world, spring, small);
-    integrate_positions(world, small);
-    solve(world, rigid<double>(), small);
+    solve(world, spring, substep);
+    integrate_positions(world, substep);
+    solve(world, rigid<double>(), substep);
   }
   apply_restitution(world);
   put_to_sleep(world, time);
