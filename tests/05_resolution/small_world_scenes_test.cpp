@@ -672,6 +672,18 @@ TEST_CASE("a change of gravity wakes nothing; wake() does")
   run(world, 1);
   REQUIRE(world.bodies[1].motion.center.x() == Approx(4.905).epsilon(0.05)); // g t² / 2
 }
+
+TEST_CASE("a sleeping cube stays in the air where the ground is put away, until it is woken")
+{
+  World world = tower<World>(1);
+  run(world, 3);
+  world.bodies[0].motion.center.y() -= 10;
+  run(world, 1);
+  REQUIRE(world.bodies[1].motion.center.y() == Approx(0.5).margin(0.001));
+  small_world::wake(world, 1);
+  run(world, 1);
+  REQUIRE(world.bodies[1].motion.center.y() == Approx(0.5 - 4.905).epsilon(0.05)); // g t² / 2
+}
 // [limits_of_step_6]
 
 // [limits_of_step_7]
