@@ -37,6 +37,20 @@ void print_budgets(int boxes)
   std::cout << boxes << " rigid boxes: how much too low the top one rests\n" << table.text();
 }
 
+void print_world(int cubes)
+{
+  Table table({"small steps", "sinks [mm]", "by R16 [mm]"});
+  const double wanted = 0.5 * cubes * (cubes - 1) * 9.81 / 3600;
+  for (const Eigen::Vector2d& sink : sink_by_steps(cubes))
+  {
+    const double steps = sink.x();
+    table.row(
+        {number(steps), number(std::round(100 * sink.y()) / 100),
+         number(std::round(1e5 * wanted / (steps * steps)) / 100)});
+  }
+  std::cout << cubes << " cubes in a world after 3 s, by position_based()\n" << table.text();
+}
+
 void print_compliance(double compliance)
 {
   const std::vector<double> masses{1, 1};
@@ -58,6 +72,8 @@ void run(const Arguments& given)
   const int boxes = number_option(given, "boxes", 1, 50);
   const double compliance = number_option(given, "compliance", 0.0, 0.01);
   print_budgets(boxes);
+  std::cout << "\n";
+  print_world(5);
   std::cout << "\n";
   print_compliance(compliance);
   save_figure(given, "position_based.svg", budget_figure().svg());

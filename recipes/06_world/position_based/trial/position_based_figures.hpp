@@ -77,6 +77,23 @@ std::vector<Eigen::Vector2d> way_by_budget(int cubes, const MethodOf& method_of)
   return points;
 }
 
+/// How far [mm] a cube of a tower sinks within 3 s in a world, against the small steps in a frame.
+inline std::vector<Eigen::Vector2d> sink_by_steps(int cubes)
+{
+  std::vector<Eigen::Vector2d> points;
+  for (int count = 5; count <= 40; count *= 2)
+  {
+    const Scene tower = scenes::tower(cubes);
+    GameWorld world(tower, position_method(count, 1).solver());
+    while (world.time() < 3)
+    {
+      world.step();
+    }
+    points.emplace_back(count, 1000 * farthest_move(tower, world).along);
+  }
+  return points;
+}
+
 /// Five cubes in a world, by impulses and by positions.
 inline plot::Chart tower_figure()
 {
