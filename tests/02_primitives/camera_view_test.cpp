@@ -4,6 +4,7 @@
 #include "02_primitives/camera/camera.hpp"
 #include "02_primitives/camera/trial/camera_cases.hpp"
 #include "02_primitives/camera/trial/view_truth.hpp"
+#include "02_primitives/shape_bounds/corner_arm.hpp"
 #include "02_primitives/shape_bounds/obb_bounds.hpp"
 
 #include "tests/catch.hpp"

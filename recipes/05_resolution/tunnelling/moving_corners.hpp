@@ -4,7 +4,7 @@
 /// \brief How long the gap of two bodies lasts, corner by corner: sharper than their largest
 /// speeds.
 
-#include "02_primitives/shape_bounds/obb_bounds.hpp"
+#include "02_primitives/shape_bounds/corner_arm.hpp"
 #include "02_primitives/shapes/shapes.hpp"
 #include "05_resolution/tunnelling/swept_box.hpp"
 

@@ -3,6 +3,7 @@
 /// \file
 /// \brief Shapes of bodies where they are, and the manifolds of those that touch or nearly do.
 
+#include "02_primitives/shape_bounds/corner_arm.hpp"
 #include "02_primitives/shape_bounds/obb_bounds.hpp"
 #include "03_sphere_manifolds/sphere_box/sphere_box.hpp"
 #include "03_sphere_manifolds/sphere_plane/sphere_plane.hpp"
