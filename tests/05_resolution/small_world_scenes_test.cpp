@@ -717,3 +717,28 @@ TEST_CASE("a shot at 10 to 1,000 m/s comes back later than it should, by less th
   }
 }
 // [limits_of_step_7]
+
+// [spin_is_left_out]
+TEST_CASE("a book that tumbles freely keeps its angular velocity, and not its angular momentum")
+{
+  World world = space();
+  RigidBody book = box({0, 0, 0}, {0.1, 0.02, 0.15}, 1);
+  book.motion.angular_velocity = {1, 5, 5};
+  add(world, book);
+  const auto momentum = [&]
+  {
+    const RigidBody& body = world.bodies[0];
+    const Vector3<double> own = body.orientation.conjugate() * body.motion.angular_velocity;
+    return Vector3<double>(body.orientation * body.moments.cwiseProduct(own));
+  };
+  const Vector3<double> start = momentum();
+  double farthest = 0;
+  for (int i = 0; i < 60; ++i)
+  {
+    step(world, frame);
+    farthest = std::max(farthest, (momentum() - start).norm() / start.norm());
+  }
+  REQUIRE(world.bodies[0].motion.angular_velocity == Vector3<double>(1, 5, 5));
+  REQUIRE(farthest > 0.2); // right: 0
+}
+// [spin_is_left_out]
