@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <limits>
 
 namespace
 {
@@ -31,18 +32,29 @@ bool falls(const LadderEnd& end)
 
 std::string error_text(const LadderEnd& end)
 {
-  return falls(end) ? "falls" : rounded(1000 * end.error);
+  return std::isinf(end.error) ? "–" : falls(end) ? "falls" : rounded(1000 * end.error);
 }
 
-/// All methods in a scene.
+/// All methods in a scene; infinite where one does not take part.
 std::vector<Measured> measured(const LadderScene& scene, int repetitions)
 {
-  const std::vector<LadderMethod> methods = ladder_methods();
-  const std::vector<double> seconds = ladder_seconds(methods, scene, repetitions);
-  std::vector<Measured> all;
+  std::vector<LadderMethod> methods = ladder_methods();
+  const auto left_out = [&](const LadderMethod& method) { return !takes_part(method, scene); };
+  const double endless = std::numeric_limits<double>::infinity();
+  std::vector<Measured> all(methods.size(), {endless, {endless, endless}});
+  std::vector<std::size_t> places;
   for (std::size_t i = 0; i < methods.size(); ++i)
   {
-    all.push_back({1e6 * seconds[i], ladder_end(methods[i], scene)});
+    if (!left_out(methods[i]))
+    {
+      places.push_back(i);
+    }
+  }
+  std::erase_if(methods, left_out);
+  const std::vector<double> seconds = ladder_seconds(methods, scene, repetitions);
+  for (std::size_t i = 0; i < methods.size(); ++i)
+  {
+    all[places[i]] = {1e6 * seconds[i], ladder_end(methods[i], scene)};
   }
   return all;
 }
@@ -80,12 +92,16 @@ chart_of(const std::vector<LadderScene>& scenes, const std::vector<std::vector<M
   std::vector<Eigen::Vector2d> steps, points;
   for (std::size_t i = 0; i < methods.size(); ++i)
   {
-    const auto& [name, build, of_steps] = methods[i];
+    const std::string& name = methods[i].name;
     const auto [time, end] = over_all(scenes, all, i);
     const Eigen::Vector2d at(time, 1000 * end.error);
     if (std::isnan(time))
     {
       chart.leave_out(name, measure::time_text(time));
+    }
+    else if (std::isinf(time))
+    {
+      chart.leave_out(name, "run on the tower only");
     }
     else if (falls(end))
     {
@@ -94,7 +110,14 @@ chart_of(const std::vector<LadderScene>& scenes, const std::vector<std::vector<M
     else
     {
       points.push_back(at);
-      of_steps ? steps.push_back(at) : void(chart.point(name, at, plot::series_look(i)));
+      if (methods[i].of_steps)
+      {
+        steps.push_back(at);
+      }
+      else
+      {
+        chart.point(name, at, plot::series_look(i));
+      }
     }
   }
   if (!steps.empty())

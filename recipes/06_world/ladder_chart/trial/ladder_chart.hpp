@@ -3,6 +3,8 @@
 /// \file
 /// \brief What each rung of the ladder costs and how wrong it is: time, bytes, moves, overlaps.
 
+#include "05_resolution/plain_direct/plain_direct.hpp"
+#include "05_resolution/plain_positions/plain_positions.hpp"
 #include "05_resolution/small_world/step_1.hpp"
 #include "05_resolution/small_world/step_2.hpp"
 #include "05_resolution/small_world/step_3.hpp"
@@ -41,7 +43,8 @@ struct LadderMethod
 {
   std::string name;
   std::function<LadderWorld(const Scene&)> build;
-  bool of_steps = false; ///< whether it belongs to the line of the small world
+  bool of_steps = false;    ///< whether it belongs to the line of the small world
+  double most_bodies = 1e3; ///< in scenes of more it takes too long
 };
 
 /// A scene in a step of the small world.
@@ -84,7 +87,7 @@ inline LadderWorld game_ladder_world(const Scene& scene, const std::string& solv
 }
 
 // [ladder_methods]
-/// The seven steps, and GameWorld under three solvers.
+/// The seven steps, the plain alternatives to them, and GameWorld under three solvers.
 inline std::vector<LadderMethod> ladder_methods()
 {
   const auto game = [](const std::string& solver)
@@ -97,6 +100,8 @@ inline std::vector<LadderMethod> ladder_methods()
       {"step 5", small_ladder_world<small::step_5::World>, true},
       {"step 6", small_ladder_world<small::step_6::World>, true},
       {"step 7", small_ladder_world<small::step_7::World>, true},
+      {"plain positions", small_ladder_world<small::plain_positions::World>},
+      {"plain direct", small_ladder_world<small::plain_direct::World>, false, 10},
       {"GameWorld, soft steps", game("soft_steps")},
       {"GameWorld, wide steps", game("wide_steps")},
       {"GameWorld, direct", game("direct")}};
@@ -120,6 +125,12 @@ inline std::vector<LadderScene> ladder_scenes()
       {"pyramid of 55, 10 s", scenes::pyramid(10), 10, true},
       {"floor of 400, 1 s", scenes::floor_of_cubes(400), 1, true},
       {"heap of 60, 3 s", scenes::pile(60), 3, false}};
+}
+
+/// Whether a method is run in a scene.
+inline bool takes_part(const LadderMethod& method, const LadderScene& one)
+{
+  return movable_bodies(one.scene) <= method.most_bodies;
 }
 
 /// How wrong a method is in a scene, and what it holds in memory.
