@@ -116,7 +116,7 @@ chart_of(const std::vector<LadderScene>& scenes, const std::vector<std::vector<M
       }
       else
       {
-        chart.point(name, at, plot::series_look(i));
+        chart.point(name, at, plot::series_look(i - 1)); // no cross, the mark of failures
       }
     }
   }
