@@ -3,14 +3,14 @@
 
 #include "05_resolution/plain_direct/plain_direct.hpp"
 #include "05_resolution/plain_positions/trial/plain_scenes.hpp"
-#include "05_resolution/small_world/small_world.hpp"
+#include "05_resolution/small_world/step_7.hpp"
 #include "tests/catch.hpp"
 
 #include <random>
 
 using Catch::Approx;
 using namespace cookbook;
-using namespace cookbook::small;
+using namespace cookbook::small_world;
 using plain_direct::World;
 
 // [loads]
@@ -29,7 +29,7 @@ TEST_CASE("1,000 kg on 1 kg stands under the direct solver, and not under step 7
 {
   World world = heavy_on_light<World>(1000);
   REQUIRE(largest_sink(world, 10) < 0.0003);
-  REQUIRE_FALSE(stands(largest_sink(heavy_on_light<small_world::World>(1000), 10)));
+  REQUIRE_FALSE(stands(largest_sink(heavy_on_light<step_7::World>(1000), 10)));
   run(world, 10);
   REQUIRE(impulse_between(world, 0, 1) / frame == Approx(9.81 * 1001).epsilon(1e-6));
   REQUIRE(impulse_between(world, 1, 2) / frame == Approx(9.81 * 1000).epsilon(1e-6));

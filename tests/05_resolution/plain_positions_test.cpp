@@ -9,7 +9,7 @@
 
 using Catch::Approx;
 using namespace cookbook;
-using namespace cookbook::small;
+using namespace cookbook::small_world;
 using plain_positions::World;
 
 // [loads]

@@ -13,7 +13,7 @@
 
 using Catch::Approx;
 using namespace cookbook;
-using namespace cookbook::small;
+using namespace cookbook::small_world;
 using small_world::World;
 
 namespace
@@ -575,8 +575,8 @@ TEST_CASE("a gravity that is none, or more than 10 km/s², is refused before any
 // [limit_of_step_4]
 TEST_CASE("sort and sweep compares all pairs of a wall across x, and 160 of a row along it")
 {
-  small::step_4::World wall = ground<small::step_4::World>();
-  small::step_4::World row = ground<small::step_4::World>();
+  small_world::step_4::World wall = ground<small_world::step_4::World>();
+  small_world::step_4::World row = ground<small_world::step_4::World>();
   for (int i = 0; i < 400; ++i)
   {
     add(wall, cube({0, i / 20 + 0.5, 1.1 * (i % 20)}));
@@ -594,7 +594,7 @@ TEST_CASE("a floor of n² cubes takes n² + n · n (n - 1) / 2 comparisons: n co
 {
   for (const std::size_t n : {5U, 10U, 20U})
   {
-    const auto world = floor_of_cubes<small::step_4::World>(static_cast<int>(n));
+    const auto world = floor_of_cubes<small_world::step_4::World>(static_cast<int>(n));
     REQUIRE(pairs_compared(world.bodies) == n * n + n * n * (n - 1) / 2);
   }
 }
@@ -602,9 +602,9 @@ TEST_CASE("a floor of n² cubes takes n² + n · n (n - 1) / 2 comparisons: n co
 // [limits_of_step_5]
 TEST_CASE("a sphere dropped from 5 mm at e = 0.5 stays down; from 20 mm it bounces")
 {
-  REQUIRE(height_of_bounce(dropped_sphere<small::step_5::World>(0.005, 0.5), 0.4) < 1e-4);
+  REQUIRE(height_of_bounce(dropped_sphere<small_world::step_5::World>(0.005, 0.5), 0.4) < 1e-4);
   REQUIRE(
-      height_of_bounce(dropped_sphere<small::step_5::World>(0.02, 0.5), 0.2) ==
+      height_of_bounce(dropped_sphere<small_world::step_5::World>(0.02, 0.5), 0.2) ==
       Approx(0.005).epsilon(0.1));
 }
 
@@ -636,8 +636,8 @@ TEST_CASE("a cube on its edge, tilted by 0.001, falls over in step 5, and falls 
 {
   const RigidBody tilted =
       turned(cube({0, std::sqrt(0.5), 0}), std::numbers::pi / 4 + 0.001, Vector3<double>::UnitZ());
-  auto world = ground<small::step_5::World>();
-  auto sleeping = ground<small::step_6::World>();
+  auto world = ground<small_world::step_5::World>();
+  auto sleeping = ground<small_world::step_6::World>();
   add(world, tilted);
   add(sleeping, tilted);
   run(world, 10);
@@ -657,8 +657,8 @@ TEST_CASE("a cube that sets off down a slope at 0.05 m/s² slides 2.5 m in 10 s;
     return world.bodies[1].motion.center.x();
   };
   const double right = 50 * 9.81 * (std::sin(slope) - 0.6 * std::cos(slope)); // a t² / 2
-  REQUIRE(slid(ground<small::step_5::World>()) == Approx(right).epsilon(0.05));
-  REQUIRE(slid(ground<small::step_6::World>()) < 0.02);
+  REQUIRE(slid(ground<small_world::step_5::World>()) == Approx(right).epsilon(0.05));
+  REQUIRE(slid(ground<small_world::step_6::World>()) < 0.02);
 }
 
 TEST_CASE("a change of gravity wakes nothing; wake() does")

@@ -14,7 +14,7 @@
 
 using Catch::Approx;
 using namespace cookbook;
-using namespace cookbook::small;
+using namespace cookbook::small_world;
 
 // [step_1]
 TEST_CASE("step 1 holds a tower of five for 20 s, and neither ten nor a pyramid")

@@ -21,7 +21,7 @@ using namespace cookbook;
 // [rungs]
 TEST_CASE("each step and each branch holds the scene that the rung below fails")
 {
-  std::vector<Rung> rungs = small::step_rungs();
+  std::vector<Rung> rungs = small_world::step_rungs();
   REQUIRE(rungs.size() == 7);
   const std::vector<Rung> branches = branch_rungs();
   rungs.insert(rungs.end(), branches.begin(), branches.end());
@@ -38,8 +38,9 @@ TEST_CASE("each step and each branch holds the scene that the rung below fails")
 TEST_CASE("1,000 kg on 1 kg stand under the direct solver alone, and press as statics says; R9")
 {
   const Scene scene = scenes::heavy_on_light(1000);
-  CHECK_FALSE(small::stands(small::largest_sink(small_of<small_world::World>(scene), 20)));
-  CHECK_FALSE(small::stands(run_world(scene, {.solver = "soft_steps", .duration = 20}).sink));
+  CHECK_FALSE(
+      small_world::stands(small_world::largest_sink(small_of<small_world::World>(scene), 20)));
+  CHECK_FALSE(small_world::stands(run_world(scene, {.solver = "soft_steps", .duration = 20}).sink));
   CHECK(run_world(scene, {.solver = "direct", .duration = 20}).sink < 1e-6);
   const std::vector<double> loads = carried(scene, "direct", 1200);
   CHECK(60 * loads[1] == Catch::Approx(1001 * 9.81).epsilon(1e-12));
@@ -54,8 +55,8 @@ TEST_CASE("eight wide steps hold a tower of 30 and 300 kg on 1 kg; 1,000 kg take
   { return run_world(scene, {.solver = "wide_steps", .substeps = substeps, .duration = 20}).sink; };
   CHECK(sink(scenes::tower(30), 8) < 0.06);
   CHECK(sink(scenes::heavy_on_light(300), 8) < 0.05);
-  CHECK_FALSE(small::stands(sink(scenes::heavy_on_light(300), 4)));
-  CHECK_FALSE(small::stands(sink(scenes::heavy_on_light(1000), 8)));
+  CHECK_FALSE(small_world::stands(sink(scenes::heavy_on_light(300), 4)));
+  CHECK_FALSE(small_world::stands(sink(scenes::heavy_on_light(1000), 8)));
 }
 // [both]
 
@@ -90,12 +91,12 @@ TEST_CASE(
   GameWorld game(thrown_sphere(), solver_named("soft_steps"));
   for (int i = 0; i < 120; ++i)
   {
-    small_world::step(small, small::frame);
+    small_world::step(small, small_world::frame);
     game.step();
   }
   const double right = 10 * 2 - 9.81 * 2;
   CHECK(game.body(0).motion.center.y() == Catch::Approx(right).epsilon(1e-12));
-  const double low = 9.81 * 2 * small::frame / 8;
+  const double low = 9.81 * 2 * small_world::frame / 8;
   CHECK(small.bodies[0].motion.center.y() == Catch::Approx(right - low).epsilon(1e-12));
 }
 // [agreement]
@@ -113,7 +114,7 @@ TEST_CASE("a scene becomes a small world: shapes, masses, motions and surfaces s
   scene.bodies.push_back(ball_body("sphere", 0.25, {7, 8, 9}, 2));
   const small_world::World world = small_of<small_world::World>(scene);
   REQUIRE(world.bodies.size() == 3);
-  const small::RigidBody &ground = world.bodies[0], &box = world.bodies[1];
+  const small_world::RigidBody &ground = world.bodies[0], &box = world.bodies[1];
   CHECK(ground.inverse_mass == 0);
   CHECK(ground.motion.center.y() + ground.half_extents.y() == 0);
   CHECK(box.motion.center == cube.position);
@@ -124,7 +125,7 @@ TEST_CASE("a scene becomes a small world: shapes, masses, motions and surfaces s
   CHECK((box.friction == 0.25 && box.restitution == 0.75 && !box.is_sphere));
   CHECK((world.bodies[2].is_sphere && world.bodies[2].half_extents.x() == 0.25));
   const Scene slope = scenes::incline(0.28, 0.5);
-  const small::RigidBody tilted = small_body(slope.bodies[0]);
+  const small_world::RigidBody tilted = small_body(slope.bodies[0]);
   const Vector3<double> top = tilted.motion.center + tilted.orientation * Vector3<double>::UnitY();
   CHECK(top.norm() < 1e-15);
 }

@@ -251,18 +251,18 @@ int main()
       [](Draw& draw, Bits& bits)
       {
         small_world::World world;
-        small_world::add(world, small::box({0, -1, 0}, {9, 1, 9}, 0));
+        small_world::add(world, small_world::box({0, -1, 0}, {9, 1, 9}, 0));
         for (int i = 0; i < 3; ++i)
         {
           const Vector3<double> center = draw.vector(0.2) + Vector3<double>(0, 0.6 + i, 0);
           const double mass = draw.number(0.5, 4);
           small_world::add(
-              world, draw.one_in(2) ? small::box(center, draw.half_extents(), mass)
-                                    : small::sphere(center, draw.number(0.1, 0.5), mass));
+              world, draw.one_in(2) ? small_world::box(center, draw.half_extents(), mass)
+                                    : small_world::sphere(center, draw.number(0.1, 0.5), mass));
         }
         small_world::step(world, 1.0 / 60);
         small_world::step(world, 1.0 / 60);
-        for (const small::RigidBody& body : world.bodies)
+        for (const small_world::RigidBody& body : world.bodies)
         {
           bits(body.motion.center, body.motion.velocity, body.motion.angular_velocity);
         }

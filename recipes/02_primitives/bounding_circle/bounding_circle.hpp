@@ -83,7 +83,7 @@ requires ShapeInPlane<Shape<Real>, Real> Circle<Real> bounding_circle(const Shap
   const PlaneView<Real> view(place_of(shape), largest(shape));
   const PlaneForm<Wide<Real>> form = form_of(shape, view);
   const auto corner = [&](std::size_t i) { return form.corner[i]; };
-  const auto small = growing_circle<Wide<Real>>(std::size_t(form.corners), corner);
+  const auto inner = growing_circle<Wide<Real>>(std::size_t(form.corners), corner);
   Circle<Real> circle{view.point(small.center), Real(0)};
   Wide<Real> radius = 0;
   for (const Vector<Wide<Real>, 2>& at : form.polygon())

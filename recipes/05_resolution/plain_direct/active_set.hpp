@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace cookbook::small::plain_direct
+namespace cookbook::small_world::plain_direct
 {
 
 using Eigen::Index;
@@ -142,4 +142,4 @@ solve_within(const MatrixXd& A, const VectorXd& b, const Bounds& bounds, std::ve
 }
 // [active_set]
 
-} // namespace cookbook::small::plain_direct
+} // namespace cookbook::small_world::plain_direct

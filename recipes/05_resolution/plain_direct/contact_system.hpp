@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-namespace cookbook::small::plain_direct
+namespace cookbook::small_world::plain_direct
 {
 
 using Contact = step_4::Contact;
@@ -174,4 +174,4 @@ inline Bounds compute_bounds(const World& world)
 }
 // [system]
 
-} // namespace cookbook::small::plain_direct
+} // namespace cookbook::small_world::plain_direct

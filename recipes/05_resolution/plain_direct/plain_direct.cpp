@@ -13,7 +13,7 @@ namespace
 {
 
 using namespace cookbook;
-using namespace cookbook::small;
+using namespace cookbook::small_world;
 using Springs = step_7::World;
 using Direct = plain_direct::World;
 

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace cookbook::small::plain_direct
+namespace cookbook::small_world::plain_direct
 {
 
 // [solve]
@@ -96,4 +96,4 @@ inline double impulse_between(const World& world, std::size_t a, std::size_t b)
 }
 // [step]
 
-} // namespace cookbook::small::plain_direct
+} // namespace cookbook::small_world::plain_direct

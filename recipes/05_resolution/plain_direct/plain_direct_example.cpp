@@ -8,7 +8,7 @@
 
 int main()
 {
-  using namespace cookbook::small;
+  using namespace cookbook::small_world;
   plain_direct::World world;
   add(world, box({0, -1, 0}, {10, 1, 10}, 0));
   add(world, box({0, 0.5, 0}, {0.5, 0.5, 0.5}, 1));

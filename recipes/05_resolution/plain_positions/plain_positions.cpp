@@ -13,7 +13,7 @@ namespace
 {
 
 using namespace cookbook;
-using namespace cookbook::small;
+using namespace cookbook::small_world;
 
 void print_scenes()
 {

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace cookbook::small::plain_positions
+namespace cookbook::small_world::plain_positions
 {
 
 using Contact = step_4::Contact;
@@ -167,4 +167,4 @@ inline void step(World& world, double time)
 }
 // [substep]
 
-} // namespace cookbook::small::plain_positions
+} // namespace cookbook::small_world::plain_positions

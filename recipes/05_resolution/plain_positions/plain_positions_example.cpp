@@ -8,7 +8,7 @@
 
 int main()
 {
-  using namespace cookbook::small;
+  using namespace cookbook::small_world;
   plain_positions::World world;
   add(world, box({0, -1, 0}, {10, 1, 10}, 0));
   for (int i = 0; i < 10; ++i)

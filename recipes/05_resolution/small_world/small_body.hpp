@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace cookbook::small
+namespace cookbook::small_world
 {
 // [head]
 
@@ -142,4 +142,4 @@ inline std::optional<Manifold<double>> manifold_of(const RigidBody& a, const Rig
 }
 // [manifold_of]
 
-} // namespace cookbook::small
+} // namespace cookbook::small_world

@@ -12,7 +12,7 @@ namespace
 {
 
 using namespace cookbook;
-using namespace cookbook::small;
+using namespace cookbook::small_world;
 
 void print_steps()
 {

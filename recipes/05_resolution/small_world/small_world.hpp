@@ -9,7 +9,6 @@
 /// The small world: a World, its bodies, `add` and `step`.
 namespace cookbook::small_world
 {
-using namespace cookbook::small;
-using namespace cookbook::small::step_7;
+using namespace step_7;
 } // namespace cookbook::small_world
 // [small_world]

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace cookbook::small::step_1
+namespace cookbook::small_world::step_1
 {
 // [head]
 
@@ -149,4 +149,4 @@ inline void step(World& world, double time)
 }
 // [step]
 
-} // namespace cookbook::small::step_1
+} // namespace cookbook::small_world::step_1

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace cookbook::small::step_2
+namespace cookbook::small_world::step_2
 {
 
 /// A contact point, and the places of its two bodies in the world's list.
@@ -178,4 +178,4 @@ inline void step(World& world, double time)
   }
 }
 
-} // namespace cookbook::small::step_2
+} // namespace cookbook::small_world::step_2

@@ -8,14 +8,14 @@
 
 int main()
 {
-  cookbook::small::step_2::World world;
-  add(world, cookbook::small::box({0, -1, 0}, {20, 1, 20}, 0));
+  cookbook::small_world::step_2::World world;
+  add(world, cookbook::small_world::box({0, -1, 0}, {20, 1, 20}, 0));
   for (int row = 0; row < 10; ++row)
   {
     for (int i = 0; i < 10 - row; ++i)
     {
       const double x = 1.125 * (i - 0.5 * (9 - row));
-      add(world, cookbook::small::box({x, row + 0.5, 0}, {0.5, 0.5, 0.5}, 1));
+      add(world, cookbook::small_world::box({x, row + 0.5, 0}, {0.5, 0.5, 0.5}, 1));
     }
   }
   for (int frame = 0; frame < 1200; ++frame) // 20 s

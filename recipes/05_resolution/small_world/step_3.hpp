@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace cookbook::small::step_3
+namespace cookbook::small_world::step_3
 {
 
 /// A contact point, and the places of its two bodies in the world's list.
@@ -186,4 +186,4 @@ inline void step(World& world, double time)
   }
 }
 
-} // namespace cookbook::small::step_3
+} // namespace cookbook::small_world::step_3

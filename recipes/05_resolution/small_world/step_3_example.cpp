@@ -8,11 +8,11 @@
 
 int main()
 {
-  cookbook::small::step_3::World world;
-  add(world, cookbook::small::box({0, -1, 0}, {10, 1, 10}, 0));
+  cookbook::small_world::step_3::World world;
+  add(world, cookbook::small_world::box({0, -1, 0}, {10, 1, 10}, 0));
   for (int i = 0; i < 10; ++i)
   {
-    add(world, cookbook::small::box({0, i + 0.5, 0}, {0.5, 0.5, 0.5}, 1));
+    add(world, cookbook::small_world::box({0, i + 0.5, 0}, {0.5, 0.5, 0.5}, 1));
   }
   for (int frame = 0; frame < 2400; ++frame) // 40 s
   {

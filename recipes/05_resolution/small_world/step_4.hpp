@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace cookbook::small::step_4
+namespace cookbook::small_world::step_4
 {
 
 /// A contact point, and the places of its two bodies in the world's list.
@@ -221,4 +221,4 @@ inline void step(World& world, double time)
   }
 }
 
-} // namespace cookbook::small::step_4
+} // namespace cookbook::small_world::step_4

@@ -6,7 +6,7 @@
 
 #include <iostream>
 
-using namespace cookbook::small;
+using namespace cookbook::small_world;
 
 int main()
 {

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace cookbook::small::step_5
+namespace cookbook::small_world::step_5
 {
 
 /// A contact point, and the places of its two bodies in the world's list.
@@ -266,4 +266,4 @@ inline void step(World& world, double time)
   apply_restitution(world);
 }
 
-} // namespace cookbook::small::step_5
+} // namespace cookbook::small_world::step_5

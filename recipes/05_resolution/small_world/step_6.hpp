@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace cookbook::small::step_6
+namespace cookbook::small_world::step_6
 {
 
 /// A contact point, and the places of its two bodies in the world's list.
@@ -401,4 +401,4 @@ inline void step(World& world, double time)
   put_to_sleep(world, time);
 }
 
-} // namespace cookbook::small::step_6
+} // namespace cookbook::small_world::step_6

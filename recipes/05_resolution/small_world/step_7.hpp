@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace cookbook::small::step_7
+namespace cookbook::small_world::step_7
 {
 
 /// A contact point, and the places of its two bodies in the world's list.
@@ -507,4 +507,4 @@ inline void step(World& world, double time)
   put_to_sleep(world, time);
 }
 
-} // namespace cookbook::small::step_7
+} // namespace cookbook::small_world::step_7

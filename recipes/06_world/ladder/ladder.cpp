@@ -26,7 +26,7 @@ std::string lines_of(const std::string& rung)
 /// All rungs, what they take in lines behind them.
 Cells ladder()
 {
-  std::vector<Rung> rungs = small::step_rungs();
+  std::vector<Rung> rungs = small_world::step_rungs();
   const std::vector<Rung> branches = branch_rungs();
   rungs.insert(rungs.end(), branches.begin(), branches.end());
   Cells cells = rungs_table({"rung", "adds", "scene", "rung below", "this rung", "right"}, rungs);

@@ -7,7 +7,7 @@
 #include "05_resolution/plain_positions/trial/plain_scenes.hpp"
 #include "05_resolution/small_world/trial/small_world_figures.hpp"
 
-namespace cookbook::small
+namespace cookbook::small_world
 {
 
 /// 1,000 kg on 1 kg under step 7 and under the direct solver.
@@ -21,4 +21,4 @@ inline plot::Grid ton_figure()
       picture("direct", heavy_on_light<plain_direct::World>(1000), 10, part));
 }
 
-} // namespace cookbook::small
+} // namespace cookbook::small_world

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace cookbook::small
+namespace cookbook::small_world
 {
 
 /// How far [mm] towers of 1 to 12 cubes sink in a world of a kind within 5 s.
@@ -42,4 +42,4 @@ inline plot::Chart sinks_figure()
   return chart;
 }
 
-} // namespace cookbook::small
+} // namespace cookbook::small_world

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <random>
 
-namespace cookbook::small
+namespace cookbook::small_world
 {
 
 /// A cube of a mass [kg] on one of 1 kg, both of 1 m.
@@ -87,4 +87,4 @@ bool is_sane(const World& world)
       { return body.motion.center.y() > -0.3 && body.motion.velocity.norm() < 20; });
 }
 
-} // namespace cookbook::small
+} // namespace cookbook::small_world

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string>
 
-namespace cookbook::small
+namespace cookbook::small_world
 {
 
 /// A length [m] in millimetres.
@@ -58,4 +58,4 @@ void add_slopes(Table& table)
   }
 }
 
-} // namespace cookbook::small
+} // namespace cookbook::small_world

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace cookbook::small
+namespace cookbook::small_world
 {
 
 /// A frame [s].
@@ -190,4 +190,4 @@ inline std::size_t pairs_compared(const std::vector<RigidBody>& bodies)
 }
 // [pairs_compared]
 
-} // namespace cookbook::small
+} // namespace cookbook::small_world

@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace cookbook::small
+namespace cookbook::small_world
 {
 
 /// The bodies of a world after a time [s], in a picture so wide [m] around a point.
@@ -178,4 +178,4 @@ inline plot::Chart shots_figure()
   return chart;
 }
 
-} // namespace cookbook::small
+} // namespace cookbook::small_world

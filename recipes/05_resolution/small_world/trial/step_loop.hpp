@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace cookbook::small
+namespace cookbook::small_world
 {
 
 /// The parts of a step, and what each hands to the next.
@@ -35,4 +35,4 @@ inline plot::Figure2d loop_figure()
   return figure;
 }
 
-} // namespace cookbook::small
+} // namespace cookbook::small_world

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace cookbook::small
+namespace cookbook::small_world
 {
 
 /// What a stack of cubes does in a time [s]: its sink in mm, or that it falls.
@@ -93,4 +93,4 @@ inline std::vector<Rung> step_rungs()
        shots_back<step_7::World>(), "5 of 5 come back"}};
 }
 
-} // namespace cookbook::small
+} // namespace cookbook::small_world

@@ -13,28 +13,29 @@ namespace cookbook
 
 // [small_of]
 /// The shape of a body of a scene, where it is: a plane becomes a box of 200 m whose top it is.
-inline small::RigidBody small_shape(const SceneBody& body)
+inline small_world::RigidBody small_shape(const SceneBody& body)
 {
   if (const SphereShape* sphere = std::get_if<SphereShape>(&body.shape))
   {
-    return small::sphere(body.position, sphere->radius, body.mass);
+    return small_world::sphere(body.position, sphere->radius, body.mass);
   }
   if (const BoxShape* box = std::get_if<BoxShape>(&body.shape))
   {
-    return small::box(body.position, box->half_extents, body.mass);
+    return small_world::box(body.position, box->half_extents, body.mass);
   }
   const PlaneShape& plane = std::get<PlaneShape>(body.shape);
-  small::RigidBody slab = small::box((plane.offset - 1) * plane.normal, {100, 1, 100}, 0);
+  small_world::RigidBody slab =
+      small_world::box((plane.offset - 1) * plane.normal, {100, 1, 100}, 0);
   const Vector3<double> up = Vector3<double>::UnitY();
   slab.orientation = Quaternion<double>::FromTwoVectors(up, plane.normal);
   return slab;
 }
 
 /// A body of a scene as the small world has it.
-inline small::RigidBody small_body(const SceneBody& body)
+inline small_world::RigidBody small_body(const SceneBody& body)
 {
-  small::RigidBody made = small_shape(body);
-  small::set_orientation(made, made.orientation * body.orientation);
+  small_world::RigidBody made = small_shape(body);
+  small_world::set_orientation(made, made.orientation * body.orientation);
   made.motion.velocity = body.velocity;
   made.motion.angular_velocity = body.angular_velocity;
   made.friction = body.friction;

@@ -40,16 +40,16 @@ std::vector<BodyState> ends(const Scene& scene, const std::string& solver, doubl
 }
 
 /// The last state of a scene in the small world.
-std::vector<small::RigidBody> small_ends(const Scene& scene, double time)
+std::vector<small_world::RigidBody> small_ends(const Scene& scene, double time)
 {
   Small world = small_of<Small>(scene);
-  small::run(world, time);
+  small_world::run(world, time);
   return world.bodies;
 }
 
 Verdict sinks(double sink)
 {
-  const bool stands = small::stands(sink);
+  const bool stands = small_world::stands(sink);
   return {stands, stands ? "sinks " + rounded(1000 * sink) + " mm" : "falls"};
 }
 
@@ -62,7 +62,7 @@ Rung stack(
       name,
       adds,
       what,
-      sinks(small::largest_sink(small_of<Small>(scene), 20)),
+      sinks(small_world::largest_sink(small_of<Small>(scene), 20)),
       sinks(run_world(scene, {.solver = solver, .duration = 20}).sink),
       "stands"};
 }
@@ -70,7 +70,7 @@ Rung stack(
 /// The load [N] that the ground takes from a tower of five after 20 s awake; within 1 % is right.
 Rung load()
 {
-  const double right = 5 * 9.81, step = small::frame;
+  const double right = 5 * 9.81, step = small_world::frame;
   const auto verdict = [right](double newtons) {
     return Verdict{std::abs(newtons - right) < 0.01 * right, rounded(newtons) + " N"};
   };
@@ -118,7 +118,7 @@ Rung turns()
   GameWorld game(scene, WorldSolver(count));
   for (int i = 0; i < 20; ++i)
   {
-    small_world::step(small, small::frame);
+    small_world::step(small, small_world::frame);
     points = small.contacts.size();
     game.step();
   }
@@ -156,7 +156,7 @@ Rung shot_cubes()
   for (const double speed : speeds)
   {
     const Scene scene = cube_at_wall(speed);
-    small += small::comes_back(small_of<Small>(scene)) ? 1 : 0;
+    small += small_world::comes_back(small_of<Small>(scene)) ? 1 : 0;
     game += ends(scene, "soft_steps", 2).back().velocity.x() < 0 ? 1 : 0;
   }
   const auto verdict = [](int count) {
@@ -206,7 +206,7 @@ std::size_t pairs_of_tree(const Scene& scene)
 Rung row_across()
 {
   const Scene scene = row_of_cubes(400);
-  const std::size_t swept = small::pairs_compared(small_of<Small>(scene).bodies);
+  const std::size_t swept = small_world::pairs_compared(small_of<Small>(scene).bodies);
   const std::size_t tree = pairs_of_tree(scene);
   return {
       "queries",
@@ -258,7 +258,7 @@ Rung ids()
 /// A scene in both worlds for a time [s].
 Agreement agreement(const std::string& what, const Scene& scene, double time, bool rests)
 {
-  const std::vector<small::RigidBody> small = small_ends(scene, time);
+  const std::vector<small_world::RigidBody> small = small_ends(scene, time);
   const std::vector<BodyState> game = ends(scene, "soft_steps", time);
   Agreement both{what, time, rests, 0, 0};
   for (std::size_t i = 0; i < game.size(); ++i)

@@ -104,10 +104,11 @@ double deepest_now(const World& world)
   {
     for (std::size_t j = i + 1; j < world.bodies.size(); ++j)
     {
-      const small::RigidBody &a = world.bodies[i], &b = world.bodies[j];
-      const bool may_touch = (a.inverse_mass > 0 || b.inverse_mass > 0) &&
-                             small::step_4::bounds_of(a).intersects(small::step_4::bounds_of(b));
-      if (const auto manifold = may_touch ? small::manifold_of(a, b) : std::nullopt)
+      const small_world::RigidBody &a = world.bodies[i], &b = world.bodies[j];
+      const bool may_touch =
+          (a.inverse_mass > 0 || b.inverse_mass > 0) &&
+          small_world::step_4::bounds_of(a).intersects(small_world::step_4::bounds_of(b));
+      if (const auto manifold = may_touch ? small_world::manifold_of(a, b) : std::nullopt)
       {
         for (const ContactPoint<double>& point : manifold->points)
         {
@@ -124,10 +125,10 @@ template <class World>
 double deepest_in_run(World world, double time)
 {
   double most = 0;
-  const long frames = std::lround(time / small::frame);
+  const long frames = std::lround(time / small_world::frame);
   for (long i = 0; i < frames; ++i)
   {
-    step(world, small::frame);
+    step(world, small_world::frame);
     most = std::max(most, deepest_now(world));
   }
   return most;

@@ -93,15 +93,15 @@ inline std::vector<LadderMethod> ladder_methods()
   const auto game = [](const std::string& solver)
   { return [solver](const Scene& scene) { return game_ladder_world(scene, solver); }; };
   return {
-      {"step 1", small_ladder_world<small::step_1::World>, true},
-      {"step 2", small_ladder_world<small::step_2::World>, true},
-      {"step 3", small_ladder_world<small::step_3::World>, true},
-      {"step 4", small_ladder_world<small::step_4::World>, true},
-      {"step 5", small_ladder_world<small::step_5::World>, true},
-      {"step 6", small_ladder_world<small::step_6::World>, true},
-      {"step 7", small_ladder_world<small::step_7::World>, true},
-      {"plain positions", small_ladder_world<small::plain_positions::World>},
-      {"plain direct", small_ladder_world<small::plain_direct::World>, false, 10},
+      {"step 1", small_ladder_world<small_world::step_1::World>, true},
+      {"step 2", small_ladder_world<small_world::step_2::World>, true},
+      {"step 3", small_ladder_world<small_world::step_3::World>, true},
+      {"step 4", small_ladder_world<small_world::step_4::World>, true},
+      {"step 5", small_ladder_world<small_world::step_5::World>, true},
+      {"step 6", small_ladder_world<small_world::step_6::World>, true},
+      {"step 7", small_ladder_world<small_world::step_7::World>, true},
+      {"plain positions", small_ladder_world<small_world::plain_positions::World>},
+      {"plain direct", small_ladder_world<small_world::plain_direct::World>, false, 10},
       {"GameWorld, soft steps", game("soft_steps")},
       {"GameWorld, wide steps", game("wide_steps")},
       {"GameWorld, direct", game("direct")}};
