@@ -40,7 +40,7 @@ baumgarte          position_correction     bias_velocity
 rk4                integrators             rk4
 tunneling          tunnelling
 pgs                sequential_impulses
-xpbd               position_based
+xpbd               plain_positions
 step_1             step_1                  World
 step_2             step_2                  World
 step_3             step_3                  World

@@ -84,7 +84,7 @@ requires ShapeInPlane<Shape<Real>, Real> Circle<Real> bounding_circle(const Shap
   const PlaneForm<Wide<Real>> form = form_of(shape, view);
   const auto corner = [&](std::size_t i) { return form.corner[i]; };
   const auto inner = growing_circle<Wide<Real>>(std::size_t(form.corners), corner);
-  Circle<Real> circle{view.point(small.center), Real(0)};
+  Circle<Real> circle{view.point(inner.center), Real(0)};
   Wide<Real> radius = 0;
   for (const Vector<Wide<Real>, 2>& at : form.polygon())
   {
