@@ -13,12 +13,12 @@ using namespace cookbook;
 namespace
 {
 
-constexpr double touching = 1e-6; ///< [m], the gap at which an advance is content
+constexpr double tolerance = 1e-6; ///< [m], the gap at which an advance is content
 constexpr double rounding = 1e-13;
 
 std::optional<double> time_of_impact(const BoxSweep& sweep)
 {
-  const auto hit = swept_boxes(sweep.a, sweep.b, touching);
+  const auto hit = swept_boxes(sweep.a, sweep.b, tolerance);
   return hit ? std::optional(hit->time * sweep.duration) : std::nullopt;
 }
 
@@ -68,7 +68,7 @@ TEST_CASE("a rod of 4 m turns into a peg beside its middle at an angle of atan(4
   const auto time = time_of_impact(sweep);
   REQUIRE(time);
   CHECK(*time <= *sweep.time + rounding);
-  CHECK(*time >= *sweep.time - touching / (0.9 * 3));
+  CHECK(*time >= *sweep.time - tolerance / (0.9 * 3));
 }
 
 TEST_CASE(
@@ -81,7 +81,7 @@ TEST_CASE(
   for (int i = 0; i < 2000; ++i)
   {
     const SweptBox<double> a = random.next(-1), b = random.next(1);
-    const auto hit = swept_boxes(a, b, touching);
+    const auto hit = swept_boxes(a, b, tolerance);
     const double free = hit ? hit->time : 1;
     for (int part = 0; part <= 50; ++part)
     {
@@ -93,7 +93,7 @@ TEST_CASE(
       REQUIRE(hit->normal.norm() == Catch::Approx(1).epsilon(1e-12));
       const double left = gap(a, b, hit->time);
       most_left = std::max(most_left, left);
-      short_of += left > touching ? 1 : 0;
+      short_of += left > tolerance ? 1 : 0;
     }
   }
   INFO(hits << " hits, " << short_of << " stop short, by up to " << most_left << " m");
@@ -111,18 +111,18 @@ TEST_CASE("two boxes 6.7 m apart or more are separate, whatever the size of the 
   CHECK(!time_of_impact(sweep));
   // With a turn of 513 rad until time 1 the bound asks for more looks, but for an end too.
   SweptBox<double> spinning = sweep.b;
-  spinning.turn = {0, 0, 513};
-  const auto hit = swept_boxes(sweep.a, spinning, touching);
+  spinning.rotation = {0, 0, 513};
+  const auto hit = swept_boxes(sweep.a, spinning, tolerance);
   CHECK((!hit || gap(sweep.a, spinning, hit->time) > 0));
 }
 
 TEST_CASE("boxes at rest touch at once or not at all")
 {
   const SweptBox<double> box = standing(0, 0, 0, 1, 1);
-  CHECK(!swept_boxes(box, standing(3, 0, 0, 1, 1), touching));
-  CHECK(swept_boxes(box, standing(2, 0, 0, 1, 1), touching)->time == 0);
-  CHECK(swept_boxes(box, standing(1, 0, 0, 1, 1), touching)->time == 0);
-  CHECK(swept_boxes(box, box, touching)->time == 0);
+  CHECK(!swept_boxes(box, standing(3, 0, 0, 1, 1), tolerance));
+  CHECK(swept_boxes(box, standing(2, 0, 0, 1, 1), tolerance)->time == 0);
+  CHECK(swept_boxes(box, standing(1, 0, 0, 1, 1), tolerance)->time == 0);
+  CHECK(swept_boxes(box, box, tolerance)->time == 0);
 }
 
 TEST_CASE("the gap of two boxes is 1 m face to face, √2 m edge to edge along 45°")
@@ -145,10 +145,10 @@ TEST_CASE("beside the wide face of a slab a box turned anyhow has its gap along 
     slab.half_extents[axis] = 1;
     const Vector3<double> normal = turned.col(axis);
     const Obb<double> box{5 * normal, Matrix3<double>::Identity(), {0.5, 1, 0.75}};
-    const double reach = normal.cwiseAbs().dot(box.half_extents);
+    const double radius_bound = normal.cwiseAbs().dot(box.half_extents);
     const Direction<double> there = box_gap(slab, box), back = box_gap(box, slab);
     CAPTURE(axis);
-    CHECK(there.length == Catch::Approx(5 - 1 - reach).epsilon(8 * rounding));
+    CHECK(there.length == Catch::Approx(5 - 1 - radius_bound).epsilon(8 * rounding));
     CHECK((there.unit - normal).norm() <= 8 * rounding);
     CHECK(back.length == Catch::Approx(there.length).epsilon(8 * rounding));
     CHECK((back.unit + normal).norm() <= 8 * rounding);

@@ -85,11 +85,11 @@ TEST_CASE("a ball of 0.5 m touches a face, an edge and a corner when Pythagoras 
 
 TEST_CASE("two balls 4 m off centre, 5 m of radii: they touch 3 m ahead; a plane at once", "[P20]")
 {
-  const auto ball =
+  const auto sphere =
       swept_sphere_sphere<double>(ball_at(-13, 4, 0, 2), {20, 0, 0}, Sphere<double>{{0, 0, 0}, 3});
-  REQUIRE(ball);
-  CHECK(ball->time == Catch::Approx(10 / 20.0).epsilon(rounding));
-  CHECK((ball->normal - Vector3<double>(0.6, -0.8, 0)).norm() <= rounding);
+  REQUIRE(sphere);
+  CHECK(sphere->time == Catch::Approx(10 / 20.0).epsilon(rounding));
+  CHECK((sphere->normal - Vector3<double>(0.6, -0.8, 0)).norm() <= rounding);
   const auto plane =
       swept_sphere_plane<double>(ball_at(7, 3, 0), {5, -10, 2}, Plane<double>{{0, 1, 0}, 0.5});
   REQUIRE(plane);
@@ -103,8 +103,8 @@ TEST_CASE("of 3,000 sweeps none overlaps before its first touch, and none at all
   int hits = 0;
   for (int i = 0; i < 3000; ++i)
   {
-    const auto [box, sphere, way] = random.next();
-    const auto hit = swept_sphere_box(sphere, way, box);
+    const auto [box, sphere, displacement] = random.next();
+    const auto hit = swept_sphere_box(sphere, displacement, box);
     if (gap(sphere, box) <= rounding)
     {
       REQUIRE((!hit || hit->time == 0));
@@ -113,14 +113,14 @@ TEST_CASE("of 3,000 sweeps none overlaps before its first touch, and none at all
     const double free = hit ? hit->time : 1;
     for (int part = 0; part <= 100; ++part)
     {
-      REQUIRE(gap(later(sphere, way, free * part / 100), box) >= -rounding);
+      REQUIRE(gap(later(sphere, displacement, free * part / 100), box) >= -rounding);
     }
     if (hit)
     {
       ++hits;
-      REQUIRE(std::abs(gap(later(sphere, way, hit->time), box)) <= rounding);
+      REQUIRE(std::abs(gap(later(sphere, displacement, hit->time), box)) <= rounding);
       REQUIRE(hit->normal.norm() == Catch::Approx(1).epsilon(1e-14));
-      REQUIRE(way.dot(hit->normal) > 0);
+      REQUIRE(displacement.dot(hit->normal) > 0);
     }
   }
   CHECK(hits > 1000);
@@ -191,10 +191,10 @@ TEST_CASE("a ball 1 nm beside the edge flies by, 1 nm inside it touches")
 TEST_CASE("a ball that overlaps at the start may leave and not go in")
 {
   const Sphere<double> inside = ball_at(1.25, 0, 0), within = ball_at(0.5, 0, 0);
-  for (const Sphere<double>& ball : {inside, within})
+  for (const Sphere<double>& sphere : {inside, within})
   {
-    CHECK(!swept_sphere_box<double>(ball, {1, 0, 0}, cube));
-    const auto in = swept_sphere_box<double>(ball, {-1, 0.5, 0}, cube);
+    CHECK(!swept_sphere_box<double>(sphere, {1, 0, 0}, cube));
+    const auto in = swept_sphere_box<double>(sphere, {-1, 0.5, 0}, cube);
     REQUIRE(in);
     CHECK(in->time == 0);
     CHECK(in->normal == Vector3<double>(-1, 0, 0));
@@ -203,11 +203,11 @@ TEST_CASE("a ball that overlaps at the start may leave and not go in")
 
 TEST_CASE("a ball that stands still, slides along or has just bounced touches nothing")
 {
-  const Sphere<double> touching = ball_at(1.5, 0, 0);
-  CHECK(!swept_sphere_box<double>(touching, {0, 0, 0}, cube));
-  CHECK(!swept_sphere_box<double>(touching, {0, 3, 1}, cube));
-  CHECK(!swept_sphere_box<double>(touching, {1e-9, 3, 1}, cube));
-  CHECK(swept_sphere_box<double>(touching, {-1e-9, 3, 1}, cube)->time == 0);
+  const Sphere<double> tolerance = ball_at(1.5, 0, 0);
+  CHECK(!swept_sphere_box<double>(tolerance, {0, 0, 0}, cube));
+  CHECK(!swept_sphere_box<double>(tolerance, {0, 3, 1}, cube));
+  CHECK(!swept_sphere_box<double>(tolerance, {1e-9, 3, 1}, cube));
+  CHECK(swept_sphere_box<double>(tolerance, {-1e-9, 3, 1}, cube)->time == 0);
   CHECK(!swept_sphere_box<double>(ball_at(0, 0, 0), {0, 0, 0}, cube));
 }
 

@@ -31,11 +31,11 @@ Shots exact_shots(double speed)
 /// Whether a ball that flies on as if no wall were there overlaps it at the end of any step.
 bool is_seen(const Shots& shots, int i)
 {
-  FlyingBall<double> flight = shots.start(i);
+  MovingSphere<double> flight = shots.start(i);
   for (int step = 0; step < shots.steps(); ++step)
   {
     flight = moved(flight, shots.step);
-    if (sphere_box(flight.ball, shots.wall))
+    if (sphere_box(flight.sphere, shots.wall))
     {
       return true;
     }
@@ -95,11 +95,11 @@ TEST_CASE("a gap of 0.5 m and a step of 1/4 s leave 2 m/s of 8, and what is slow
 TEST_CASE("a braked ball touches after the step, without overlap", "[R17]")
 {
   const Shots shots = straight_at(0.02, 1000, 0);
-  const FlyingBall<double> start = shots.start(0), there = moved(start, shots.step);
+  const MovingSphere<double> start = shots.start(0), there = moved(start, shots.step);
   const double infinite = std::numeric_limits<double>::infinity();
-  const FlyingBall<double> after = speculative_step(there, shots.wall, 0.0, shots.step, infinite);
+  const MovingSphere<double> after = speculative_step(there, shots.wall, 0.0, shots.step, infinite);
   // Places of up to 33 m, each rounded.
-  CHECK(std::abs(gap_to(after.ball, shots.wall).length) <= 33 * rounding);
+  CHECK(std::abs(direction_to(after.sphere, shots.wall).length) <= 33 * rounding);
 }
 // [R17]
 
@@ -134,9 +134,9 @@ TEST_CASE("up to 12 m/s a ball is pushed out where it came in, not beyond", "[R1
 TEST_CASE("a ball that is seen 1/32 m deep is put where it touches, and bounces: -3/16 m, -4 m/s")
 {
   const Obb<double> wall{{0, 0, 0}, Matrix3<double>::Identity(), {0.125, 8, 8}};
-  const FlyingBall<double> coming{{{-0.28125, 0, 0}, 0.0625}, {8, 0, 0}};
-  const FlyingBall<double> after = discrete_step<double>(coming, wall, 0.5, 1.0 / 64);
-  CHECK(after.ball.center == Vector3<double>(-0.1875, 0, 0));
+  const MovingSphere<double> coming{{{-0.28125, 0, 0}, 0.0625}, {8, 0, 0}};
+  const MovingSphere<double> after = discrete_step<double>(coming, wall, 0.5, 1.0 / 64);
+  CHECK(after.sphere.center == Vector3<double>(-0.1875, 0, 0));
   CHECK(after.velocity == Vector3<double>(-4, 0, 0));
 }
 
@@ -176,9 +176,9 @@ TEST_CASE(
       const Vector3<double> right(-restitution * velocity.x(), velocity.y(), velocity.z());
       for (int i = 0; i < shots.count; ++i)
       {
-        const FlyingBall<double> after = flown(shots, swept_method(), i);
+        const MovingSphere<double> after = flown(shots, swept_method(), i);
         // Places of up to 50 m, each rounded.
-        REQUIRE(after.ball.center.x() <= -0.06 + 50 * rounding);
+        REQUIRE(after.sphere.center.x() <= -0.06 + 50 * rounding);
         REQUIRE((after.velocity - right).norm() <= 4 * rounding * velocity.norm());
       }
     }
@@ -192,8 +192,8 @@ TEST_CASE("a ball of 1/16 at 50 to 5,000 units a step stops in front of a wall o
     const Shots shots = sixteenth(speed);
     REQUIRE(share_passed(shots, swept_method()) == 0);
     // Places of up to 10,000 units, each rounded.
-    const FlyingBall<double> after = flown(shots, swept_method(), speed % 97);
-    REQUIRE(std::abs(after.ball.center.x() + 0.125 + 0.0625) <= 1e4 * rounding);
+    const MovingSphere<double> after = flown(shots, swept_method(), speed % 97);
+    REQUIRE(std::abs(after.sphere.center.x() + 0.125 + 0.0625) <= 1e4 * rounding);
   }
 }
 
@@ -207,13 +207,13 @@ TEST_CASE("swept, none passes a wall of a tenth of a millimetre, turned, a hundr
   {
     const Vector3<double> velocity = 1000 * normal + (i - 100) * axes.col(1);
     const Vector3<double> start = distant - (0.05 + 5e-5 + 0.01 + 0.08 * i) * normal;
-    FlyingBall<double> flight{{start, 0.05}, velocity};
+    MovingSphere<double> flight{{start, 0.05}, velocity};
     for (int step = 0; step < 3; ++step)
     {
       flight = swept_step<double>(flight, {&wall, 1}, 1, 1.0 / 60);
     }
     // Coordinates of 1e5 m are rounded at 1.5e-11.
-    REQUIRE(normal.dot(flight.ball.center - distant) <= -0.05);
+    REQUIRE(normal.dot(flight.sphere.center - distant) <= -0.05);
     REQUIRE(normal.dot(flight.velocity) == Catch::Approx(-1000).epsilon(1e-12));
   }
 }
@@ -223,11 +223,11 @@ TEST_CASE("a ball of 5 cm stays in a room of 1 m for 10 s, at 1,000 m/s or what 
   const std::vector<Obb<double>> walls = room_walls();
   for (const double restitution : {0.0, 0.5, 0.9, 1.0})
   {
-    FlyingBall<double> flight{{{0.1, 0.2, 0.05}, 0.05}, {600, 640, 480}};
+    MovingSphere<double> flight{{{0.1, 0.2, 0.05}, 0.05}, {600, 640, 480}};
     for (int step = 0; step < 600; ++step)
     {
       flight = swept_step<double>(flight, walls, restitution, 1.0 / 60);
-      REQUIRE(flight.ball.center.cwiseAbs().maxCoeff() <= 0.45 + 20 * rounding);
+      REQUIRE(flight.sphere.center.cwiseAbs().maxCoeff() <= 0.45 + 20 * rounding);
     }
     // About 11,000 bounces, each rounded a few times.
     CHECK((restitution > 0 || flight.velocity.norm() == 0));
@@ -240,13 +240,13 @@ TEST_CASE("a ball that slides along a turned wall with e = 0 goes on")
   const Matrix3<double> axes = rational_rotation<double>(1, 2, 3, 4);
   const Obb<double> wall{{0.3, 0.2, 0.1}, axes, {0.01, 500, 500}};
   const Vector3<double> normal = axes.col(0), along = axes.col(1);
-  FlyingBall<double> flight{{wall.center - 0.07 * normal, 0.05}, 100 * along + 60 * normal};
+  MovingSphere<double> flight{{wall.center - 0.07 * normal, 0.05}, 100 * along + 60 * normal};
   for (int step = 1; step <= 60; ++step)
   {
     flight = swept_step<double>(flight, {&wall, 1}, 0, 1.0 / 60);
-    REQUIRE(along.dot(flight.ball.center - wall.center) == Catch::Approx(100 * step / 60.0));
+    REQUIRE(along.dot(flight.sphere.center - wall.center) == Catch::Approx(100 * step / 60.0));
     // Coordinates of up to 100 m are rounded in every step.
-    REQUIRE(normal.dot(flight.ball.center - wall.center) <= -0.06 + 100 * step * rounding);
+    REQUIRE(normal.dot(flight.sphere.center - wall.center) <= -0.06 + 100 * step * rounding);
   }
 }
 
@@ -257,9 +257,9 @@ TEST_CASE("between plates a nanometre farther apart than itself a ball waits aft
   std::vector<Obb<double>> plates{wall, wall};
   plates[0].center.x() = -out;
   plates[1].center.x() = out;
-  FlyingBall<double> flight{{{0, 0, 0}, 0.05}, {1000, 0, 0}};
+  MovingSphere<double> flight{{{0, 0, 0}, 0.05}, {1000, 0, 0}};
   flight = swept_step<double>(flight, plates, 1, 1.0 / 60);
-  CHECK(std::abs(flight.ball.center.x()) <= 1e-9 + rounding);
+  CHECK(std::abs(flight.sphere.center.x()) <= 1e-9 + rounding);
   CHECK(std::abs(flight.velocity.x()) == Catch::Approx(1000).epsilon(100 * rounding));
 }
 // [never_passes]
@@ -270,16 +270,16 @@ TEST_CASE("3 cm beside the edge, at 1 to 1,000 m/s, swept balls keep every bit",
   for (int i = 0; i <= 60; ++i)
   {
     const Shots shots = beside(0.01, 0.03, std::pow(10, i / 20.0));
-    for (int ball = 0; ball < shots.count; ++ball)
+    for (int sphere = 0; sphere < shots.count; ++sphere)
     {
-      FlyingBall<double> alone = shots.start(ball);
+      MovingSphere<double> alone = shots.start(sphere);
       for (int step = 0; step < shots.steps(); ++step)
       {
         alone = moved(alone, shots.step);
       }
-      const FlyingBall<double> flight = flown(shots, swept_method(), ball);
+      const MovingSphere<double> flight = flown(shots, swept_method(), sphere);
       REQUIRE(bits(flight.velocity) == bits(shots.velocity));
-      REQUIRE(bits(flight.ball.center) == bits(alone.ball.center));
+      REQUIRE(bits(flight.sphere.center) == bits(alone.sphere.center));
     }
   }
 }

@@ -381,8 +381,9 @@ TEST_CASE(
 
 TEST_CASE("a box and a ball that a force pulls meet a wall as fast as they are there")
 {
-  const double speed = 60, pull = 600, gap = 0.5, step = 1.0 / 60;
-  const double there = std::sqrt(speed * speed + 2 * pull * gap), time = (there - speed) / pull;
+  const double speed = 60, pull = 600, separation = 0.5, step = 1.0 / 60;
+  const double there = std::sqrt(speed * speed + 2 * pull * separation),
+               time = (there - speed) / pull;
   const double after = -there + pull * (step - time);
   for (SceneBody body : {cube_body("cube", {0, 0, 0}), ball_body("ball", 0.5, {0, 0, 0})})
   {
@@ -390,7 +391,7 @@ TEST_CASE("a box and a ball that a force pulls meet a wall as fast as they are t
     body.restitution = 1;
     body.friction = 0;
     body.mass = 1;
-    Scene scene{.bodies = {body, box_body("wall", {1, 9, 9}, {1.5 + gap, 0, 0}, 0)}};
+    Scene scene{.bodies = {body, box_body("wall", {1, 9, 9}, {1.5 + separation, 0, 0}, 0)}};
     scene.gravity.setZero();
     for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
     {
@@ -401,7 +402,7 @@ TEST_CASE("a box and a ball that a force pulls meet a wall as fast as they are t
       const Motion<double>& motion = world.bodies()[0].motion;
       CAPTURE(body.name, solver);
       CHECK(motion.velocity.x() == Catch::Approx(after).epsilon(1e-6));
-      const double way = gap + (step - time) * (after - there) / 2;
+      const double way = separation + (step - time) * (after - there) / 2;
       CHECK(motion.center.x() == Catch::Approx(way).margin(1e-6));
       const double gained = step * 3 / world.bodies()[0].moments.x();
       CHECK(motion.angular_velocity.x() == Catch::Approx(gained).epsilon(1e-6));
@@ -434,10 +435,10 @@ TEST_CASE(
     "a beam at rest that a ball at 40 m/s strikes near its end moves and spins as J and r say")
 {
   Scene scene{.bodies = {ground(), box_body("beam", {1, 0.1, 0.1}, {0, 0.1, 0}, 5)}};
-  SceneBody ball = ball_body("ball", 0.05, {0.8, 0.1, -0.3});
-  ball.velocity.z() = 40;
-  ball.mass = 1;
-  for (SceneBody* const body : {&scene.bodies[0], &scene.bodies[1], &ball})
+  SceneBody sphere = ball_body("ball", 0.05, {0.8, 0.1, -0.3});
+  sphere.velocity.z() = 40;
+  sphere.mass = 1;
+  for (SceneBody* const body : {&scene.bodies[0], &scene.bodies[1], &sphere})
   {
     body->friction = 0;
     body->restitution = 1;
@@ -449,7 +450,7 @@ TEST_CASE(
     {
       world.step();
     }
-    const std::size_t struck_by = world.add(ball);
+    const std::size_t struck_by = world.add(sphere);
     world.step();
     const double inertia = 5 * (1 + 0.01) / 3;
     const double impulse = 2 * 40 / (1.0 + 1.0 / 5 + 0.8 * 0.8 / inertia);

@@ -4,8 +4,8 @@
 #include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "06_world/islands/free_flight.hpp"
 #include "06_world/scenes/trial/scene_bodies.hpp"
-#include "06_world/sweeps/foreseen.hpp"
-#include "06_world/sweeps/pairs_in_danger.hpp"
+#include "06_world/sweeps/ccd_pairs.hpp"
+#include "06_world/sweeps/predicted_contacts.hpp"
 #include "06_world/world_chart/trial/broad_phase_scenes.hpp"
 
 #include "tests/catch.hpp"
@@ -52,8 +52,8 @@ Scene moving_bodies(BoxDraw& draw, double speed)
     const Vector3<double> place = draw.vector(0, 4);
     const double size = draw.between(0.05, 0.3);
     const Vector3<double> half(size, draw.between(0.05, 0.3), size);
-    const bool ball = draw.whole(2) == 0;
-    scene.bodies.push_back(ball ? ball_body("ball", size, place) : box_body("box", half, place));
+    const bool sphere = draw.whole(2) == 0;
+    scene.bodies.push_back(sphere ? ball_body("ball", size, place) : box_body("box", half, place));
     scene.bodies.back().velocity = draw.vector(-speed, speed);
     scene.bodies.back().angular_velocity = draw.vector(-speed, speed);
   }
@@ -72,49 +72,50 @@ struct MetPairs
     const double margin = contact_margin(scene);
     std::vector<RigidBody> ends;
     std::vector<Bounds> bounds;
-    std::vector<Ahead> ahead(scene.bodies.size());
+    std::vector<Prediction> prediction(scene.bodies.size());
     for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i)
     {
-      RigidBody& body = ends.emplace_back(rigid_body(scene.bodies[place_of(i)]));
-      const StepAhead next{scene, ends, {}, ahead};
-      ahead[place_of(i)] = ahead_of(next, i);
-      bounds.push_back({foreseen_bounds(next, i, margin), i});
+      RigidBody& body = ends.emplace_back(rigid_body(scene.bodies[index_of(i)]));
+      const PredictedStep next{scene, ends, {}, prediction};
+      prediction[index_of(i)] = predict(next, i);
+      bounds.push_back({predicted_bounds(next, i, margin), i});
       const bool shoved = !is_fixed(body) && draw.whole(one_in) == 0;
       body.motion.velocity += shoved ? draw.vector(-50, 50) : Vector3<double>::Zero();
-      is_fixed(body) ? void() : fly(body, {scene.gravity}, scene.step);
+      is_fixed(body) ? void() : integrate_free_flight(body, {scene.gravity}, scene.step);
     }
     const std::vector<bool> falls(ends.size(), false), gone(ends.size(), false);
-    std::vector<Course> courses;
-    std::vector<double> ways;
+    std::vector<Trajectory> trajectories;
+    std::vector<double> displacements;
     BroadPhase broad_phase;
     for (int asked = 0; asked < 3; ++asked) // then all that stay have room
     {
       pairs_by(broad_phase, bounds);
     }
     std::vector<bool> deep(ends.size(), false);
-    StepCourses step{scene, {}, {}, falls, gone, broad_phase.close_pairs(), courses, ways, deep};
+    StepTrajectories step{
+        scene, {}, {}, falls, gone, broad_phase.close_pairs(), trajectories, displacements, deep};
     step.tree = &broad_phase.tree(bounds);
-    set_out(step, ends);
+    set_trajectories(step, ends);
     compare(step, ends);
   }
 
-  void compare(StepCourses& step, const std::vector<RigidBody>& ends)
+  void compare(StepTrajectories& step, const std::vector<RigidBody>& ends)
   {
     bodies_asked += ends.size();
-    strays_asked += strays(step, ends).size();
+    strays_asked += escaped_leaves(step, ends).size();
     std::vector<std::pair<int, int>> asked;
-    each_that_may_have_met(step, ends, [&](int i, int j) { asked.emplace_back(i, j); });
+    each_swept_overlap(step, ends, [&](int i, int j) { asked.emplace_back(i, j); });
     std::sort(asked.begin(), asked.end());
     twice += std::adjacent_find(asked.begin(), asked.end()) != asked.end() ? 1 : 0;
-    lost += strays(step, ends).size();
+    lost += escaped_leaves(step, ends).size();
     for (int i = 0; i < static_cast<int>(ends.size()); ++i)
     {
-      const auto of_i = bounds_on_way(step, i, ends[place_of(i)]);
+      const auto of_i = swept_bounds(step, i, ends[index_of(i)]);
       for (int j = i + 1; j < static_cast<int>(ends.size()); ++j)
       {
-        const bool meet = of_i.intersects(bounds_on_way(step, j, ends[place_of(j)]));
+        const bool meet = of_i.intersects(swept_bounds(step, j, ends[index_of(j)]));
         const bool found = std::binary_search(asked.begin(), asked.end(), std::pair(i, j));
-        missed += meet && may_meet(step, i, j, 0) && !found ? 1 : 0;
+        missed += meet && may_touch(step, i, j, 0) && !found ? 1 : 0;
       }
     }
   }
@@ -153,13 +154,14 @@ TEST_CASE(
     std::vector<RigidBody> bodies{rigid_body(scene.bodies[0]), rigid_body(scene.bodies[1])};
     bodies[1].motion.center = {10, aside, 0};
     const Vector3<double> none(0, 0, 0);
-    std::vector<Course> courses{
-        {&bodies[0], past_of(bodies[0]), 0, {speed, 0, 0}, {}, none},
-        {&bodies[1], past_of(bodies[1]), 0, none, {{0, -pull, 0}}, none}};
+    std::vector<Trajectory> trajectories{
+        {&bodies[0], state_of(bodies[0]), 0, {speed, 0, 0}, {}, none},
+        {&bodies[1], state_of(bodies[1]), 0, none, {{0, -pull, 0}}, none}};
     const std::vector<bool> no(2, false);
-    std::vector<bool> too_deep(2, false);
-    std::vector<double> ways;
-    return may_meet({scene, {}, {}, no, no, {}, courses, ways, too_deep}, 0, 1, time);
+    std::vector<bool> needs_sweep(2, false);
+    std::vector<double> displacements;
+    return may_touch(
+        {scene, {}, {}, no, no, {}, trajectories, displacements, needs_sweep}, 0, 1, time);
   };
   CHECK(meet(0.99, 20, 0));
   CHECK_FALSE(meet(1.01, 20, 0));
@@ -174,13 +176,15 @@ TEST_CASE(
 TEST_CASE("a ball is in danger if it fell, is too deep, or if two went by more than its radius")
 {
   const Scene scene{.bodies = {ball_body("ball", 0.5, {0, 0, 0}), cube_body("cube", {2, 0, 0})}};
-  const auto danger = [&](double way, double other_way, bool falls, bool too_deep, int ball = 0)
+  const auto danger =
+      [&](double way, double other_way, bool falls, bool needs_sweep, int sphere = 0)
   {
     const std::vector<bool> fall{falls, falls}, gone(2, false);
-    std::vector<bool> deep{too_deep, too_deep};
-    std::vector<Course> courses;
-    std::vector<double> ways{way, other_way};
-    return in_danger({scene, {}, {}, fall, gone, {}, courses, ways, deep}, ball, 1 - ball);
+    std::vector<bool> deep{needs_sweep, needs_sweep};
+    std::vector<Trajectory> trajectories;
+    std::vector<double> displacements{way, other_way};
+    return needs_ccd(
+        {scene, {}, {}, fall, gone, {}, trajectories, displacements, deep}, sphere, 1 - sphere);
   };
   CHECK(danger(0.3, 0.3, false, false));
   CHECK_FALSE(danger(0.3, 0.1, false, false));
@@ -224,16 +228,16 @@ TEST_CASE("a tree follows the bodies it was built of, until they have spread or 
     return bounds;
   };
   BoundsTree tree;
-  CHECK_FALSE(tree.is_of(row));
+  CHECK_FALSE(tree.is_built_of(row));
   tree.build(row);
-  CHECK(tree.is_of(row));
+  CHECK(tree.is_built_of(row));
   const Eigen::AlignedBox<double, 3> box = tree.finite_box();
   const auto sorts_anew = [&](double scale)
   {
     const std::vector<Bounds> bounds = wider(scale);
     BoundsTree follows = tree;
     const bool anew =
-        follows.follow([&](const Bounds& one) { return bounds[place_of(one.place)].box; });
+        follows.update([&](const Bounds& one) { return bounds[index_of(one.index)].box; });
     CHECK(follows.finite_box().isApprox(
         Eigen::AlignedBox<double, 3>(scale * box.min(), scale * box.max())));
     return anew;
@@ -245,9 +249,9 @@ TEST_CASE("a tree follows the bodies it was built of, until they have spread or 
   CHECK(sorts_anew(0.83));
   std::vector<Bounds> others = row;
   others[7].body = 1000;
-  CHECK_FALSE(tree.is_of(others));
+  CHECK_FALSE(tree.is_built_of(others));
   others.pop_back();
-  CHECK_FALSE(tree.is_of(others));
+  CHECK_FALSE(tree.is_built_of(others));
 }
 
 TEST_CASE("a tree of 4,096 bodies side by side finds one of them by asking at most 60 boxes")
@@ -292,7 +296,7 @@ TEST_CASE("a tree whose leaves are widened is asked as a list of them is, and lo
       const Eigen::AlignedBox<double, 3> more(low, low + Vector3<double>::Ones());
       const int body = tree.leaves()[leaf].body;
       bounds[static_cast<std::size_t>(body)].box.extend(more);
-      tree.widen(leaf, more);
+      tree.enlarge(leaf, more);
     }
     const Vector3<double> low(draw.whole(12), draw.whole(12), draw.whole(12));
     const Eigen::AlignedBox<double, 3> asked(low, low + Vector3<double>::Ones());
@@ -366,7 +370,7 @@ TEST_CASE("pairs are put in order where they are, and others are merged in")
     std::sort(others.begin(), others.end());
     wanted.insert(wanted.end(), others.begin(), others.end());
     std::sort(wanted.begin(), wanted.end());
-    merge_in(pairs, std::span(others));
+    merge_sorted(pairs, std::span(others));
     CHECK(pairs == wanted);
   }
 }
@@ -389,9 +393,9 @@ TEST_CASE("of bodies that move, all that may have met are found, where one goes 
       CHECK(met.lost == 0);
       // Nobody goes astray who moves on as foreseen; both ways of asking are taken.
       const bool as_foreseen = speed < 1 && one_in > 20;
-      const double share = double(met.strays_asked) / double(met.bodies_asked);
+      const double fraction = double(met.strays_asked) / double(met.bodies_asked);
       CHECK((met.strays_asked == 0) == as_foreseen);
-      CHECK((share > 0.3) == (speed > 100 || one_in == 2));
+      CHECK((fraction > 0.3) == (speed > 100 || one_in == 2));
     }
   }
 }

@@ -91,13 +91,13 @@ int frames_passed_after(int frames)
 }
 
 /// The pyramid of ten rows without gaps beside its cubes, each row so far [m] above the one below.
-Scene close_pyramid(double apart)
+Scene close_pyramid(double separation)
 {
   Scene scene = named_scene("pyramid");
   for (SceneBody& body : scene.bodies)
   {
     body.position.x() /= 1.125;
-    body.position.y() += apart * std::ceil(body.position.y());
+    body.position.y() += separation * std::ceil(body.position.y());
   }
   return scene;
 }
@@ -180,13 +180,13 @@ double fastest_back(const Scene& scene, int steps)
 }
 
 /// Smooth ground and a smooth wall at x = 0, with boxes of a size [m] in a row that go there.
-Scene row_before_wall(double gravity, int count, double size, double ahead, double speed)
+Scene row_before_wall(double gravity, int count, double size, double prediction, double speed)
 {
   Scene scene{.gravity = {0, -gravity, 0}, .bodies = {ground()}};
   scene.bodies.push_back(box_body("wall", {0.5, 5, 5}, {0.5, 5, 0}, 0));
   for (int i = 0; i < count; ++i)
   {
-    const Vector3<double> place(-ahead - size - 2 * size * i, size, 0);
+    const Vector3<double> place(-prediction - size - 2 * size * i, size, 0);
     scene.bodies.push_back(box_body(numbered("box", i), {size, size, size}, place));
     scene.bodies.back().velocity.x() = speed;
   }
@@ -265,7 +265,7 @@ TEST_CASE("a cube that is deep in the ground comes out of it before it falls asl
       {
         world.step();
       }
-      CHECK(world.sleeps(1));
+      CHECK(world.is_asleep(1));
       // It may sleep once it goes less than 2 mm in half a second.
       CHECK(world.body(1).motion.center.y() == Catch::Approx(0.5).margin(3e-3));
     }
@@ -292,13 +292,13 @@ TEST_CASE("balls and cubes that are put into each other at rest, with friction, 
   for (int i = 0; i < inputs(100, 3); ++i)
   {
     const Vector3<double> beside = draw.direction();
-    const double apart = draw.between(0.8, 0.95);
-    const Scene balls{
-        .bodies = {ball_body("one", 0.5, {0, 0, 0}), ball_body("other", 0.5, apart * beside)}};
+    const double separation = draw.between(0.8, 0.95);
+    const Scene spheres{
+        .bodies = {ball_body("one", 0.5, {0, 0, 0}), ball_body("other", 0.5, separation * beside)}};
     const Scene cubes{.bodies = {cube_body("one", {0, 0, 0}), cube_body("other", 0.85 * beside)}};
-    Scene held = cubes;
-    held.bodies[0].mass = 0;
-    for (const Scene& scene : {balls, cubes, held})
+    Scene stored_friction = cubes;
+    stored_friction.bodies[0].mass = 0;
+    for (const Scene& scene : {spheres, cubes, stored_friction})
     {
       const InTheEnd end = in_the_end(scene);
       CAPTURE(i, end.speed, end.spin, end.overlap);
@@ -543,10 +543,10 @@ TEST_CASE("a million to one on one kg: the light cube is pressed in by less than
 TEST_CASE("a cube on 30° with μ = 0.5 slides with 0.65715 m/s², to 1e-6", "[R28]")
 {
   // g (sin 30° − 0.5 cos 30°) with g = 9.81.
-  const double wanted = 9.81 * (0.5 - 0.5 * std::sqrt(3.0) / 2);
+  const double unbounded_friction = 9.81 * (0.5 - 0.5 * std::sqrt(3.0) / 2);
   const WorldRun run = directly("incline", 2);
   const double speed = run.frames.back().bodies.back().velocity.norm();
-  CHECK(speed == Catch::Approx(2 * wanted).epsilon(1e-6));
+  CHECK(speed == Catch::Approx(2 * unbounded_friction).epsilon(1e-6));
 }
 
 TEST_CASE("a block that slides feels at once what pushes it down: μ (m g + 100 N)", "[R28]")
@@ -583,24 +583,25 @@ TEST_CASE(
     {
       CAPTURE(solver, degrees);
       const double angle = degrees * std::acos(-1) / 180;
-      const Vector3<double> ahead(std::cos(angle), 0, std::sin(angle));
+      const Vector3<double> prediction(std::cos(angle), 0, std::sin(angle));
       Scene scene;
       scene.bodies = {ground(), box_body("block", {0.5, 0.05, 0.5}, {0, 0.05, 0})};
       scene.bodies[0].friction = scene.bodies[1].friction = 0.4;
-      scene.bodies[1].velocity = 5 * ahead;
+      scene.bodies[1].velocity = 5 * prediction;
       GameWorld world(scene, solver_named(solver));
       while (world.time() < 2)
       {
         world.step();
       }
-      const Vector3<double> gone = world.bodies()[1].motion.center - scene.bodies[1].position;
-      const double way = gone.dot(ahead), whole = 25 / (2 * 0.4 * 9.81);
+      const Vector3<double> searched = world.bodies()[1].motion.center - scene.bodies[1].position;
+      const double state = searched.dot(prediction), whole = 25 / (2 * 0.4 * 9.81);
       // Half a step of a frame, or of a small step.
-      CHECK(way < whole);
-      CHECK(way > whole - 1.01 * 5 * scene.step / 2);
+      CHECK(state < whole);
+      CHECK(state > whole - 1.01 * 5 * scene.step / 2);
       CHECK(
           world.bodies()[1].motion.velocity.norm() <= 1e-3); // position_based trembles by 0.2 mm/s
-      const Vector3<double> aside = gone - way * ahead - gone.y() * Vector3<double>::UnitY();
+      const Vector3<double> aside =
+          searched - state * prediction - searched.y() * Vector3<double>::UnitY();
       CHECK(aside.norm() <= 1e-3);
     }
   }
@@ -706,9 +707,9 @@ TEST_CASE(
   int exactly = 0;
   for (int i = 0; i < 12; ++i)
   {
-    const double apart = 4e-4 * std::pow(1.12, i);
-    const Answers last = answers_of(close_pyramid(apart), 8, 7);
-    CAPTURE(apart, last.exact);
+    const double separation = 4e-4 * std::pow(1.12, i);
+    const Answers last = answers_of(close_pyramid(separation), 8, 7);
+    CAPTURE(separation, last.exact);
     REQUIRE(last.frames > 0);
     const bool exact = last.exact == last.frames;
     CHECK((!exact || last.overlap < 18 * 9.81 / 3600 * 1e-7 / 0.8)); // as above
@@ -762,21 +763,21 @@ TEST_CASE("a soft contact gives way to what it carried at 1 cm/s, and is never s
   const DirectSettings stiff;
   using Catch::Approx;
   CHECK(stiffness_of(contact, 2, stiff).push == 1 / 2e-7);
-  CHECK(stiffness_of(contact, 2, stiff).grip == 1 / 2e-7);
+  CHECK(stiffness_of(contact, 2, stiff).friction_state == 1 / 2e-7);
   CHECK(stiffness_of(contact, 2, settings_at(1)).push == Approx(1 / 0.06));
-  CHECK(stiffness_of(contact, 2, settings_at(1)).grip == Approx(1 / 1.8));
-  point.impulse = point.carried = 4;
+  CHECK(stiffness_of(contact, 2, settings_at(1)).friction_state == Approx(1 / 1.8));
+  point.impulse = point.warm_start_impulse = 4;
   CHECK(stiffness_of(contact, 2, settings_at(0.5)).push == Approx(4 / (0.5 * 0.01)));
-  CHECK(stiffness_of(contact, 2, settings_at(0.5)).grip == Approx(4 / (0.5 * 0.3)));
+  CHECK(stiffness_of(contact, 2, settings_at(0.5)).friction_state == Approx(4 / (0.5 * 0.3)));
   CHECK(stiffness_of(contact, 2, settings_at(1e-7)).push == 1 / 2e-7);
   // Friction of 3 N s stays but for a tenth, within μ times what the overlap pushes with.
   point.friction = {3, 7, 0};
-  CHECK(held_friction(contact, point, 8, 0).norm() == 0);
-  CHECK(held_friction(contact, point, 8, 1).isApprox(Vector3<double>(0.9 * 3, 0, 0)));
-  CHECK(held_friction(contact, point, 2, 1).isApprox(Vector3<double>(0.5 * 2, 0, 0)));
-  CHECK(held_friction(contact, point, -1, 1).norm() == 0);
-  point.strained = true;
-  CHECK(held_friction(contact, point, 8, 1).norm() == 0);
+  CHECK(kept_friction(contact, point, 8, 0).norm() == 0);
+  CHECK(kept_friction(contact, point, 8, 1).isApprox(Vector3<double>(0.9 * 3, 0, 0)));
+  CHECK(kept_friction(contact, point, 2, 1).isApprox(Vector3<double>(0.5 * 2, 0, 0)));
+  CHECK(kept_friction(contact, point, -1, 1).norm() == 0);
+  point.over_constrained = true;
+  CHECK(kept_friction(contact, point, 8, 1).norm() == 0);
 }
 
 TEST_CASE("a strain is more than four times what all bodies bring, in a push or in friction")
@@ -787,10 +788,10 @@ TEST_CASE("a strain is more than four times what all bodies bring, in a push or 
   system.bodies[0].free[1] = -3; // 6 N s
   system.points.resize(1);
   system.points[0].friction = {0, 0, 23};
-  CHECK_FALSE(is_strained(system, 24));
-  CHECK(is_strained(system, 25));
+  CHECK_FALSE(is_over_constrained(system, 24));
+  CHECK(is_over_constrained(system, 25));
   system.points[0].friction = {0, 15, 20};
-  CHECK(is_strained(system, 24));
+  CHECK(is_over_constrained(system, 24));
 }
 
 TEST_CASE("a machine, more than a hundred times as heavy as the lightest, brings what pulls it")
@@ -802,10 +803,10 @@ TEST_CASE("a machine, more than a hundred times as heavy as the lightest, brings
   system.bodies[1].free[0] = 10;      // 1,000 N s
   system.bodies[1].pulled[1] = -0.01; // 1 N s
   system.bodies[1].mass = 100;
-  CHECK_FALSE(is_strained(system, 4000));
+  CHECK_FALSE(is_over_constrained(system, 4000));
   system.bodies[1].mass = 101;
-  CHECK_FALSE(is_strained(system, 12));
-  CHECK(is_strained(system, 12.1));
+  CHECK_FALSE(is_over_constrained(system, 12));
+  CHECK(is_over_constrained(system, 12.1));
 }
 
 TEST_CASE("24 bodies with friction of a million fall into a bin: no step throws them up")
@@ -857,20 +858,21 @@ TEST_CASE("a factor is at hand if the same points push, in the same way, where t
 {
   const Vector3<double> none = Vector3<double>::Zero();
   const DirectPoint idle{
-      {false, Grip::none}, {none, none}, 0, 0, 0, true, false, none, 0, none, none};
-  DirectPoint held = idle;
-  held.pressed = true;
-  held.grip = Grip::stick;
-  held.arms = {{0, 0.5, 0}, {0.1, -0.5, 0}};
-  const std::vector<DirectPoint> two{held, held};
+      {false, FrictionState::none}, {none, none}, 0, 0, 0, true, false, none, 0, none, none};
+  DirectPoint stored_friction = idle;
+  stored_friction.active = true;
+  stored_friction.friction_state = FrictionState::stick;
+  stored_friction.arms = {{0, 0.5, 0}, {0.1, -0.5, 0}};
+  const std::vector<DirectPoint> two{stored_friction, stored_friction};
   FactoredPoints factored;
   CHECK_FALSE(factored.are_those_of({})); // nothing was factored
   factored.take(two);
   CHECK(factored.are_those_of(two));
-  CHECK(
-      factored.are_those_of(std::vector{idle, held, held, idle})); // who pushes nobody is not in it
-  CHECK_FALSE(factored.are_those_of(std::vector{held}));
-  CHECK_FALSE(factored.are_those_of(std::vector{held, held, held}));
+  CHECK(factored.are_those_of(
+      std::vector{idle, stored_friction, stored_friction, idle})); // who pushes nobody is not in it
+  CHECK_FALSE(factored.are_those_of(std::vector{stored_friction}));
+  CHECK_FALSE(
+      factored.are_those_of(std::vector{stored_friction, stored_friction, stored_friction}));
   const auto with = [&](const auto& change)
   {
     std::vector<DirectPoint> changed = two;
@@ -880,11 +882,11 @@ TEST_CASE("a factor is at hand if the same points push, in the same way, where t
   CHECK(with([](DirectPoint& point) { point.arms.a.x() += 4e-10; }));
   CHECK_FALSE(with([](DirectPoint& point) { point.arms.a.x() += 6e-10; }));
   CHECK_FALSE(with([](DirectPoint& point) { point.arms.b.z() += 6e-10; }));
-  CHECK_FALSE(with([](DirectPoint& point) { point.grip = Grip::none; }));
-  CHECK_FALSE(with([](DirectPoint& point) { point.pressed = false; }));
-  CHECK_FALSE(with([](DirectPoint& point) { point.grip = Grip::slip; }));
-  std::vector<DirectPoint> slipping{held, held};
-  slipping[1].grip = Grip::slip;
+  CHECK_FALSE(with([](DirectPoint& point) { point.friction_state = FrictionState::none; }));
+  CHECK_FALSE(with([](DirectPoint& point) { point.active = false; }));
+  CHECK_FALSE(with([](DirectPoint& point) { point.friction_state = FrictionState::slip; }));
+  std::vector<DirectPoint> slipping{stored_friction, stored_friction};
+  slipping[1].friction_state = FrictionState::slip;
   factored.take(slipping);
   CHECK_FALSE(factored.are_those_of(slipping));
 }
@@ -895,7 +897,7 @@ void solve_and_move(DirectSolver& solver, IslandView world, const Island& island
   REQUIRE(solver.solve(world, island, step));
   for (const int body : island.bodies)
   {
-    move(world.bodies[place_of(body)], step);
+    integrate_position(world.bodies[index_of(body)], step);
   }
 }
 
@@ -1017,7 +1019,7 @@ TEST_CASE("a bound that a point has not had before is set, and again if it was s
   {
     point.bound_is_new = is_new;
     point.bound = bound;
-    return stays(point, 1, 10); // the push bears 1 N s, the largest is 10 N s
+    return bound_stays(point, 1, 10); // the push bears 1 N s, the largest is 10 N s
   };
   CHECK(stays_at(false, 100));
   CHECK_FALSE(stays_at(true, std::numeric_limits<double>::infinity()));
@@ -1049,19 +1051,19 @@ TEST_CASE(
       made.arms.a = draw.vector(-1, 1);
       made.arms.b = draw.vector(-1, 1);
       made.bias = draw.between(-1, 1);
-      made.held.setZero();
+      made.stored_friction.setZero();
       made.bound = point < 2 ? std::numeric_limits<double>::infinity() : point * (point - 2.0);
       made.bound_is_new = point < 2;
     }
     system.contacts.push_back({0, 1, &contact, 0, system.points.size(), {10, 10}, 1});
-    find_missing(system);
+    find_residual(system);
     moved +=
         moved_bounds(system, 1, 0, {.friction_tolerance = 1e-9, .bounds_move = i % 2 == 0}) ? 1 : 0;
-    const std::vector<Vector6> missing = system.missing;
-    find_missing(system);
+    const std::vector<Vector6> residual = system.residual;
+    find_residual(system);
     for (std::size_t body = 0; body < 2; ++body)
     {
-      CHECK((missing[body] - system.missing[body]).norm() <= 1e-13);
+      CHECK((residual[body] - system.residual[body]).norm() <= 1e-13);
     }
   }
   CHECK(moved > 100);

@@ -116,7 +116,7 @@ TEST_CASE("heaps rest within 20 s: nothing moves at 0.05 mm/s, or turns as fast"
 }
 // [rest]
 
-// [passive]
+// [null_body]
 TEST_CASE("towers, slopes, dominoes and heaps never gain energy", "[R4][long]")
 {
   for (const char* const scene : {"tower", "incline", "rolling", "domino_8", "pile_12", "plates"})
@@ -134,11 +134,11 @@ TEST_CASE("a ball and a cube that nothing touches keep their spin, to the bit", 
   for (const double speed : {0.0, 1.0, 1e3})
   {
     const double across = 5 * static_cast<double>(scene.bodies.size());
-    SceneBody ball{{}, SphereShape{0.3}}, cube{{}, BoxShape{{0.3, 0.3, 0.3}}};
-    for (SceneBody* one : {&ball, &cube})
+    SceneBody sphere{{}, SphereShape{0.3}}, cube{{}, BoxShape{{0.3, 0.3, 0.3}}};
+    for (SceneBody* one : {&sphere, &cube})
     {
       one->mass = 2;
-      one->position = {across, one == &ball ? 0.0 : 3.0, 0};
+      one->position = {across, one == &sphere ? 0.0 : 3.0, 0};
       one->velocity = {0, 0, speed};
       one->angular_velocity = spin;
       scene.bodies.push_back(*one);
@@ -174,7 +174,7 @@ TEST_CASE("two free boxes that collide keep their momentum to rounding", "[R3]")
   CHECK(run.frames.back().bodies[0].velocity != scene.bodies[0].velocity);
   CHECK((run.momentum - before).norm() <= 1e-12);
 }
-// [passive]
+// [null_body]
 
 // [walls]
 TEST_CASE(
@@ -310,7 +310,7 @@ TEST_CASE("what has a range is refused below it, above it, and where it is no nu
            {&SceneBody::friction, 0, 1e6},
            {&SceneBody::restitution, 0, 1},
            {&SceneBody::damping, 0, 1e6},
-           {&SceneBody::spin_damping, 0, 1e6}})
+           {&SceneBody::angular_damping, 0, 1e6}})
   {
     const auto refuses = [&](double value)
     { return is_refused([&](Scene&, SceneBody& body) { body.*range.member = value; }); };
@@ -430,11 +430,11 @@ TEST_CASE("a tower falls asleep within 2 s, and wakes when it is pushed", "[case
   {
     world.step();
   }
-  CHECK(world.sleeps(1));
-  CHECK(world.sleeps(5));
+  CHECK(world.is_asleep(1));
+  CHECK(world.is_asleep(5));
   apply_force(world, 5, {200, 0, 0});
   world.step();
-  CHECK_FALSE(world.sleeps(1));
+  CHECK_FALSE(world.is_asleep(1));
   CHECK(world.bodies()[5].motion.velocity.x() > 1);
 }
 // [sleep]
@@ -467,7 +467,7 @@ TEST_CASE("a body that is removed lets fall what stood on it, asleep or not", "[
     {
       world.step();
     }
-    CHECK(world.sleeps(2) == may_sleep);
+    CHECK(world.is_asleep(2) == may_sleep);
     world.remove(1);
     for (int i = 0; i < 12; ++i)
     {
@@ -527,7 +527,7 @@ TEST_CASE(
 TEST_CASE("a cube falls asleep while its corners turn at 3 mm/s, not at 5")
 {
   // Of 2 mm in half a second: 4 mm/s. A corner of the cube is √3/2 m from its centre.
-  const auto sleeps = [](double corner_speed)
+  const auto is_asleep = [](double corner_speed)
   {
     Scene scene;
     scene.gravity.setZero();
@@ -538,8 +538,8 @@ TEST_CASE("a cube falls asleep while its corners turn at 3 mm/s, not at 5")
     {
       world.step();
     }
-    return world.sleeps(0);
+    return world.is_asleep(0);
   };
-  CHECK(sleeps(0.003));
-  CHECK_FALSE(sleeps(0.005));
+  CHECK(is_asleep(0.003));
+  CHECK_FALSE(is_asleep(0.005));
 }

@@ -42,7 +42,7 @@ struct Slide
 };
 
 /// Slides the scene's cube, or a ball, over the tiles, from places 13 mm apart, at several speeds.
-Slide worst_slide(const std::string& solver, bool ball)
+Slide worst_slide(const std::string& solver, bool sphere)
 {
   Slide worst;
   for (const double speed : {0.3, 1.0, 3.0, 7.0})
@@ -53,7 +53,7 @@ Slide worst_slide(const std::string& solver, bool ball)
       SceneBody& body = scene.bodies.back();
       body.position.x() += 0.4 + 0.013 * place;
       body.velocity.x() = speed;
-      if (ball)
+      if (sphere)
       {
         body.shape = SphereShape{0.5};
       }
@@ -110,10 +110,10 @@ TEST_CASE("thin boxes that meet over their whole width are no ghosts", "[case:S2
 
 TEST_CASE("a ball near an edge is a ghost until it touches; above a face it is none", "[case:S22]")
 {
-  const Sphere<double> ball{{0, 1.5, 0}, 0.5};
-  CHECK_FALSE(is_ghost(ball, cube, {0, -1, 0}, 0.01, 0.005));
-  CHECK(is_ghost(ball, cube, Vector3<double>(0.6, -0.8, 0), 0.01, 0.005));
-  CHECK_FALSE(is_ghost(ball, cube, Vector3<double>(0.6, -0.8, 0), 0, 0.005));
+  const Sphere<double> sphere{{0, 1.5, 0}, 0.5};
+  CHECK_FALSE(is_ghost(sphere, cube, {0, -1, 0}, 0.01, 0.005));
+  CHECK(is_ghost(sphere, cube, Vector3<double>(0.6, -0.8, 0), 0.01, 0.005));
+  CHECK_FALSE(is_ghost(sphere, cube, Vector3<double>(0.6, -0.8, 0), 0, 0.005));
 }
 
 TEST_CASE(

@@ -7,9 +7,9 @@
 #include "06_world/game_world/solvers.hpp"
 #include "06_world/game_world/trial/impacts.hpp"
 #include "06_world/game_world/trial/world_measures.hpp"
-#include "06_world/impacts/impact_group.hpp"
+#include "06_world/impacts/toi_island.hpp"
 #include "06_world/scenes/trial/scene_bodies.hpp"
-#include "06_world/sweeps/too_deep.hpp"
+#include "06_world/sweeps/deep_overlaps.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/random_inputs.hpp"
@@ -40,8 +40,8 @@ double deepest_of(const GameWorld& world, int body)
   double deepest = 0;
   for (int i = 0; i < body; ++i)
   {
-    const double size = 2 * std::min(thinness(scene, i), thinness(scene, body));
-    const RigidBody &one = world.bodies()[place_of(body)], &other = world.bodies()[place_of(i)];
+    const double size = 2 * std::min(inner_radius(scene, i), inner_radius(scene, body));
+    const RigidBody &one = world.bodies()[index_of(body)], &other = world.bodies()[index_of(i)];
     deepest = std::max(deepest, depth_between(scene, {body, i}, one, other) / size);
   }
   return deepest;
@@ -57,7 +57,7 @@ double deepest_in_scene(const Scene& scene, const std::string& solver)
     world.step();
     for (int i = 1; i < static_cast<int>(world.bodies().size()); ++i)
     {
-      deepest = std::max(deepest, is_fixed(world.bodies()[place_of(i)]) ? 0 : deepest_of(world, i));
+      deepest = std::max(deepest, is_fixed(world.bodies()[index_of(i)]) ? 0 : deepest_of(world, i));
     }
   }
   return deepest;
@@ -92,7 +92,7 @@ Scene lands_on(const std::string& what, double edge)
 /// The same with the box, turned somehow, which would reach what it comes down on after some share
 /// of the first step.
 Scene comes_down(
-    const std::string& what, double edge, double speed, double share,
+    const std::string& what, double edge, double speed, double fraction,
     const Quaternion<double>& turned)
 {
   Scene scene = lands_on(what, edge);
@@ -101,55 +101,56 @@ Scene comes_down(
   SceneBody box =
       box_body("falling", Vector3<double>::Constant(half), {}, 1000 * std::pow(edge, 3));
   box.orientation = turned;
-  const double reach = half * box.orientation.toRotationMatrix().row(1).cwiseAbs().sum();
-  box.position = {0.07 * edge, top + reach + share * speed * scene.step, 0.03 * edge};
+  const double bounding_radius = half * box.orientation.toRotationMatrix().row(1).cwiseAbs().sum();
+  box.position = {0.07 * edge, top + bounding_radius + fraction * speed * scene.step, 0.03 * edge};
   box.velocity.y() = -speed;
   scene.bodies.push_back(box);
   return scene;
 }
 
 /// A cube of 20 cm that comes down on one of a hundredth of its mass.
-Scene comes_down_on_light(double speed, double share, const Quaternion<double>& turned)
+Scene comes_down_on_light(double speed, double fraction, const Quaternion<double>& turned)
 {
-  Scene scene = comes_down("a free box", 0.2, speed, share, turned);
+  Scene scene = comes_down("a free box", 0.2, speed, fraction, turned);
   scene.bodies[1].mass /= 100;
   return scene;
 }
 
 /// What is known of the first two bodies of a scene before a step.
-std::array<Ahead, 2> ahead_of_first_two(
-    const Scene& scene, std::span<const RigidBody> bodies, std::span<const Pull> forces = {})
+std::array<Prediction, 2> ahead_of_first_two(
+    const Scene& scene, std::span<const RigidBody> bodies,
+    std::span<const ExternalAcceleration> forces = {})
 {
-  const StepAhead step{scene, bodies, forces, {}};
-  return {ahead_of(step, 0), ahead_of(step, 1)};
+  const PredictedStep step{scene, bodies, forces, {}};
+  return {predict(step, 0), predict(step, 1)};
 }
 
 /// How far they reach for each other, by a margin [m] and by forces.
-ContactReach
-reach_of_first_two(const Scene& scene, double margin, std::span<const Pull> forces = {})
+ContactMargins reach_of_first_two(
+    const Scene& scene, double margin, std::span<const ExternalAcceleration> forces = {})
 {
   const RigidBody bodies[] = {rigid_body(scene.bodies[0]), rigid_body(scene.bodies[1])};
-  std::array<Ahead, 2> ahead = ahead_of_first_two(scene, bodies, forces);
-  return foreseen_reach({scene, bodies, forces, ahead}, 0, 1, margin);
+  std::array<Prediction, 2> prediction = ahead_of_first_two(scene, bodies, forces);
+  return predicted_margins({scene, bodies, forces, prediction}, 0, 1, margin);
 }
 
 } // namespace
 
-// [foreseen]
+// [predicted_contacts]
 TEST_CASE("what a cube will be too deep in is in reach: by the way of a step more than the margin")
 {
   const double margin = 2 * 9.81 / 3600, way = 12.0 / 60;
   const auto reach_of_cube =
-      [](double gap, double speed, double speed_of_slab, double pull = 0, double spin = 0)
+      [](double separation, double speed, double speed_of_slab, double pull = 0, double spin = 0)
   {
     Scene scene{.bodies = {box_body("slab", {5, 0.5, 5}, {0, -0.5, 0})}};
-    scene.bodies.push_back(cube_body("cube", {0, 0.5 + gap, 0}));
+    scene.bodies.push_back(cube_body("cube", {0, 0.5 + separation, 0}));
     scene.bodies[0].velocity.y() = speed_of_slab;
     scene.bodies[1].velocity.y() = speed;
     scene.bodies[1].angular_velocity.z() = spin;
-    Pull forces[2];
+    ExternalAcceleration forces[2];
     forces[1].acceleration.y() = pull;
-    return reach_of_first_two(scene, contact_margin(scene), forces).reach;
+    return reach_of_first_two(scene, contact_margin(scene), forces).contact;
   };
   CHECK(reach_of_cube(0.10, -12, 0) == Catch::Approx(margin + way));     // 0.1 deep
   CHECK(reach_of_cube(0.16, -12, 0) == Catch::Approx(margin));           // 0.04 deep
@@ -169,13 +170,13 @@ TEST_CASE("a turn takes a corner of a box along, and no point of a ball or of wh
     body.angular_velocity = {0, 0, body.mass > 0 ? 6.0 : 0.0};
     const Scene scene{.bodies = {body}};
     const RigidBody placed = rigid_body(body);
-    return ahead_of({scene, {&placed, 1}, {}, {}}, 0).turn;
+    return predict({scene, {&placed, 1}, {}, {}}, 0).rotation;
   };
   CHECK(way_by_turn(cube_body("cube", {0, 0, 0})) == Catch::Approx(0.1 * std::sqrt(0.75)));
   CHECK(way_by_turn(ball_body("ball", 1, {0, 0, 0})) == 0);
   CHECK(way_by_turn(ground()) == 0);
 }
-// [foreseen]
+// [predicted_contacts]
 
 TEST_CASE("what will be too deep in a thin plate is in reach, however fast it comes")
 {
@@ -185,8 +186,8 @@ TEST_CASE("what will be too deep in a thin plate is in reach, however fast it co
   for (const double gravity : {9.81, 0.1})
   {
     const double margin = 2 * gravity / 3600;
-    const ContactReach found = reach_of_first_two(scene, margin);
-    CHECK(found.reach == Catch::Approx(margin + 10.0 / 60));
+    const ContactMargins found = reach_of_first_two(scene, margin);
+    CHECK(found.contact == Catch::Approx(margin + 10.0 / 60));
     CHECK(found.ghost == margin);
   }
 }
@@ -226,19 +227,19 @@ TEST_CASE("without gravity a box that gives nothing back stays at the wall that 
     {
       for (const double speed : {0.03, 0.1, 0.3, 0.5, 1.0, 1.5, 3.0, 5.0})
       {
-        for (const double gap : {0.05, 0.137, 0.211})
+        for (const double separation : {0.05, 0.137, 0.211})
         {
           Scene scene{.gravity = {0, 0, 0}};
           scene.bodies = {
               box_body("wall", {1, 50, 50}, {1, 0, 0}, 0),
-              box_body("box", Vector3<double>::Constant(half), {-half - gap, 0, 0}, 1)};
+              box_body("box", Vector3<double>::Constant(half), {-half - separation, 0, 0}, 1)};
           scene.bodies[1].velocity.x() = speed;
           GameWorld world(scene, solver_named(solver));
-          while (world.time() < gap / speed + 0.5)
+          while (world.time() < separation / speed + 0.5)
           {
             world.step();
           }
-          CAPTURE(solver, half, speed, gap);
+          CAPTURE(solver, half, speed, separation);
           // It gets in by a tenth of its way of a step; a step takes away a fifth, springs more.
           const double left = solver == "direct" ? 0.02 : 0.05;
           CHECK(std::abs(world.body(1).motion.velocity.x()) <= left * speed);
@@ -248,7 +249,7 @@ TEST_CASE("without gravity a box that gives nothing back stays at the wall that 
   }
 }
 
-// [too_deep]
+// [deep_overlaps]
 TEST_CASE("a body is swept that a step leaves deeper than 7.5 %, and not by gravity alone")
 {
   enum class Slab
@@ -258,7 +259,7 @@ TEST_CASE("a body is swept that a step leaves deeper than 7.5 %, and not by grav
   };
   // A cube or a ball of 20 cm goes from a height over a slab to one, and a way along it: who is too
   // deep?
-  const auto too_deep = [](double from, double to, double along, Slab slab, const auto& shape)
+  const auto needs_sweep = [](double from, double to, double along, Slab slab, const auto& shape)
   {
     Scene scene{
         .bodies = {
@@ -266,32 +267,33 @@ TEST_CASE("a body is swept that a step leaves deeper than 7.5 %, and not by grav
     scene.bodies[0].mass = slab == Slab::moves ? 1 : 0;
     scene.bodies[1].shape = shape;
     std::vector<RigidBody> ends{rigid_body(scene.bodies[0]), rigid_body(scene.bodies[1])};
-    const std::array<Ahead, 2> ahead = ahead_of_first_two(scene, ends);
+    const std::array<Prediction, 2> prediction = ahead_of_first_two(scene, ends);
     scene.bodies[1].position = {0, 0.1 + from, 0};
     ends[1].motion.center = {along, 0.1 + to, 0};
     ends[0].motion.center.x() += slab == Slab::moves ? 1e-6 : 0;
     const std::vector<bool> none(2, false);
     const std::vector<std::pair<int, int>> close_pairs{{0, 1}};
-    std::vector<Course> courses;
-    std::vector<double> ways;
+    std::vector<Trajectory> trajectories;
+    std::vector<double> displacements;
     std::vector<bool> marked;
-    StepCourses step{scene, {}, {}, none, none, close_pairs, courses, ways, marked};
-    const bool any = has_boxes_to_sweep(step, ahead, ends);
+    StepTrajectories step{scene,         {},    {}, none, none, close_pairs, trajectories,
+                          displacements, marked};
+    const bool any = has_boxes_to_sweep(step, prediction, ends);
     CHECK(any == (marked[0] || marked[1]));
     return std::pair<bool, bool>(marked[0], marked[1]);
   };
   const BoxShape cube{Vector3<double>::Constant(0.1)};
   const std::pair none(false, false), alone(false, true), both(true, true);
   const double fall = 9.81 / 3600;
-  CHECK(too_deep(0.01, -0.0151, 0, Slab::fixed, cube) == alone);
-  CHECK(too_deep(0.01, -0.0151, 0, Slab::moves, cube) == both);
-  CHECK(too_deep(0.01, -0.0149, 0, Slab::moves, cube) == none);
-  CHECK(too_deep(0.01, -0.0151, 0, Slab::fixed, SphereShape{0.1}) == alone);
-  CHECK(too_deep(-0.05, -0.05 - 1.01 * fall, 0.05, Slab::fixed, cube) == alone);
-  CHECK(too_deep(-0.05, -0.05 - 0.99 * fall, 0.05, Slab::fixed, cube) == none);
-  CHECK(too_deep(-0.05, -0.04, 0.05, Slab::fixed, cube) == none); // it comes out
+  CHECK(needs_sweep(0.01, -0.0151, 0, Slab::fixed, cube) == alone);
+  CHECK(needs_sweep(0.01, -0.0151, 0, Slab::moves, cube) == both);
+  CHECK(needs_sweep(0.01, -0.0149, 0, Slab::moves, cube) == none);
+  CHECK(needs_sweep(0.01, -0.0151, 0, Slab::fixed, SphereShape{0.1}) == alone);
+  CHECK(needs_sweep(-0.05, -0.05 - 1.01 * fall, 0.05, Slab::fixed, cube) == alone);
+  CHECK(needs_sweep(-0.05, -0.05 - 0.99 * fall, 0.05, Slab::fixed, cube) == none);
+  CHECK(needs_sweep(-0.05, -0.04, 0.05, Slab::fixed, cube) == none); // it comes out
 }
-// [too_deep]
+// [deep_overlaps]
 
 // [impacts]
 TEST_CASE(
@@ -322,7 +324,7 @@ TEST_CASE("nor one turned anyhow; nor one that comes down in one or two boxes, f
         CAPTURE(solver, edge, speed);
         for (int i = 0; i < inputs(20, 1); ++i)
         {
-          const double share = draw.between(0, 1);
+          const double fraction = draw.between(0, 1);
           const Quaternion<double> turned(draw.rotation());
           for (const std::string what :
                {"the ground", "a fixed box", "a free box", "two free boxes"})
@@ -330,7 +332,7 @@ TEST_CASE("nor one turned anyhow; nor one that comes down in one or two boxes, f
             CAPTURE(what);
             for (const Quaternion<double>& pose : {flat, turned})
             {
-              const Scene scene = comes_down(what, edge, speed, share, pose);
+              const Scene scene = comes_down(what, edge, speed, fraction, pose);
               CHECK(deepest_in_scene(scene, solver) <= 0.1);
             }
           }
@@ -356,9 +358,9 @@ TEST_CASE("corner first in boxes, or in a stack of three, a tenth at 5 and at 30
         const int tries = inputs(200, 2);
         for (int i = 0; i < tries; ++i)
         {
-          const double share = draw.between(0, 1);
+          const double fraction = draw.between(0, 1);
           const double deepest = deepest_in_scene(
-              comes_down(what, 0.2, speed, share, Quaternion<double>(draw.rotation())), solver);
+              comes_down(what, 0.2, speed, fraction, Quaternion<double>(draw.rotation())), solver);
           sum += deepest;
           most = std::max(most, deepest);
         }
@@ -375,12 +377,12 @@ TEST_CASE("nor where it used to: a box between two that turn was stopped by both
   BoxDraw draw(2);
   for (int i = 0; i < 1300; ++i)
   {
-    const double share = draw.between(0, 1);
+    const double fraction = draw.between(0, 1);
     const Quaternion<double> turned(draw.rotation());
     if (i == 494 || i == 961 || i == 1291)
     {
       CAPTURE(i);
-      const Scene scene = comes_down("three free boxes", 0.2, 30, share, turned);
+      const Scene scene = comes_down("three free boxes", 0.2, 30, fraction, turned);
       CHECK(deepest_in_scene(scene, "direct") <= 0.1);
     }
   }
@@ -392,21 +394,22 @@ TEST_CASE("two cubes that a solver has turned round in a step both go on from wh
   for (const std::uint32_t seed : {118u, 276u, 799u}) // 17 % deep if only one of them does
   {
     BoxDraw draw(seed);
-    const double share = draw.between(0, 1);
+    const double fraction = draw.between(0, 1);
     const Quaternion<double> turned(draw.rotation());
-    CHECK(deepest_in_scene(comes_down("a free box", 0.2, 30, share, turned), "soft_steps") <= 0.1);
+    CHECK(
+        deepest_in_scene(comes_down("a free box", 0.2, 30, fraction, turned), "soft_steps") <= 0.1);
   }
 }
 
-// [held_back]
+// [remove_approach]
 TEST_CASE("a light box carries no heavy one along, which goes no farther than its speed takes it")
 {
   BoxDraw draw(2);
   for (int i = 0; i < inputs(40, 1); ++i)
   {
-    const double share = draw.between(0, 1);
+    const double fraction = draw.between(0, 1);
     const Quaternion<double> turned(draw.rotation());
-    Scene scene = comes_down("two free boxes", 0.2, 5, share, turned);
+    Scene scene = comes_down("two free boxes", 0.2, 5, fraction, turned);
     scene.bodies[1].mass /= 1e4;
     scene.bodies[2].mass /= 1e4;
     GameWorld world(scene, solver_named("direct", 0));
@@ -421,7 +424,7 @@ TEST_CASE("a light box carries no heavy one along, which goes no farther than it
     }
   }
 }
-// [held_back]
+// [remove_approach]
 
 TEST_CASE("a ball at 30 m/s is stopped by the cube that it hits, which turns a little")
 {
@@ -442,12 +445,12 @@ TEST_CASE("a cube that friction brakes to where it is not swept ends no deeper i
   for (double speed = 5.8; speed < 6.3; speed += 0.01)
   {
     Scene scene{.bodies = {ground(), box_body("wall", {1, 2, 2}, {2, 2, 0}, 0)}};
-    for (const double gap : {0.005, 0.02, 0.05})
+    for (const double separation : {0.005, 0.02, 0.05})
     {
       scene.bodies.resize(2);
-      scene.bodies.push_back(box_body("cube", {0.1, 0.1, 0.1}, {0.9 - gap, 0.1, 0}));
+      scene.bodies.push_back(box_body("cube", {0.1, 0.1, 0.1}, {0.9 - separation, 0.1, 0}));
       scene.bodies.back().velocity.x() = speed;
-      CAPTURE(speed, gap);
+      CAPTURE(speed, separation);
       CHECK(deepest_in_scene(scene, "direct") <= 0.1);
     }
   }
@@ -460,12 +463,13 @@ TEST_CASE("a cube on a stack, or a hundred times as heavy as what it hits, a ten
   {
     for (int i = 0; i < inputs(20, 2); ++i)
     {
-      const double share = (i + 0.5) / 20;
+      const double fraction = (i + 0.5) / 20;
       CAPTURE(solver, i);
-      CHECK(deepest_in_scene(comes_down("three free boxes", 0.2, 30, share, flat), solver) <= 0.1);
+      CHECK(
+          deepest_in_scene(comes_down("three free boxes", 0.2, 30, fraction, flat), solver) <= 0.1);
       for (const Quaternion<double>& pose : {flat, slanted})
       {
-        CHECK(deepest_in_scene(comes_down_on_light(30, share, pose), solver) <= 0.1);
+        CHECK(deepest_in_scene(comes_down_on_light(30, fraction, pose), solver) <= 0.1);
       }
     }
   }
@@ -483,9 +487,9 @@ TEST_CASE(
     int deep = 0;
     for (int i = 0; i < tries; ++i)
     {
-      const double share = draw.between(0, 1);
+      const double fraction = draw.between(0, 1);
       const Quaternion<double> turned(draw.rotation());
-      const double deepest = deepest_in_scene(comes_down_on_light(30, share, turned), solver);
+      const double deepest = deepest_in_scene(comes_down_on_light(30, fraction, turned), solver);
       deep += deepest > 0.1 ? 1 : 0;
       most = std::max(most, deepest);
     }
@@ -520,14 +524,14 @@ TEST_CASE(
   {
     for (const bool cubes : {false, true})
     {
-      for (const double gap : {1e-5, 1e-3, 0.004, 0.006, 0.02})
+      for (const double separation : {1e-5, 1e-3, 0.004, 0.006, 0.02})
       {
         for (const double speed : {0.5, 2.0, 8.0})
         {
           Scene scene{.bodies = {ground()}};
           for (int i = 0; i < 4; ++i)
           {
-            const Vector3<double> place((0.2 + gap) * i - (i == 0 ? 0.5 : 0), 0.1, 0);
+            const Vector3<double> place((0.2 + separation) * i - (i == 0 ? 0.5 : 0), 0.1, 0);
             scene.bodies.push_back(
                 cubes ? box_body("one", {0.1, 0.1, 0.1}, place) : ball_body("one", 0.1, place));
             scene.bodies.back().restitution = 1;
@@ -542,7 +546,7 @@ TEST_CASE(
           {
             world.step();
           }
-          CAPTURE(solver, cubes, gap, speed);
+          CAPTURE(solver, cubes, separation, speed);
           for (std::size_t i = 1; i < 5; ++i)
           {
             const double kept = i == 4 ? 1 : 0;
@@ -558,12 +562,12 @@ TEST_CASE("a ball that loses no speed comes back from one that lies just before 
 {
   for (const char* const solver : {"direct", "soft_steps", "wide_steps"})
   {
-    for (const double gap : {1e-4, 1e-3, 0.004, 0.008})
+    for (const double separation : {1e-4, 1e-3, 0.004, 0.008})
     {
       Scene scene{.gravity = {0, 0, 0}};
       scene.bodies = {
-          box_body("wall", {0.1, 1, 1}, {0.2 + gap, 0, 0}, 0), ball_body("one", 0.1, {0, 0, 0}),
-          ball_body("other", 0.1, {-1, 0, 0})};
+          box_body("wall", {0.1, 1, 1}, {0.2 + separation, 0, 0}, 0),
+          ball_body("one", 0.1, {0, 0, 0}), ball_body("other", 0.1, {-1, 0, 0})};
       for (SceneBody& body : scene.bodies)
       {
         body.restitution = 1;
@@ -574,7 +578,7 @@ TEST_CASE("a ball that loses no speed comes back from one that lies just before 
       {
         world.step();
       }
-      CAPTURE(solver, gap);
+      CAPTURE(solver, separation);
       CHECK(world.body(1).motion.velocity.norm() <= 1e-6);
       CHECK(world.body(2).motion.velocity.x() == Catch::Approx(-3));
     }
@@ -600,7 +604,7 @@ TEST_CASE("cubes that lose no speed hand it on to as many at the end of a row")
       world.step();
       for (int i = 0; i < fast + 4; ++i)
       {
-        const double speed = world.bodies()[place_of(i)].motion.velocity.x();
+        const double speed = world.bodies()[index_of(i)].motion.velocity.x();
         CAPTURE(solver, fast, i);
         CHECK(speed == Catch::Approx(i < 4 ? 0 : 200).margin(1e-6));
       }
@@ -622,10 +626,10 @@ TEST_CASE("who sleeps and is driven along wakes, and goes on in the next steps")
   {
     world.step();
   }
-  CHECK(world.sleeps(2));
+  CHECK(world.is_asleep(2));
   world.set_velocity(0, {100, 0, 0}, {0, 0, 0});
   world.step();
-  CHECK_FALSE(world.sleeps(2));
+  CHECK_FALSE(world.is_asleep(2));
   const double before = world.bodies()[2].motion.center.x();
   world.step();
   CHECK(
@@ -650,7 +654,7 @@ TEST_CASE(
 }
 // [at_once]
 
-// [impact_group]
+// [toi_island]
 namespace
 {
 
@@ -685,18 +689,18 @@ struct Row
     tree.build(bounds);
     const std::vector<bool> all(bodies.size(), true), none(bodies.size(), false);
     std::vector<bool> deep = none;
-    std::vector<Course> courses;
-    std::vector<double> ways;
-    StepCourses step{scene, {}, {}, all, none, {}, courses, ways, deep, &tree};
-    set_out(step, bodies);
-    courses[0].tossed = first_tossed;
-    courses[1].tossed = second_tossed;
-    const CourseTouch touch{time, 0, 1, {1, 0, 0}, {}};
+    std::vector<Trajectory> trajectories;
+    std::vector<double> displacements;
+    StepTrajectories step{scene, {}, {}, all, none, {}, trajectories, displacements, deep, &tree};
+    set_trajectories(step, bodies);
+    trajectories[0].reversed = first_tossed;
+    trajectories[1].reversed = second_tossed;
+    const ToiEvent touch{time, 0, 1, {1, 0, 0}, {}};
     RigidBody a = bodies[0], b = bodies[1];
-    const Met met = touch_manifold(scene, touch, a, b);
-    const auto at = [&](int i) { return bodies[place_of(i)]; };
-    std::vector<StruckBody> others;
-    const double approach = bounce_together(step, touch, met, a, b, 0.0, at, others);
+    const ToiManifold manifold = toi_manifold(scene, touch, a, b);
+    const auto at = [&](int i) { return bodies[index_of(i)]; };
+    std::vector<ToiBody> others;
+    const double approach = resolve_toi_island(step, touch, manifold, a, b, 0.0, at, others);
     CHECK(approach == Catch::Approx(scene.bodies[0].velocity.x()));
     speeds.clear();
     for (const SceneBody& body : scene.bodies)
@@ -705,9 +709,9 @@ struct Row
     }
     speeds[0] = a.motion.velocity.x();
     speeds[1] = b.motion.velocity.x();
-    for (const StruckBody& one : others)
+    for (const ToiBody& one : others)
     {
-      speeds[place_of(one.number)] = one.body.motion.velocity.x();
+      speeds[index_of(one.number)] = one.body.motion.velocity.x();
     }
     driven = others.size();
   }
@@ -727,7 +731,7 @@ TEST_CASE("a cube and up to seven more that lie against each other go on at one 
     for (int i = 0; i < cubes; ++i)
     {
       const double speed = i < together ? 1e6 / together : 0;
-      CHECK(std::abs(row.speeds[place_of(i)] - speed) <= (i < together ? 1e4 : 0));
+      CHECK(std::abs(row.speeds[index_of(i)] - speed) <= (i < together ? 1e4 : 0));
     }
     const double momentum = std::accumulate(row.speeds.begin(), row.speeds.end(), 0.0);
     CHECK(momentum == Catch::Approx(1e6));
@@ -750,15 +754,15 @@ TEST_CASE("a cube of 1 m lies against another, of 1 or 200 m, if it is no more t
 {
   for (const double half : {0.5, 100.0})
   {
-    for (const double gap : {0.00099, 0.00101})
+    for (const double separation : {0.00099, 0.00101})
     {
-      CAPTURE(half, gap);
+      CAPTURE(half, separation);
       Row row(3);
       row.scene.bodies[1].shape = BoxShape{Vector3<double>::Constant(half)};
       row.scene.bodies[1].position.x() = 0.5 + half;
-      row.scene.bodies[2].position.x() = 1 + 2 * half + gap;
+      row.scene.bodies[2].position.x() = 1 + 2 * half + separation;
       row.bounce();
-      CHECK(row.driven == (gap < 0.001 ? 1 : 0));
+      CHECK(row.driven == (separation < 0.001 ? 1 : 0));
     }
   }
 }
@@ -808,10 +812,10 @@ TEST_CASE("what bounces well is driven along once one of the two that touch was 
       Row row(3);
       row.scene.bodies[2].restitution = 0.5;
       row.bounce(0, first, second);
-      const bool tossed = first || second;
-      CHECK(row.driven == (tossed ? 1 : 0));
-      CHECK(row.speeds[1] == Catch::Approx(tossed ? 8.0 / 3 : 4).margin(0.08));
-      CHECK(row.speeds[2] == Catch::Approx(tossed ? 8.0 / 3 : 0).margin(0.08));
+      const bool reversed = first || second;
+      CHECK(row.driven == (reversed ? 1 : 0));
+      CHECK(row.speeds[1] == Catch::Approx(reversed ? 8.0 / 3 : 4).margin(0.08));
+      CHECK(row.speeds[2] == Catch::Approx(reversed ? 8.0 / 3 : 0).margin(0.08));
     }
   }
 }
@@ -849,7 +853,7 @@ TEST_CASE("not driven along: a ball, who bounces well, lies apart, passes, is le
   CHECK(third(nothing, step - 0.0126) == 1); // at 4 m/s it would get 5 cm deep in 12.5 ms
   CHECK(third(nothing, step - 0.0124) == 0);
 }
-// [impact_group]
+// [toi_island]
 
 TEST_CASE("what damping stops short of a wall, within a step or over many, does not bounce there")
 {
@@ -900,10 +904,10 @@ TEST_CASE("a ball that falls into a groove between two blocks presses on both an
         world.step();
       }
       CAPTURE(solver, drop);
-      CHECK(world.sleeps(2));
+      CHECK(world.is_asleep(2));
       CHECK(world.body(2).motion.center.y() == Catch::Approx(rests).margin(0.001));
       REQUIRE(world.contacts().size() == 2);
-      CHECK((presses(world.contacts()[0]) && presses(world.contacts()[1])));
+      CHECK((is_touching(world.contacts()[0]) && is_touching(world.contacts()[1])));
     }
   }
 }
@@ -913,14 +917,14 @@ TEST_CASE("a smooth ball that rolls over a gap between tiles gains no energy")
   // Soft steps let it sink in first: "Tiles and ledges" on the page of the trial.
   for (const std::string solver : {"direct", "wide_steps"})
   {
-    for (const double gap : {0.01, 0.02, 0.04, 0.0642, 0.09})
+    for (const double separation : {0.01, 0.02, 0.04, 0.0642, 0.09})
     {
       for (const double speed : {0.1, 0.3, 1.0})
       {
         Scene scene{
             .bodies = {
-                box_body("tile", {0.2, 0.1, 0.5}, {-0.2 - gap / 2, -0.1, 0}, 0),
-                box_body("next tile", {0.2, 0.1, 0.5}, {0.2 + gap / 2, -0.1, 0}, 0),
+                box_body("tile", {0.2, 0.1, 0.5}, {-0.2 - separation / 2, -0.1, 0}, 0),
+                box_body("next tile", {0.2, 0.1, 0.5}, {0.2 + separation / 2, -0.1, 0}, 0),
                 ball_body("ball", 0.2, {-0.15, 0.2, 0}, 3)}};
         for (SceneBody& body : scene.bodies)
         {
@@ -933,7 +937,7 @@ TEST_CASE("a smooth ball that rolls over a gap between tiles gains no energy")
         while (world.time() < 2.5 && world.body(2).motion.center.x() < 0.2)
         {
           world.step();
-          CAPTURE(solver, gap, speed);
+          CAPTURE(solver, separation, speed);
           REQUIRE(energy(world.bodies(), world.scene().gravity) <= before + 1e-3 * moves);
         }
       }

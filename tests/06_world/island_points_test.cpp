@@ -31,8 +31,8 @@ WorldContact contact_at(
   contact.b = numbers.second;
   contact.normal = up;
   contact.points.resize(1);
-  contact.points[0].on_a = a.axes.transpose() * (place - a.motion.center);
-  contact.points[0].on_b = b.axes.transpose() * (place - b.motion.center);
+  contact.points[0].anchor_a = a.axes.transpose() * (place - a.motion.center);
+  contact.points[0].anchor_b = b.axes.transpose() * (place - b.motion.center);
   return contact;
 }
 
@@ -47,7 +47,7 @@ struct OnGround
       : body(rigid_body(on_top)), contact(contact_at(floor, body, {0, 1}, place))
   {
     contact.friction = 0.5;
-    contact.points[0].carried = impulse;
+    contact.points[0].warm_start_impulse = impulse;
   }
 
   /// The friction after so many visits.
@@ -73,9 +73,9 @@ Quaternion<double> about_up(int degrees)
 /// A ball of 1 kg that moves over the ground at (3, 0, 4) m/s, all turned about the normal.
 OnGround sliding_ball(int degrees, double impulse)
 {
-  SceneBody ball = ball_body("ball", 0.5, {0, 0.5, 0});
-  ball.velocity = about_up(degrees) * V(3, 0, 4);
-  return {ball, {0, 0, 0}, impulse};
+  SceneBody sphere = ball_body("ball", 0.5, {0, 0.5, 0});
+  sphere.velocity = about_up(degrees) * V(3, 0, 4);
+  return {sphere, {0, 0, 0}, impulse};
 }
 
 /// A cube of 1 kg and 1 m on its corner at (1, 0, 1)/2, seen from above: 2.5 m/s along the diagonal
@@ -100,9 +100,10 @@ TEST_CASE(
   for (const int degrees : all_around)
   {
     CAPTURE(degrees);
-    const V held = sliding_ball(degrees, 4).rubbed(1), rubbed = sliding_ball(degrees, 2).rubbed(1);
+    const V constrained = sliding_ball(degrees, 4).rubbed(1),
+            rubbed = sliding_ball(degrees, 2).rubbed(1);
     // K of a ball is 1 + r²/I = 7/2.
-    CHECK((held - about_up(degrees) * V(-6, 0, -8) / 7).norm() <= 1e-14);
+    CHECK((constrained - about_up(degrees) * V(-6, 0, -8) / 7).norm() <= 1e-14);
     CHECK((rubbed - about_up(degrees) * V(-0.6, 0, -0.8)).norm() <= 1e-14);
     CHECK((sliding_ball(degrees, 2).rubbed(50) - rubbed).norm() <= 1e-13);
     CHECK(sliding_ball(degrees, 0).rubbed(5) == V(0, 0, 0));
@@ -125,9 +126,9 @@ TEST_CASE(
       CHECK(kinetic_energy(cube.body) <= energy * (1 + 1e-14));
       energy = kinetic_energy(cube.body);
     }
-    const V held = cube.rubbed(1);
+    const V constrained = cube.rubbed(1);
     const V along = V(1, 0, 1).normalized(), across = V(1, 0, -1).normalized();
-    CHECK((held + about_up(degrees) * (along + across)).norm() <= 1e-13);
+    CHECK((constrained + about_up(degrees) * (along + across)).norm() <= 1e-13);
     const Arms<double> arms{
         about_up(degrees) * V(0.5, 0, 0.5), about_up(degrees) * V(0.5, -0.5, 0.5)};
     CHECK(sliding_velocity<double>(cube.floor, cube.body, surface_axes(up), arms).norm() <= 1e-13);
@@ -140,27 +141,27 @@ TEST_CASE(
 
 TEST_CASE("add_friction takes back what a smaller push does not allow any more", "[R6][R7]")
 {
-  OnGround ball = sliding_ball(0, 4);
-  ball.rubbed(1);
-  ball.contact.points[0].carried = 1;
-  CHECK((ball.rubbed(1) - V(-0.3, 0, -0.4)).norm() <= 1e-14);
+  OnGround sphere = sliding_ball(0, 4);
+  sphere.rubbed(1);
+  sphere.contact.points[0].warm_start_impulse = 1;
+  CHECK((sphere.rubbed(1) - V(-0.3, 0, -0.4)).norm() <= 1e-14);
 }
 
 TEST_CASE("soft steps: a gap of 2 cm may close within a small step of 10 ms, at 2 m/s", "[R16]")
 {
-  OnGround ball(ball_body("ball", 0.5, {0, 0.52, 0}), {0, 0, 0}, 0);
-  ball.body.motion.velocity = {0, -5, 0};
-  ball.contact.points[0].on_b = {0, -0.5, 0};
+  OnGround sphere(ball_body("ball", 0.5, {0, 0.52, 0}), {0, 0, 0}, 0);
+  sphere.body.motion.velocity = {0, -5, 0};
+  sphere.contact.points[0].anchor_b = {0, -0.5, 0};
   IslandPoint point = island_point(
-      ball.floor, ball.body, ball.contact, frame_of(ball.floor, ball.body, ball.contact),
-      ball.contact.points[0]);
-  solve_contact<double>(ball.floor, ball.body, point, softness(12.5, 5.0, 0.01), 0.01, 1);
-  CHECK(ball.body.motion.velocity.y() == Catch::Approx(-2).epsilon(1e-12));
+      sphere.floor, sphere.body, sphere.contact,
+      frame_of(sphere.floor, sphere.body, sphere.contact), sphere.contact.points[0]);
+  solve_contact<double>(sphere.floor, sphere.body, point, softness(12.5, 5.0, 0.01), 0.01, 1);
+  CHECK(sphere.body.motion.velocity.y() == Catch::Approx(-2).epsilon(1e-12));
   // Slower, it does not close at all, and nothing pushes.
-  ball.body.motion.velocity = {0, -1.9, 0};
+  sphere.body.motion.velocity = {0, -1.9, 0};
   point.impulse = 0;
-  solve_contact<double>(ball.floor, ball.body, point, softness(12.5, 5.0, 0.01), 0.01, 1);
-  CHECK(ball.body.motion.velocity.y() == -1.9);
+  solve_contact<double>(sphere.floor, sphere.body, point, softness(12.5, 5.0, 0.01), 0.01, 1);
+  CHECK(sphere.body.motion.velocity.y() == -1.9);
 }
 
 TEST_CASE("balls that come closer by no more than rounding of their speeds do not push each other")
@@ -175,7 +176,7 @@ TEST_CASE("balls that come closer by no more than rounding of their speeds do no
     WorldContact contact = contact_at(low, high, {0, 1}, {0, 0.5, 0});
     std::vector<ImpactPoint> points{
         {island_point(low, high, contact, frame_of(low, high, contact), contact.points[0]), 0}};
-    reach_targets(points, 1);
+    solve_impact(points, 1);
     CHECK((points[0].point.impulse > 0) == (closing == 1e-12));
   }
 }

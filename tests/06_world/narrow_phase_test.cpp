@@ -33,7 +33,10 @@ struct FromSurface
   const RigidBody& body;
   Vector3<double> point; ///< in the body's frame
 
-  double operator()(const SphereShape& ball) const { return std::abs(point.norm() - ball.radius); }
+  double operator()(const SphereShape& sphere) const
+  {
+    return std::abs(point.norm() - sphere.radius);
+  }
   double operator()(const BoxShape& box) const
   {
     return std::abs(signed_distance_box<double>(point, box.half_extents).length);
@@ -87,8 +90,8 @@ struct Surfaces
     ++contacts;
     for (const WorldPoint& point : contact.points)
     {
-      const double from_a = std::visit(FromSurface{body_a, point.on_a}, a.shape);
-      const double from_b = std::visit(FromSurface{body_b, point.on_b}, b.shape);
+      const double from_a = std::visit(FromSurface{body_a, point.anchor_a}, a.shape);
+      const double from_b = std::visit(FromSurface{body_b, point.anchor_b}, b.shape);
       farthest = std::max({farthest, from_a / size, from_b / size});
     }
   }
@@ -115,7 +118,7 @@ TEST_CASE("the two points of a contact lie on the two surfaces: 10,000 of each p
 }
 // [on_surfaces]
 
-// [world_hair]
+// [world_tolerance]
 TEST_CASE(
     "edges turned against each other by 1e-10 rad cross nowhere, by 1e-8 rad they do", "[O14]")
 {
@@ -129,7 +132,7 @@ TEST_CASE(
     std::visit(UpdateContact{contact, a, b, {0.01, 0.01}}, below.shape, above.shape);
     for (const WorldPoint& point : contact.points)
     {
-      const V place = a.axes * point.on_a / size;
+      const V place = a.axes * point.anchor_a / size;
       const double from_corner = std::min(std::abs(place.x() - 1), std::abs(place.x() + 0.125)) +
                                  std::abs(std::abs(place.z()) - 1);
       CHECK((contact.points.size() > 4 || from_corner <= 2 * std::abs(turned) + 1e-14));
@@ -146,9 +149,9 @@ TEST_CASE(
     }
   }
 }
-// [world_hair]
+// [world_tolerance]
 
-// [kept_points]
+// [warm_points]
 TEST_CASE("a point of a contact keeps what is known of it as long as its feature is there")
 {
   const SceneBody below = box_body("below", {0.5, 0.5, 0.5}, {0, 0, 0});
@@ -185,7 +188,7 @@ TEST_CASE("a point of a contact keeps what is known of it as long as its feature
   CHECK(changed >= 60); // it turns 16 times, and some point comes or goes in every quarter
   CHECK(parted == 10);
 }
-// [kept_points]
+// [warm_points]
 
 TEST_CASE("a slanted box of 1 m is as deep in a plane as its deepest corner, whichever that is")
 {

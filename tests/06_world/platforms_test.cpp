@@ -49,7 +49,7 @@ double fastest_before_block(double at, double aside, double speed)
   double fastest = 0;
   for (int i = 0; i < 90; ++i)
   {
-    carry(world, 1, {speed, 0, 0});
+    set_kinematic_velocity(world, 1, {speed, 0, 0});
     world.step();
     fastest = std::max(fastest, world.body(2).motion.velocity.norm() / speed);
   }
@@ -68,8 +68,8 @@ double highest_on_belts(double speed, double aside)
   double highest = 0;
   for (int i = 0; i < 60; ++i)
   {
-    carry(world, 0, {speed, 0, 0});
-    carry(world, 1, {-speed, 0, 0});
+    set_kinematic_velocity(world, 0, {speed, 0, 0});
+    set_kinematic_velocity(world, 1, {-speed, 0, 0});
     world.step();
     highest = std::max(highest, world.body(2).motion.center.y() - 0.2);
   }
@@ -120,7 +120,7 @@ TEST_CASE("a crate that a platform of 5 t presses against a wall is not shot out
     for (int step = 0; step < 300; ++step)
     {
       world.set_pose(1, {world.body(1).motion.center.x(), 1, 0}, {1, 0, 0, 0});
-      carry(world, 1, {speed, 0, 0});
+      set_kinematic_velocity(world, 1, {speed, 0, 0});
       world.step();
       fastest = std::max(fastest, world.body(2).motion.velocity.norm());
     }
@@ -142,7 +142,7 @@ TEST_CASE("on a lift that speeds up and slows down a crate gains what its contac
     double given = 0;
     while (world.time() < 2)
     {
-      carry(world, 0, {0, 2 * std::sin(2 * world.time()), 0});
+      set_kinematic_velocity(world, 0, {0, 2 * std::sin(2 * world.time()), 0});
       world.step();
       given += given_to(world, 1).y();
       const double gained = 10 * (world.body(1).motion.velocity.y() + 9.81 * world.time());

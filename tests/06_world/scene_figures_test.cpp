@@ -113,8 +113,8 @@ TEST_CASE("a box from the front is one face, turned by 45 degrees about y two", 
 
 TEST_CASE("a ball is a circle with a spoke that shows its turn", "[scene_figures]")
 {
-  const SceneBody ball = ball_body("ball", 0.5, {0, 0, 0});
-  const Outline outline = body_outline(ball, at({0, 0, 0}, {0, 0, 0, 1}), hundred());
+  const SceneBody sphere = ball_body("ball", 0.5, {0, 0, 0});
+  const Outline outline = body_outline(sphere, at({0, 0, 0}, {0, 0, 0, 1}), hundred());
   CHECK(outline == Outline{1000, 1000, 500, 1000}); // turned by 180 degrees
   CHECK(
       outline_data(outline, 500) == "M50,100a50,50 0 1 0 100,0a50,50 0 1 0 -100,0M100,100L50,100");

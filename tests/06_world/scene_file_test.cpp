@@ -82,7 +82,7 @@ bool same(const SceneBody& a, const SceneBody& b)
          a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs() &&
          a.velocity == b.velocity && a.angular_velocity == b.angular_velocity &&
          a.friction == b.friction && a.restitution == b.restitution && a.damping == b.damping &&
-         a.spin_damping == b.spin_damping;
+         a.angular_damping == b.angular_damping;
 }
 
 } // namespace

@@ -50,14 +50,14 @@ const SleepLimits<double> limits;
 
 SleepState<double> watched_at(const SleepState<double>& state, double speed)
 {
-  return watched<double>(state, {speed, 0, 0}, {0, 0, 0}, 0.5, sleep_step, limits);
+  return update_sleep_state<double>(state, {speed, 0, 0}, {0, 0, 0}, 0.5, sleep_step, limits);
 }
 
 /// A body that has been at rest for half a second.
 SleepState<double> rested()
 {
   SleepState<double> state;
-  state.still = 0.5;
+  state.time_at_rest = 0.5;
   return state;
 }
 
@@ -102,7 +102,7 @@ TEST_CASE("of 500 heaps each has the islands that walking finds, in any order of
 }
 // [islands]
 
-// [watch]
+// [sleep_state]
 TEST_CASE("a body at rest may sleep after 30 steps of 1/60 s, or 31, not sooner")
 {
   SleepState<double> state;
@@ -117,23 +117,25 @@ TEST_CASE("a body at rest may sleep after 30 steps of 1/60 s, or 31, not sooner"
 
 TEST_CASE("the watch begins anew above 5 cm/s, after 2 mm, and where 5 mm/s have changed")
 {
-  CHECK(watched_at(rested(), 0.004).still > 0.5);
-  CHECK(watched_at(rested(), 0.006).still == 0);
+  CHECK(watched_at(rested(), 0.004).time_at_rest > 0.5);
+  CHECK(watched_at(rested(), 0.006).time_at_rest == 0);
   SleepState<double> quick = rested();
   quick.velocity = {0.0499, 0, 0};
-  CHECK(watched_at(quick, 0.0499).still > 0.5);
+  CHECK(watched_at(quick, 0.0499).time_at_rest > 0.5);
   quick.velocity = {0.0501, 0, 0};
-  CHECK(watched_at(quick, 0.0501).still == 0);
+  CHECK(watched_at(quick, 0.0501).time_at_rest == 0);
   SleepState<double> gone = rested();
-  gone.way = 0.00199;
-  CHECK(watched_at(gone, 0.0005).still > 0.5); // a step of it is 8 µm
-  CHECK(watched_at(gone, 0.0007).still == 0);  // and 12 µm
+  gone.displacement = 0.00199;
+  CHECK(watched_at(gone, 0.0005).time_at_rest > 0.5); // a step of it is 8 µm
+  CHECK(watched_at(gone, 0.0007).time_at_rest == 0);  // and 12 µm
 }
 
 TEST_CASE("turning counts with the radius: 0.01 rad/s at 0.5 m is 5 mm/s")
 {
-  const auto turning = [](double speed) {
-    return watched<double>(rested(), {0, 0, 0}, {0, speed, 0}, 0.5, sleep_step, limits).still;
+  const auto turning = [](double speed)
+  {
+    return update_sleep_state<double>(rested(), {0, 0, 0}, {0, speed, 0}, 0.5, sleep_step, limits)
+        .time_at_rest;
   };
   CHECK(turning(0.009) > 0.5);
   CHECK(turning(0.011) == 0);
@@ -154,7 +156,7 @@ TEST_CASE("a velocity that is not a number never sleeps")
   }
   CHECK(may_sleep(state, limits));
 }
-// [watch]
+// [sleep_state]
 
 // [L1]
 TEST_CASE(
@@ -220,7 +222,7 @@ TEST_CASE("a body wakes its own island and no other", "[case:L2]")
   wake(states, island_of, 3);
   CHECK((states[0].asleep && states[2].asleep && states[4].asleep));
   CHECK((!states[1].asleep && !states[3].asleep));
-  CHECK(states[1].still == 0);
+  CHECK(states[1].time_at_rest == 0);
   wake(states, island_of, 0);
   CHECK((states[2].asleep && states[4].asleep));
   const std::vector<int> hit{0, 4};
@@ -230,19 +232,19 @@ TEST_CASE("a body wakes its own island and no other", "[case:L2]")
 
 TEST_CASE("an island sleeps when its last body may, and wakes when an awake one touches it")
 {
-  const std::vector<int> apart{0, 0, 2}, together{0, 0, 0};
+  const std::vector<int> separation{0, 0, 2}, together{0, 0, 0};
   std::vector<SleepState<double>> states{rested(), SleepState<double>{}, rested()};
-  settle(states, apart, limits);
+  update_sleep(states, separation, limits);
   CHECK((!states[0].asleep && !states[1].asleep && states[2].asleep));
-  CHECK(states[0].still == 0.5); // it waits for the other
+  CHECK(states[0].time_at_rest == 0.5); // it waits for the other
   states[1] = rested();
-  settle(states, apart, limits);
+  update_sleep(states, separation, limits);
   CHECK((states[0].asleep && states[1].asleep && states[2].asleep));
   states[2] = {};
-  settle(states, apart, limits);
+  update_sleep(states, separation, limits);
   CHECK((states[0].asleep && states[1].asleep && !states[2].asleep));
-  settle(states, together, limits);
-  CHECK((!states[0].asleep && !states[1].asleep && states[0].still == 0));
+  update_sleep(states, together, limits);
+  CHECK((!states[0].asleep && !states[1].asleep && states[0].time_at_rest == 0));
 }
 // [L2]
 

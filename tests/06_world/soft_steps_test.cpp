@@ -46,24 +46,24 @@ TEST_CASE("a cube on soft contacts sinks by g / ω², as on a spring of their fr
 }
 // [spring]
 
-// [cold_starts]
+// [warm_starting]
 TEST_CASE("a turn is noticed sooner where moments differ: a cube's at 0.05, a needle's at 0.0022")
 {
   const auto turns = [](const Vector3<double>& half, double angle)
   {
     RigidBody body = rigid_body(box_body("box", half, {0, 0, 0}));
     body.motion.angular_velocity = Vector3<double>(0, angle, 0) * 240;
-    return turns_noticeably(body, 1.0 / 240);
+    return turns_too_far(body, 1.0 / 240);
   };
   CHECK(!turns({1, 1, 1}, 0.0499));
   CHECK(turns({1, 1, 1}, 0.0501));
   const double moments = (1 + 0.0001) / 0.0002; // of a needle of 1 : 100, one over the other
   CHECK(!turns({1, 0.01, 0.01}, 0.999 * std::sqrt(0.025 / moments)));
   CHECK(turns({1, 0.01, 0.01}, 1.001 * std::sqrt(0.025 / moments)));
-  RigidBody ball = rigid_body(ball_body("ball", 1, {0, 0, 0}));
-  ball.motion.angular_velocity.x() = 1000;
-  CHECK(!turns_noticeably(ball, 1));
-  CHECK(!turns_noticeably(rigid_body(ground()), 1));
+  RigidBody sphere = rigid_body(ball_body("ball", 1, {0, 0, 0}));
+  sphere.motion.angular_velocity.x() = 1000;
+  CHECK(!turns_too_far(sphere, 1));
+  CHECK(!turns_too_far(rigid_body(ground()), 1));
 }
 
 TEST_CASE("what would give a needle energy that turns is forgotten; what would take some is given")
@@ -75,11 +75,11 @@ TEST_CASE("what would give a needle energy that turns is forgotten; what would t
     needle.velocity.y() = -down;
     needle.angular_velocity.y() = spin;
     std::array<RigidBody, 2> bodies{rigid_body(ground()), rigid_body(needle)};
-    WorldPoint point{.on_b = {0, -0.001, 0}, .carried = 1};
+    WorldPoint point{.anchor_b = {0, -0.001, 0}, .warm_start_impulse = 1};
     if (number == 0)
     {
       std::swap(bodies[0], bodies[1]);
-      std::swap(point.on_a, point.on_b);
+      std::swap(point.anchor_a, point.anchor_b);
     }
     std::array<WorldContact, 1> contacts{
         WorldContact{0, 1, 0.6, 0, {0, number == 0 ? -1.0 : 1.0, 0}, {point}}};
@@ -106,7 +106,7 @@ TEST_CASE("what would give a needle energy that turns is forgotten; what would t
     CHECK(kept == 1);
   }
 }
-// [cold_starts]
+// [warm_starting]
 
 TEST_CASE(
     "in small steps a plate of 1 kg sinks by its load over its springs, and 100 kg go through it",
@@ -168,7 +168,7 @@ TEST_CASE(
   }
   CHECK(stands.drift < 0.05); // it creeps sideways, and has not fallen
   CHECK(lean(scene, {.substeps = 4}) < 0.1);
-  CHECK(lean(scene, {.substeps = 4, .kept_turn = 0}) > 5);
+  CHECK(lean(scene, {.substeps = 4, .anchor_lag = 0}) > 5);
 }
 
 TEST_CASE("a cube .5 m deep in another is pushed out at no more than 4 m/s", "[case:S18]")
@@ -268,7 +268,7 @@ TEST_CASE("of cubes of 10 cm and 4 substeps six stand on each other, not eight",
            .mass = 7,
            .position = {0, 0.1 * i + 0.05, 0}});
     }
-    return lean(scene, {.substeps = 4, .kept_turn = 0});
+    return lean(scene, {.substeps = 4, .anchor_lag = 0});
   };
   CHECK(tower(6) < 0.01);
   CHECK(tower(8) > 0.1);
@@ -291,7 +291,7 @@ TEST_CASE("9/4 of the square of the first zero of J of order -1/3 is Greenhill's
   CHECK(bessel(at - 1) > 0.1); // and none before it: it falls from infinity
 }
 
-// [kept_arms]
+// [lagged_anchors]
 TEST_CASE(
     "towers of 20 and 30 cubes stand for 20 s of 4 substeps if arms are kept", "[case:S2][long]")
 {
@@ -305,42 +305,42 @@ TEST_CASE(
     CHECK(
         run_world(scene, {.solver = "wide_steps", .substeps = 4, .duration = 20}).drift <
         wide_lean);
-    CHECK(lean(scene, {.substeps = 4, .kept_turn = 0}) > 5);
+    CHECK(lean(scene, {.substeps = 4, .anchor_lag = 0}) > 5);
   }
 }
 
 TEST_CASE(
     "what it costs: a cube 0.2° past its balance takes 0.7 s longer to fall, 2° past it as long")
 {
-  const auto time_to_fall = [](double past, double kept_turn)
+  const auto time_to_fall = [](double past, double anchor_lag)
   {
     const double angle = (45 + past) * std::numbers::pi / 180;
     SceneBody cube{.name = "cube", .shape = BoxShape{{0.5, 0.5, 0.5}}, .mass = 1};
     cube.orientation = {std::cos(angle / 2), 0, 0, std::sin(angle / 2)};
     cube.position = {0, (std::sin(angle) + std::cos(angle)) / 2, 0};
     const Scene scene{.bodies = {{.name = "ground", .shape = PlaneShape{{0, 1, 0}, 0}}, cube}};
-    GameWorld world(scene, soft_solver({.substeps = 4, .kept_turn = kept_turn}));
+    GameWorld world(scene, soft_solver({.substeps = 4, .anchor_lag = anchor_lag}));
     while (world.bodies()[1].motion.center.y() > 0.51 && world.time() < 10)
     {
       world.step();
     }
     return world.time();
   };
-  const double kept = SoftSettings{}.kept_turn;
+  const double kept = SoftSettings{}.anchor_lag;
   CHECK(time_to_fall(0.2, kept) - time_to_fall(0.2, 0) == Catch::Approx(0.7).margin(0.1));
   CHECK(time_to_fall(2, kept) == time_to_fall(2, 0));
 }
 
-// [kept_arms]
+// [lagged_anchors]
 
-// [taken_arms]
+// [lagged_arms]
 TEST_CASE(
     "a slab of 4 cm by 1 m is tipped over at 0.17 rad/s, not at 0.15, by arms of either kind",
     "[long]")
 {
   SceneBody slab{.name = "slab", .shape = BoxShape{{0.02, 0.5, 0.25}}, .mass = 1};
   slab.position = {0, 0.5, 0};
-  for (const double kept_turn : {0.0, SoftSettings{}.kept_turn})
+  for (const double anchor_lag : {0.0, SoftSettings{}.anchor_lag})
   {
     for (const double spin : {0.15, 0.17})
     {
@@ -349,7 +349,7 @@ TEST_CASE(
       const Scene scene{.bodies = {{.name = "ground", .shape = PlaneShape{{0, 1, 0}, 0}}, slab}};
       // What stands has gone aside by less than half a metre, what lies by the height of its
       // centre.
-      CHECK((lean(scene, {.kept_turn = kept_turn}) > 0.4) == (spin > 0.16));
+      CHECK((lean(scene, {.anchor_lag = anchor_lag}) > 0.4) == (spin > 0.16));
     }
   }
 }
@@ -366,8 +366,8 @@ TEST_CASE(
     RigidBody body = rigid_body(of);
     body.motion.angular_velocity = {0, 0, spin};
     turn_by(body, turn * Vector3<double>(1, 2, 2) / 3);
-    take_arms(body, 0.07);
-    return body.arms_at.coeffs() == Quaternion<double>::Identity().coeffs();
+    update_lagged_anchors(body, 0.07);
+    return body.lagged_orientation.coeffs() == Quaternion<double>::Identity().coeffs();
   };
   CHECK(keeps(cube, 0.0699, 0.0599));
   CHECK_FALSE(keeps(cube, 0.0701, 0.0599));
@@ -379,31 +379,31 @@ TEST_CASE(
 
   RigidBody flying = rigid_body(cube);
   flying.motion.angular_velocity = {0.01, 0, 0};
-  fly(flying, {{0, -9.81, 0}}, step);
-  CHECK(flying.arms_at.coeffs() == flying.orientation.coeffs());
+  integrate_free_flight(flying, {{0, -9.81, 0}}, step);
+  CHECK(flying.lagged_orientation.coeffs() == flying.orientation.coeffs());
 
   RigidBody turned = rigid_body(cube);
   turn_by(turned, {0, 0, 0.05});
-  const SceneBody sphere{.name = "ball", .shape = SphereShape{0.5}, .mass = 1};
-  RigidBody ball = rigid_body(sphere);
-  turn_by(ball, {0, 0, 1});
-  take_arms(ball, 0.07);
-  CHECK(kept_axes(turned) == Matrix3<double>::Identity());
-  CHECK(kept_axes(ball) == Matrix3<double>::Identity());
-  CHECK(turned.axes != kept_axes(turned));
-  take_arms(turned, 0.04);
-  CHECK(turned.axes == kept_axes(turned));
+  const SceneBody sphere_body{.name = "ball", .shape = SphereShape{0.5}, .mass = 1};
+  RigidBody sphere = rigid_body(sphere_body);
+  turn_by(sphere, {0, 0, 1});
+  update_lagged_anchors(sphere, 0.07);
+  CHECK(lagged_axes(turned) == Matrix3<double>::Identity());
+  CHECK(lagged_axes(sphere) == Matrix3<double>::Identity());
+  CHECK(turned.axes != lagged_axes(turned));
+  update_lagged_anchors(turned, 0.04);
+  CHECK(turned.axes == lagged_axes(turned));
 }
-// [taken_arms]
+// [lagged_arms]
 
-// [hold_corners]
+// [torsional_friction]
 TEST_CASE("a cube that spins on its corner rests when the corner's moment says, to 3 %")
 {
   const Scene cube = cube_on_corner();
-  const double right = rests_by_formula(SoftSettings{}.worn_corner);
+  const double right = rests_by_formula(SoftSettings{}.torsional_radius);
   CHECK(rests_after(cube, solver_named("soft_steps", 4)) == Catch::Approx(right).epsilon(0.03));
   CHECK(rests_after(cube, solver_named("wide_steps", 4)) == Catch::Approx(right).epsilon(0.03));
-  CHECK(rests_after(cube, soft_solver({.substeps = 4, .worn_corner = 0})) >= 5);
+  CHECK(rests_after(cube, soft_solver({.substeps = 4, .torsional_radius = 0})) >= 5);
 }
 
 TEST_CASE("corners hold a turn where one point presses, and no ball is in it")
@@ -415,9 +415,9 @@ TEST_CASE("corners hold a turn where one point presses, and no ball is in it")
     WorldContact contact{0, 1, 0.5, 0, {0, 1, 0}, {}};
     for (const double impulse : impulses)
     {
-      contact.points.push_back({.on_b = {0, -0.5, 0}, .impulse = impulse});
+      contact.points.push_back({.anchor_b = {0, -0.5, 0}, .impulse = impulse});
     }
-    hold_corner(bodies, contact, 0.01);
+    apply_torsional_friction(bodies, contact, 0.01);
     return bodies[1].motion.angular_velocity.y();
   };
   const SceneBody cube = cube_body("cube", {0, 0.5, 0});
@@ -429,4 +429,4 @@ TEST_CASE("corners hold a turn where one point presses, and no ball is in it")
   CHECK(spin_after(cube, {}) == 1);
   CHECK(spin_after(ball_body("ball", 0.5, {0, 0.5, 0}), {2}) == 1);
 }
-// [hold_corners]
+// [torsional_friction]

@@ -144,7 +144,7 @@ TEST_CASE("each lane does to the bit what one contact alone does: masses, pushes
   BoxDraw draw(1);
   const Softness<float> spring = softness(30.0f, 5.0f, 1.0f / 240);
   const Softness<Four> wide_spring{spring.bias_rate, spring.mass_scale, spring.impulse_scale};
-  const float small = 1.0f / 240;
+  const float substep = 1.0f / 240;
   for (int i = 0; i < inputs(20'000, 500); ++i)
   {
     std::vector<OneContact> ones;
@@ -155,14 +155,14 @@ TEST_CASE("each lane does to the bit what one contact alone does: masses, pushes
       set_lane(wide, lane, one);
       compute_masses<float>(one.at, one.a, one.b);
       warm_start<float>(one.a, one.b, one.at);
-      solve_contact<float>(one.a, one.b, one.at, spring, small, 1.0f);
-      solve_contact<float>(one.a, one.b, one.at, rigid<float>(), small, 1.0f);
+      solve_contact<float>(one.a, one.b, one.at, spring, substep, 1.0f);
+      solve_contact<float>(one.a, one.b, one.at, rigid<float>(), substep, 1.0f);
     }
     auto& [of, at] = wide;
     compute_masses<Four>(at, of.a, of.b);
     warm_start<Four>(of.a, of.b, at);
-    solve_contact<Four>(of.a, of.b, at, wide_spring, small, 1.0f);
-    solve_contact<Four>(of.a, of.b, at, rigid<Four>(), small, 1.0f);
+    solve_contact<Four>(of.a, of.b, at, wide_spring, substep, 1.0f);
+    solve_contact<Four>(of.a, of.b, at, rigid<Four>(), substep, 1.0f);
     for (std::size_t lane = 0; lane < 4; ++lane)
     {
       CAPTURE(i, lane);
@@ -185,7 +185,7 @@ TEST_CASE("bodies turn in lanes of every width as one alone does: uneven ones to
   for (const InstructionSet set : instruction_sets())
   {
     const WidePasses passes = wide_passes(set);
-    WideTurns turns(passes);
+    WideRotations turns(passes);
     for (int count = 0; count <= 17; ++count) // none, lanes left over, more than one pack
     {
       std::vector<RigidBody> bodies;
@@ -209,11 +209,12 @@ TEST_CASE("bodies turn in lanes of every width as one alone does: uneven ones to
       turns.move(bodies, islands, 1.0 / 240, [](int, const RigidBody&) {});
       for (std::size_t i = 0; i < bodies.size(); ++i)
       {
-        move(alone[i], 1.0 / 240);
+        integrate_position(alone[i], 1.0 / 240);
         const double spin = alone[i].motion.angular_velocity.norm();
         CAPTURE(count, i);
         CHECK(bodies[i].motion.center == alone[i].motion.center);
-        const double allowed = is_even(alone[i]) ? 1e-7 * spin / 240 : 1e-15; // see WideTurns
+        const double allowed =
+            has_equal_moments(alone[i]) ? 1e-7 * spin / 240 : 1e-15; // see WideTurns
         CHECK((bodies[i].orientation.coeffs() - alone[i].orientation.coeffs()).norm() <= allowed);
         CHECK(
             (bodies[i].motion.angular_velocity - alone[i].motion.angular_velocity).norm() <=
@@ -269,7 +270,7 @@ TEST_CASE("a cube on wide soft contacts sinks by g / ω², to float's digits", "
 
 TEST_CASE("a tower of five carries what statics says, many contacts at a time", "[R9][long]")
 {
-  const std::vector<double> carries = carried(named_scene("tower_5"), "wide_steps", 600);
+  const std::vector<double> carries = warm_start_impulse(named_scene("tower_5"), "wide_steps", 600);
   for (std::size_t cube = 1; cube <= 5; ++cube)
   {
     CHECK(carries[cube] == Catch::Approx((6.0 - double(cube)) * 9.81 / 60).epsilon(1e-4));
@@ -285,16 +286,16 @@ TEST_CASE(
   for (std::size_t i = 0; i < allowed.size(); ++i)
   {
     const TwoRuns runs = two_runs(compared_scenes[i], 8, 5);
-    const std::vector<double> apart = farthest_apart(runs);
+    const std::vector<double> separation = farthest_apart(runs);
     CAPTURE(compared_scenes[i]);
-    CHECK(*std::max_element(apart.begin(), apart.end()) < allowed[i]);
+    CHECK(*std::max_element(separation.begin(), separation.end()) < allowed[i]);
     CHECK(runs.wide.sink == Catch::Approx(runs.one_by_one.sink).epsilon(0.25));
   }
 }
 
 /// Arms that turn: those that are kept are taken anew a step sooner or later, by a rounding.
 /// Corners are sharp: at a worn one it matters which point presses.
-constexpr SoftSettings turning_arms{.substeps = 8, .kept_turn = 0, .worn_corner = 0};
+constexpr SoftSettings turning_arms{.substeps = 8, .anchor_lag = 0, .torsional_radius = 0};
 
 /// Soft steps in double that go through the contacts colour by colour.
 void colored_soft_steps(IslandView world, const Island& island, double step)
@@ -302,17 +303,17 @@ void colored_soft_steps(IslandView world, const Island& island, double step)
   std::vector<std::pair<int, int>> pairs;
   for (const int number : island.contacts)
   {
-    pairs.push_back(pair_of(world.contacts[place_of(number)]));
+    pairs.push_back(pair_of(world.contacts[index_of(number)]));
   }
   ContactGraph graph;
   graph.color(
-      world.bodies.size(), pairs, [&](int i) { return !is_fixed(world.bodies[place_of(i)]); });
+      world.bodies.size(), pairs, [&](int i) { return !is_fixed(world.bodies[index_of(i)]); });
   std::vector<int> ordered;
   for (int color = 0; color < graph.colors(); ++color)
   {
     for (const int pair : graph[color])
     {
-      ordered.push_back(island.contacts[place_of(pair)]);
+      ordered.push_back(island.contacts[index_of(pair)]);
     }
   }
   soft_steps(world, {island.bodies, ordered}, step, turning_arms);
@@ -340,7 +341,7 @@ TEST_CASE(
 }
 // [scenes_wide]
 
-// [unpushed]
+// [free_step]
 TEST_CASE("what no contact pushes flies on to the last bit as one by one")
 {
   // All fall upwards; the ball passes over the cube so closely that they are in contact, and never
@@ -365,7 +366,7 @@ TEST_CASE("what no contact pushes flies on to the last bit as one by one")
   CHECK(wide.bodies()[2].motion.velocity == one.bodies()[2].motion.velocity);
   CHECK(wide.bodies()[2].motion.velocity.x() == 1.1);
 }
-// [unpushed]
+// [free_step]
 
 TEST_CASE(
     "a motion is taken back if any of its numbers has changed, and keeps its digits if none has")
@@ -420,9 +421,10 @@ TEST_CASE("islands that are solved together do to the bit what each does alone")
   std::vector<GameWorld> alone;
   for (int group = 0; group < 4; ++group)
   {
-    Scene part{.bodies = {ground()}};
-    part.bodies.insert(part.bodies.end(), &all[starts[group]], &all[starts[group + 1] - 1] + 1);
-    alone.push_back(wide_world(part));
+    Scene update_separations{.bodies = {ground()}};
+    update_separations.bodies.insert(
+        update_separations.bodies.end(), &all[starts[group]], &all[starts[group + 1] - 1] + 1);
+    alone.push_back(wide_world(update_separations));
   }
   for (int step = 0; step < 180; ++step)
   {
@@ -450,10 +452,10 @@ TEST_CASE("two contacts with a ball in common, solved at once, lose a push")
 {
   // Three balls of 1 kg in a row: contacts of the first with the second, and of the second with the
   // third, which is hit from both sides.
-  std::vector<LaneBody> balls(4);
+  std::vector<LaneBody> spheres(4);
   for (std::size_t i = 0; i < 3; ++i)
   {
-    balls[i].inverse_masses[0] = 1;
+    spheres[i].inverse_masses[0] = 1;
   }
   const int a[]{0, 1, 3, 3}, b[]{1, 2, 3, 3};
   const Four zero(0);
@@ -467,14 +469,14 @@ TEST_CASE("two contacts with a ball in common, solved at once, lose a push")
   }
   for (auto [numbers, body] : {std::pair(a, &bodies_a), std::pair(b, &bodies_b)})
   {
-    gather_body(balls.data(), numbers, *body);
+    gather_body(spheres.data(), numbers, *body);
   }
   warm_start<Four>(bodies_a, bodies_b, at);
-  scatter_motion(bodies_a, balls.data(), a);
-  scatter_motion(bodies_b, balls.data(), b);
-  CHECK(balls[0].velocity[0] == -1);
-  CHECK(balls[1].velocity[0] != 0); // one of its two pushes is gone
-  CHECK(balls[2].velocity[0] == 1);
+  scatter_motion(bodies_a, spheres.data(), a);
+  scatter_motion(bodies_b, spheres.data(), b);
+  CHECK(spheres[0].velocity[0] == -1);
+  CHECK(spheres[1].velocity[0] != 0); // one of its two pushes is gone
+  CHECK(spheres[2].velocity[0] == 1);
 }
 // [without_colors]
 

@@ -1,7 +1,7 @@
 /// \file
 /// Who makes energy out of nothing: random scenes that nothing drives, under every solver.
 
-#include "06_world/contacts/moved_body.hpp"
+#include "06_world/contacts/integrate_body.hpp"
 #include "06_world/game_world/solver_names.hpp"
 #include "06_world/game_world/solvers.hpp"
 #include "06_world/game_world/trial/world_measures.hpp"
@@ -26,12 +26,12 @@ constexpr int scenes_of_a_kind = inputs(50, 1);
 /// What is in a scene.
 enum class Kind
 {
-  balls,  ///< one to three that slide, spin and roll
-  plates, ///< the same of plates, ten to two hundred times as wide as thick
-  boxes,  ///< the same of boxes
-  thrown, ///< eight of all three, that fall on the ground
-  stack,  ///< twelve of all three, one on top of the other
-  needles ///< two to nine needles, plates and balls that tumble onto each other
+  spheres, ///< one to three that slide, spin and roll
+  plates,  ///< the same of plates, ten to two hundred times as wide as thick
+  boxes,   ///< the same of boxes
+  thrown,  ///< eight of all three, that fall on the ground
+  stack,   ///< twelve of all three, one on top of the other
+  needles  ///< two to nine needles, plates and balls that tumble onto each other
 };
 
 /// A ball, a plate or a box of about a size [m], at the origin.
@@ -150,7 +150,7 @@ int gaining(const std::string& solver, Kind kind)
 
 } // namespace
 
-// [passive]
+// [null_body]
 TEST_CASE(
     "300 scenes that nothing drives gain no energy in 4 s, directly or in soft steps, narrow or "
     "wide",
@@ -159,7 +159,7 @@ TEST_CASE(
   for (const char* const solver : {"direct", "soft_steps", "wide_steps"})
   {
     for (const Kind kind :
-         {Kind::balls, Kind::plates, Kind::boxes, Kind::thrown, Kind::stack, Kind::needles})
+         {Kind::spheres, Kind::plates, Kind::boxes, Kind::thrown, Kind::stack, Kind::needles})
     {
       CAPTURE(solver, static_cast<int>(kind));
       CHECK(gaining(solver, kind) == 0);
@@ -172,7 +172,7 @@ TEST_CASE("balls gain none under any solver", "[R4]")
   for (const std::string& solver : solver_names())
   {
     CAPTURE(solver);
-    CHECK(gaining(solver, Kind::balls) == 0);
+    CHECK(gaining(solver, Kind::spheres) == 0);
   }
 }
 
@@ -184,7 +184,7 @@ TEST_CASE(
   CHECK(gaining("position_based", Kind::boxes) == 0);
   CHECK(gaining("position_based", Kind::stack) > 0);
 }
-// [passive]
+// [null_body]
 
 TEST_CASE(
     "a free box that turns by 60 to 1,000 rad a step keeps its energy; by 10,000 it gains none")
@@ -197,7 +197,7 @@ TEST_CASE(
     for (int i = 0; i < 200; ++i)
     {
       const double before = kinetic_energy(box);
-      spin(box, 1);
+      rotate_freely(box, 1);
       CAPTURE(turn, i);
       REQUIRE(kinetic_energy(box) <= before * (1 + 1e-14));
     }
@@ -210,10 +210,10 @@ TEST_CASE("a turn of 1.9 rad is taken in four pieces, none of more than half a r
   RigidBody at_once = rigid_body(box_body("box", {0.3, 0.33, 0.36}, {0, 0, 0}));
   at_once.motion.angular_velocity = 1.9 * Vector3<double>(1, 0.3, -0.2).normalized();
   RigidBody piece_by_piece = at_once;
-  spin(at_once, 1);
+  rotate_freely(at_once, 1);
   for (int i = 0; i < 4; ++i)
   {
-    spin(piece_by_piece, 0.25);
+    rotate_freely(piece_by_piece, 0.25);
   }
   CHECK((at_once.axes - piece_by_piece.axes).norm() <= 1e-14);
 }

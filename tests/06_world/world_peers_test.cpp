@@ -52,16 +52,16 @@ TEST_CASE("in Bullet's world too surfaces meet with the larger restitution", "[p
 {
   const Scene scene = named_scene("bounce");
   const std::vector<Frame> frames = bullet_frames(scene);
-  double ball = 0;
+  double sphere = 0;
   double cube = 0;
   for (const Frame& frame : frames)
   {
-    ball =
-        frame.time > 1.5 && frame.time < 2.6 ? std::max(ball, frame.bodies[1].position.y()) : ball;
+    sphere = frame.time > 1.5 && frame.time < 2.6 ? std::max(sphere, frame.bodies[1].position.y())
+                                                  : sphere;
     cube =
         frame.time > 0.6 && frame.time < 1.0 ? std::max(cube, frame.bodies[2].position.y()) : cube;
   }
-  CHECK(ball > 4); // restitution 1, of which Bullet keeps 0.92; not 1 · 0
+  CHECK(sphere > 4); // restitution 1, of which Bullet keeps 0.92; not 1 · 0
   CHECK(cube == Catch::Approx(0.75).margin(0.1)); // restitution 0.5: a quarter of 1 m
 }
 

@@ -63,7 +63,7 @@ TEST_CASE("thousands of bodies that come and go, fifty at a time, take the room 
         i % 3 == 0 ? ball_body("ball", 0.2, {aside, 2, 0}) : cube_body("cube", {aside, 2, 0});
     there.push_back(world.add(body));
     CHECK(ever.insert(there.back()).second);
-    CHECK(world.scene().bodies[world.place(there.back())].name == body.name);
+    CHECK(world.scene().bodies[world.index(there.back())].name == body.name);
     if (there.size() > 50)
     {
       world.remove(there.front());
@@ -89,8 +89,8 @@ TEST_CASE("who is put in where another was goes on as at a new place, to the bit
       GameWorld other = world;
       other.add(box_body("wall", {1, 1, 1}, {-50, 0, 0}, 0)); // has the place of who has left
       const BodyId at_old = world.add(thrown("next")), at_new = other.add(thrown("next"));
-      CHECK(world.place(at_old) == 1);
-      CHECK(other.place(at_new) == 3);
+      CHECK(world.index(at_old) == 1);
+      CHECK(other.index(at_new) == 3);
       CHECK(world.scene().bodies[1].position == Vector3<double>(0.1, 1.5, 0));
       for (int i = 0; i < 240; ++i)
       {
@@ -100,8 +100,8 @@ TEST_CASE("who is put in where another was goes on as at a new place, to the bit
         CHECK(old.motion.center == fresh.motion.center);
         CHECK(old.motion.velocity == fresh.motion.velocity);
         CHECK(old.orientation.coeffs() == fresh.orientation.coeffs());
-        CHECK(world.sleeps(at_old) == other.sleeps(at_new));
-        CHECK(world.sleeps(2) == other.sleeps(2));
+        CHECK(world.is_asleep(at_old) == other.is_asleep(at_new));
+        CHECK(world.is_asleep(2) == other.is_asleep(2));
         CHECK(world.body(2).motion.center == other.body(2).motion.center);
       }
     }
@@ -112,11 +112,11 @@ TEST_CASE("who is put on a sleeper wakes it, also at the place of another")
 {
   GameWorld world = one_has_left("direct", true);
   on(world, 1);
-  REQUIRE(world.sleeps(2));
+  REQUIRE(world.is_asleep(2));
   const BodyId next = world.add(cube_body("next", {5, 1.499, 0}));
-  CHECK(world.place(next) == 1);
-  CHECK_FALSE(world.sleeps(2));
-  CHECK_FALSE(world.sleeps(next));
+  CHECK(world.index(next) == 1);
+  CHECK_FALSE(world.is_asleep(2));
+  CHECK_FALSE(world.is_asleep(next));
 }
 
 TEST_CASE("a place is given on after a step, and its ids differ")
@@ -128,7 +128,7 @@ TEST_CASE("a place is given on after a step, and its ids differ")
   on(world, 2);
   const BodyId next = world.add(thrown("later"));
   CHECK(next == (BodyId(1) << 32 | 1));
-  CHECK(world.place(next) == 1);
+  CHECK(world.index(next) == 1);
   CHECK(world.id(1) == next);
   CHECK(world.add(thrown("in a row")) == 4);
   CHECK_FALSE(world.has(1));
@@ -154,7 +154,7 @@ TEST_CASE("who passed through the ground leaves nothing of that to the next at i
   world.remove(1);
   on(world, 1);
   const BodyId next = world.add(cube_body("next", {0, 1, 0}));
-  CHECK(world.place(next) == 1);
+  CHECK(world.index(next) == 1);
   on(world, 120);
   CHECK(world.body(next).motion.center.y() == Catch::Approx(0.5).margin(1e-3));
 }
@@ -195,7 +195,7 @@ TEST_CASE("rays, overlaps and contacts say who is at a place now")
   CHECK(asked.cast(down, [&](BodyId id) { return id != next; })->body == 0);
   CHECK(asked.overlapping(Sphere<double>{{0, 0.5, 0}, 0.1}) == std::vector<BodyId>{next});
   const auto of_next = [&](const WorldContact& contact)
-  { return world.id(place_of(contact.b)) == next; };
+  { return world.id(index_of(contact.b)) == next; };
   CHECK(std::any_of(world.contacts().begin(), world.contacts().end(), of_next));
   world.remove(next);
   CHECK(asked.cast(down)->body == 0);

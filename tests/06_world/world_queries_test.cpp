@@ -83,27 +83,27 @@ TEST_CASE("balls moved into a pile meet what they meet when every body is asked"
   int met = 0;
   for (int i = 0; i < inputs(2000, 100); ++i)
   {
-    const Sphere<double> ball{draw.vector(-6, 6), draw.between(0.01, 1)};
+    const Sphere<double> sphere{draw.vector(-6, 6), draw.between(0.01, 1)};
     const Vector3<double> way = draw.between(0, 12) * draw.direction();
-    std::optional<BallHit> wanted;
+    std::optional<SphereHit> wanted;
     for (std::size_t j = 0; j < world.bodies().size(); ++j)
     {
       const RigidBody& body = world.bodies()[j];
       std::optional<SweptHit<double>> hit;
       if (const auto* box = std::get_if<BoxShape>(&world.scene().bodies[j].shape))
       {
-        hit = swept_sphere_box(ball, way, placed(body, *box));
+        hit = swept_sphere_box(sphere, way, placed(body, *box));
       }
       else if (const auto* plane = std::get_if<PlaneShape>(&world.scene().bodies[j].shape))
       {
-        hit = swept_sphere_plane(ball, way, placed(body, *plane));
+        hit = swept_sphere_plane(sphere, way, placed(body, *plane));
       }
       if (world.has(j) && hit && (!wanted || hit->time < wanted->hit.time))
       {
-        wanted = BallHit{j, *hit};
+        wanted = SphereHit{j, *hit};
       }
     }
-    const auto found = queries.cast(ball, way);
+    const auto found = queries.cast(sphere, way);
     REQUIRE(found.has_value() == wanted.has_value());
     if (found)
     {
@@ -122,19 +122,19 @@ TEST_CASE("balls and boxes in a pile overlap what they overlap when every body i
   BoxDraw draw(5);
   for (int i = 0; i < inputs(500, 25); ++i)
   {
-    const Sphere<double> ball{draw.vector(-3, 3), draw.between(0.1, 1)};
+    const Sphere<double> sphere{draw.vector(-3, 3), draw.between(0.1, 1)};
     std::vector<BodyId> wanted;
     for (std::size_t j = 0; j < world.bodies().size(); ++j)
     {
       const bool meets = std::visit(
-          [&](const auto& shape) { return overlaps(placed(world.bodies()[j], shape), ball); },
+          [&](const auto& shape) { return overlaps(placed(world.bodies()[j], shape), sphere); },
           world.scene().bodies[j].shape);
       if (meets && world.has(j))
       {
         wanted.push_back(j);
       }
     }
-    REQUIRE(queries.overlapping(ball) == wanted);
+    REQUIRE(queries.overlapping(sphere) == wanted);
   }
 }
 

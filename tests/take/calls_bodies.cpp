@@ -67,7 +67,7 @@ void print_piles(const char* name, Solver solver)
     }
     for (int i = 1; i < count; ++i)
     {
-      if (draw.one_in(16) || (is_fixed(bodies[place_of(i - 1)]) && is_fixed(bodies[place_of(i)])))
+      if (draw.one_in(16) || (is_fixed(bodies[index_of(i - 1)]) && is_fixed(bodies[index_of(i)])))
       {
         continue;
       }
@@ -78,11 +78,11 @@ void print_piles(const char* name, Solver solver)
       {
         const Vector3<double> at(corner % 2 - 0.5, i - 0.5, corner / 2 - 0.5);
         const Vector3<double> apart = draw.number(-0.05, 0.05) / 2 * normal;
-        const RigidBody &a = bodies[place_of(i - 1)], &b = bodies[place_of(i)];
+        const RigidBody &a = bodies[index_of(i - 1)], &b = bodies[index_of(i)];
         WorldPoint& point = contact.points.emplace_back();
-        point.on_a = a.axes.transpose() * (at - apart - a.motion.center);
-        point.on_b = b.axes.transpose() * (at + apart - b.motion.center);
-        point.impulse = point.carried = draw.one_in(2) ? draw.number(0, 0.1) : 0;
+        point.anchor_a = a.axes.transpose() * (at - apart - a.motion.center);
+        point.anchor_b = b.axes.transpose() * (at + apart - b.motion.center);
+        point.impulse = point.warm_start_impulse = draw.one_in(2) ? draw.number(0, 0.1) : 0;
         point.solved = point.impulse > 0;
         point.feature = corner;
       }
@@ -119,7 +119,7 @@ void push_eight_times(IslandView view, const Island& island, double step)
 {
   for (const int body : island.bodies)
   {
-    view.bodies[place_of(body)].motion.velocity += step * view.gravity;
+    view.bodies[index_of(body)].motion.velocity += step * view.gravity;
   }
   const std::span<IslandPoint> points = points_of(view, island);
   for (int i = 0; i < 8; ++i)
@@ -134,7 +134,7 @@ void push_eight_times(IslandView view, const Island& island, double step)
   store(points);
   for (const int body : island.bodies)
   {
-    move(view.bodies[place_of(body)], step);
+    integrate_position(view.bodies[index_of(body)], step);
   }
 }
 
@@ -327,16 +327,18 @@ int main()
         {
           const double size = draw.one_in(40) ? 1 : 0.005;
           const Vector3<double> velocity = size * draw.vector(1), spin = size * draw.vector(1);
-          states[i] = watched<double>(states[i], velocity, spin, 1, 1.0 / 60, limits);
+          states[i] = update_sleep_state<double>(states[i], velocity, spin, 1, 1.0 / 60, limits);
         }
-        settle(states, numbers, limits);
+        update_sleep(states, numbers, limits);
         if (draw.one_in(20))
         {
           wake(states, numbers, 1);
         }
         for (const SleepState<double>& state : states)
         {
-          bits(state.velocity, state.angular_velocity, state.way, state.still, state.asleep);
+          bits(
+              state.velocity, state.angular_velocity, state.displacement, state.time_at_rest,
+              state.asleep);
         }
       });
 #endif
@@ -360,14 +362,14 @@ int main()
       [](Draw& draw, Bits& bits)
       {
         const std::array<Obb<double>, 2> walls{draw.box<Obb>(), draw.box<Obb>()};
-        const FlyingBall<double> from{{3 * draw.unit(), draw.number(0.1, 0.4)}, draw.vector(200)};
-        const FlyingBall<double> aimed{from.ball, -100 * from.ball.center + 0.1 * from.velocity};
+        const MovingSphere<double> from{{3 * draw.unit(), draw.number(0.1, 0.4)}, draw.vector(200)};
+        const MovingSphere<double> aimed{from.sphere, -100 * from.sphere.center + 0.1 * from.velocity};
         const double step = 1.0 / 60;
-        for (const FlyingBall<double>& to :
+        for (const MovingSphere<double>& to :
              {swept_step<double>(aimed, walls, 0.5, step), substeps(aimed, walls[0], 0.5, step, 4),
               speculative_step(aimed, walls[0], 0.5, step, 5.0)})
         {
-          bits(to.ball.center, to.velocity);
+          bits(to.sphere.center, to.velocity);
         }
       });
 #endif
@@ -433,8 +435,8 @@ int main()
 #endif
 #ifdef TAKE_contact_watch
   print(
-      "contact_watch",
-      [watch = ContactWatch()](Draw& draw, Bits& bits) mutable
+      "contact_events",
+      [events = ContactEvents()](Draw& draw, Bits& bits) mutable
       {
         std::vector<WorldContact> contacts;
         SceneBody ball;
@@ -447,8 +449,8 @@ int main()
           contact.points.emplace_back().impulse = draw.number(-1, 1);
           contacts.push_back(contact);
         }
-        watch.look(contacts, bodies);
-        bits(int(watch.pressing().size()), int(watch.begun().size()), int(watch.ended().size()));
+        events.update(contacts, bodies);
+        bits(int(events.active().size()), int(events.begun().size()), int(events.ended().size()));
       });
 #endif
 #ifdef TAKE_game_world

@@ -19,28 +19,28 @@ namespace cookbook
 // [moving_corners]
 /// How a body moves until time 1.
 template <class Real>
-struct Passage
+struct LinearMotion
 {
-  Vector3<Real> center; ///< [m], world, now
-  Vector3<Real> way;    ///< [m], at its present velocity
-  Vector3<Real> pull;   ///< [m], by how much that way grows, steadily
-  Vector3<Real> turn;   ///< [rad], axis times angle
+  Vector3<Real> center;       ///< [m], world, now
+  Vector3<Real> displacement; ///< [m], at its present velocity
+  Vector3<Real> acceleration; ///< [m], by how much that way grows, steadily
+  Vector3<Real> rotation;     ///< [rad], axis times angle
 };
 
 /// The corners of a body that moves: those of a box, or the centre of a ball.
 template <class Real>
 struct MovingCorners
 {
-  Passage<Real> passage;
+  LinearMotion<Real> passage;
   std::array<Vector3<Real>, 8> arms; ///< [m], world, from the centre to each corner
   std::size_t count;                 ///< how many there are
-  Real reach;                        ///< [m], of the longest arm
+  Real radius_bound;                 ///< [m], of the longest arm
   Real radius;                       ///< [m], of a ball; 0 otherwise
 };
 
 /// The eight corners of a box.
 template <class Real>
-MovingCorners<Real> moving_corners(const Obb<Real>& box, const Passage<Real>& passage)
+MovingCorners<Real> moving_corners(const Obb<Real>& box, const LinearMotion<Real>& passage)
 {
   MovingCorners<Real> corners{passage, {}, 8, box.half_extents.norm(), Real(0)};
   for (unsigned i = 0; i < 8; ++i)
@@ -52,62 +52,64 @@ MovingCorners<Real> moving_corners(const Obb<Real>& box, const Passage<Real>& pa
 
 /// A ball, as one corner that is round.
 template <class Real>
-MovingCorners<Real> moving_corners(const Sphere<Real>& ball, const Passage<Real>& passage)
+MovingCorners<Real> moving_corners(const Sphere<Real>& sphere, const LinearMotion<Real>& passage)
 {
-  return {passage, {Vector3<Real>::Zero()}, 1, Real(0), ball.radius};
+  return {passage, {Vector3<Real>::Zero()}, 1, Real(0), sphere.radius};
 }
 // [moving_corners]
 
-// [corner_outlook]
+// [corner_approach]
 /// By how much [m] the rates may grow until time 1 at which corners come closer along a direction
 /// that a frame carries along: pulls, the turning of the corners, and that of the frame; P23.
 template <class Real>
-Real most_bend(
-    const MovingCorners<Real>& corners, const Passage<Real>& frame, const Vector3<Real>& direction)
+Real max_acceleration(
+    const MovingCorners<Real>& corners, const LinearMotion<Real>& frame,
+    const Vector3<Real>& direction)
 {
-  const Passage<Real>& moves = corners.passage;
-  const Vector3<Real> pull = moves.pull - frame.pull;
-  const Real spin = moves.turn.norm(), turn = frame.turn.norm();
-  if (!(turn > Real(0)))
+  const LinearMotion<Real>& moves = corners.passage;
+  const Vector3<Real> acceleration = moves.acceleration - frame.acceleration;
+  const Real spin = moves.rotation.norm(), rotation = frame.rotation.norm();
+  if (!(rotation > Real(0)))
   {
-    return std::max(Real(0), Real(-pull.dot(direction))) +
-           spin * corners.reach * moves.turn.cross(direction).norm();
+    return std::max(Real(0), Real(-acceleration.dot(direction))) +
+           spin * corners.radius_bound * moves.rotation.cross(direction).norm();
   }
-  const Real way = (moves.way - frame.way).norm() + pull.norm();
-  const Real speed = way + spin * corners.reach;
-  const Real farthest = (moves.center - frame.center).norm() + way + corners.reach;
-  return pull.norm() + spin * spin * corners.reach + Real(2) * turn * speed +
-         turn * turn * farthest;
+  const Real displacement = (moves.displacement - frame.displacement).norm() + acceleration.norm();
+  const Real speed = displacement + spin * corners.radius_bound;
+  const Real farthest = (moves.center - frame.center).norm() + displacement + corners.radius_bound;
+  return acceleration.norm() + spin * spin * corners.radius_bound + Real(2) * rotation * speed +
+         rotation * rotation * farthest;
 }
 
 /// What a body sees of the corners of another along a direction towards that other, up to which it
 /// reaches by so much [m] from its centre; P23 for each corner. The direction turns with the body.
 ///
-/// Corners may come closer by an `allowed` depth [m]. Gaps and approaches of up to `touching` [m]
+/// Corners may come closer by an `allowed` depth [m]. Gaps and approaches of up to `tolerance` [m]
 /// count as none.
 template <class Real>
-BoxOutlook<Real> corner_outlook(
-    const Passage<Real>& frame, const Vector3<Real>& direction, const Real& reach,
-    const MovingCorners<Real>& corners, const Real& allowed, const Real& touching)
+BoxApproach<Real> corner_approach(
+    const LinearMotion<Real>& frame, const Vector3<Real>& direction, const Real& radius_bound,
+    const MovingCorners<Real>& corners, const Real& allowed, const Real& tolerance)
 {
   const Real most = std::numeric_limits<Real>::max();
-  const Real bend = most_bend(corners, frame, direction);
-  const Passage<Real>& moves = corners.passage;
-  BoxOutlook<Real> outlook{{direction, most}, false, most};
+  const Real acceleration_bound = max_acceleration(corners, frame, direction);
+  const LinearMotion<Real>& moves = corners.passage;
+  BoxApproach<Real> approach{{direction, most}, false, most};
   for (std::size_t i = 0; i < corners.count; ++i)
   {
     const Vector3<Real>& arm = corners.arms[i];
     const Vector3<Real> place = moves.center - frame.center + arm;
-    const Vector3<Real> rate =
-        moves.way - frame.way + moves.turn.cross(arm) - frame.turn.cross(place);
-    const Real gap = direction.dot(place) - reach - corners.radius + allowed;
+    const Vector3<Real> rate = moves.displacement - frame.displacement + moves.rotation.cross(arm) -
+                               frame.rotation.cross(place);
+    const Real gap = direction.dot(place) - radius_bound - corners.radius + allowed;
     const Real closing = -direction.dot(rate);
-    outlook.ahead.length = std::min(outlook.ahead.length, gap);
-    outlook.closes = outlook.closes || (gap <= touching && closing > touching);
-    outlook.lasts = std::min(outlook.lasts, lasting_time(std::max(gap, touching), closing, bend));
+    approach.gap.length = std::min(approach.gap.length, gap);
+    approach.closes = approach.closes || (gap <= tolerance && closing > tolerance);
+    approach.safe_time = std::min(
+        approach.safe_time, safe_time(std::max(gap, tolerance), closing, acceleration_bound));
   }
-  return outlook;
+  return approach;
 }
-// [corner_outlook]
+// [corner_approach]
 
 } // namespace cookbook

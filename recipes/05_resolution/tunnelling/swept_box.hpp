@@ -20,15 +20,15 @@ struct SweptBox
 {
   Obb<Real> box;              ///< at time 0
   Vector3<Real> displacement; ///< [m], world, until time 1
-  Vector3<Real> turn;         ///< [rad], world, axis times angle until time 1
+  Vector3<Real> rotation;     ///< [rad], world, axis times angle until time 1
 };
 
 /// The box at a time, 0 to 1.
 template <class Real>
 Obb<Real> box_at(const SweptBox<Real>& swept, Real time)
 {
-  const Direction<Real> turn = normalize(swept.turn);
-  const Eigen::AngleAxis<Real> turned(time * turn.length, turn.unit);
+  const Direction<Real> rotation = normalize(swept.rotation);
+  const Eigen::AngleAxis<Real> turned(time * rotation.length, rotation.unit);
   return {
       swept.box.center + time * swept.displacement, turned.toRotationMatrix() * swept.box.axes,
       swept.box.half_extents};
@@ -36,9 +36,9 @@ Obb<Real> box_at(const SweptBox<Real>& swept, Real time)
 
 /// The fastest [m] that any corner is carried round its centre until time 1.
 template <class Real>
-Real turning_reach(const SweptBox<Real>& swept)
+Real rotation_bound(const SweptBox<Real>& swept)
 {
-  return swept.turn.norm() * swept.box.half_extents.norm();
+  return swept.rotation.norm() * swept.box.half_extents.norm();
 }
 // [swept_box]
 
@@ -69,57 +69,57 @@ Direction<Real> box_gap(const Obb<Real>& a, const Obb<Real>& b)
 // [advance_boxes]
 /// What two boxes see of each other at one time.
 template <class Real>
-struct BoxOutlook
+struct BoxApproach
 {
-  Direction<Real> ahead; ///< from A to B, and how far apart [m] they are there
-  bool closes;           ///< whether they go on inwards where they touch
-  Real lasts;            ///< [1], for how long the gap is certain to last
+  Direction<Real> gap; ///< from A to B, and how far apart [m] they are there
+  bool closes;         ///< whether they go on inwards where they touch
+  Real safe_time;      ///< [1], for how long the gap is certain to last
 };
 
 /// The most steps that an advance of two boxes takes.
-inline constexpr int most_box_advances = 50;
+inline constexpr int max_box_advances = 50;
 
-/// Advances two boxes by what their gap allows, from a time to 1, to a gap of `touching` [m].
+/// Advances two boxes by what their gap allows, from a time to 1, to a gap of `tolerance` [m].
 ///
-/// Nothing where they do not touch on the way. After `most_box_advances` they stop short, where
+/// Nothing where they do not touch on the way. After `max_box_advances` they stop short, where
 /// they are.
-template <class Real, class Look>
-std::optional<SweptHit<Real>> advance_boxes(Real time, const Real& touching, const Look& look)
+template <class Real, class Query>
+std::optional<SweptHit<Real>> advance_boxes(Real time, const Real& tolerance, const Query& query)
 {
   for (int i = 0;; ++i)
   {
-    const BoxOutlook<Real> now = look(time);
-    if (i == most_box_advances || (now.ahead.length <= touching && now.closes))
+    const BoxApproach<Real> now = query(time);
+    if (i == max_box_advances || (now.gap.length <= tolerance && now.closes))
     {
-      return SweptHit<Real>{time, now.ahead.unit};
+      return SweptHit<Real>{time, now.gap.unit};
     }
-    if (!(time + now.lasts <= Real(1)))
+    if (!(time + now.safe_time <= Real(1)))
     {
       return std::nullopt;
     }
-    time += now.lasts;
+    time += now.safe_time;
   }
 }
 // [advance_boxes]
 
 // [swept_boxes]
-/// The first touch of two boxes that move and turn, to a gap of `touching` [m]; P20.
+/// The first touch of two boxes that move and turn, to a gap of `tolerance` [m]; P20.
 ///
 /// Nothing where they do not touch on the way; time 0 where they do at the start. The normal points
 /// from A to B.
 template <class Real>
 std::optional<SweptHit<Real>>
-swept_boxes(const SweptBox<Real>& a, const SweptBox<Real>& b, Real touching)
+swept_boxes(const SweptBox<Real>& a, const SweptBox<Real>& b, Real tolerance)
 {
   const Vector3<Real> approach = a.displacement - b.displacement;
-  const Real turning = turning_reach(a) + turning_reach(b);
-  const auto look = [&](const Real& time)
+  const Real turning = rotation_bound(a) + rotation_bound(b);
+  const auto query = [&](const Real& time)
   {
     const Direction<Real> gap = box_gap(box_at(a, time), box_at(b, time));
     const Real closing = approach.dot(gap.unit) + turning;
-    return BoxOutlook<Real>{gap, true, lasting_time(gap.length, closing, Real(0))};
+    return BoxApproach<Real>{gap, true, safe_time(gap.length, closing, Real(0))};
   };
-  return advance_boxes(Real(0), touching, look);
+  return advance_boxes(Real(0), tolerance, query);
 }
 // [swept_boxes]
 

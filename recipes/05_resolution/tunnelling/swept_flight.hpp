@@ -13,17 +13,17 @@ namespace cookbook
 // [flight]
 /// A ball that flies straight on between bounces.
 template <class Real>
-struct FlyingBall
+struct MovingSphere
 {
-  Sphere<Real> ball;
+  Sphere<Real> sphere;
   Vector3<Real> velocity; ///< [m/s], world
 };
 
 /// The flight after a time [s] in which nothing is in the way.
 template <class Real>
-FlyingBall<Real> moved(FlyingBall<Real> flight, const Real& time)
+MovingSphere<Real> moved(MovingSphere<Real> flight, const Real& time)
 {
-  flight.ball.center += time * flight.velocity;
+  flight.sphere.center += time * flight.velocity;
   return flight;
 }
 
@@ -31,8 +31,8 @@ FlyingBall<Real> moved(FlyingBall<Real> flight, const Real& time)
 ///
 /// As it was where the surfaces part already.
 template <class Real>
-Vector3<Real>
-bounced(const Vector3<Real>& velocity, const Vector3<Real>& normal, const Real& restitution)
+Vector3<Real> rebound_velocity(
+    const Vector3<Real>& velocity, const Vector3<Real>& normal, const Real& restitution)
 {
   const Real approach = velocity.dot(normal);
   return approach > Real(0) ? velocity - (Real(1) + restitution) * approach * normal : velocity;
@@ -43,12 +43,12 @@ bounced(const Vector3<Real>& velocity, const Vector3<Real>& normal, const Real& 
 /// The first touch of a moving ball with any of these walls; the wall that comes first, if several.
 template <class Real>
 std::optional<SweptHit<Real>> first_hit(
-    const Sphere<Real>& ball, const Vector3<Real>& displacement, std::span<const Obb<Real>> walls)
+    const Sphere<Real>& sphere, const Vector3<Real>& displacement, std::span<const Obb<Real>> walls)
 {
   std::optional<SweptHit<Real>> first;
   for (const Obb<Real>& wall : walls)
   {
-    const std::optional<SweptHit<Real>> hit = swept_sphere_box(ball, displacement, wall);
+    const std::optional<SweptHit<Real>> hit = swept_sphere_box(sphere, displacement, wall);
     if (hit && (!first || hit->time < first->time))
     {
       first = hit;
@@ -58,24 +58,24 @@ std::optional<SweptHit<Real>> first_hit(
 }
 
 /// The most bounces of one ball in one step.
-inline constexpr int most_bounces = 32;
+inline constexpr int max_bounces = 32;
 
 /// Moves the ball to where it first touches, lets it bounce there, and goes on with the rest of the
-/// step. After `most_bounces` it waits for the next step where it is.
+/// step. After `max_bounces` it waits for the next step where it is.
 template <class Real>
-FlyingBall<Real> swept_step(
-    FlyingBall<Real> flight, std::span<const Obb<Real>> walls, const Real& restitution, Real step)
+MovingSphere<Real> swept_step(
+    MovingSphere<Real> flight, std::span<const Obb<Real>> walls, const Real& restitution, Real step)
 {
-  for (int i = 0; i < most_bounces; ++i)
+  for (int i = 0; i < max_bounces; ++i)
   {
     const std::optional<SweptHit<Real>> hit =
-        first_hit<Real>(flight.ball, step * flight.velocity, walls);
+        first_hit<Real>(flight.sphere, step * flight.velocity, walls);
     if (!hit)
     {
       return moved(flight, step);
     }
     flight = moved<Real>(flight, hit->time * step);
-    flight.velocity = bounced(flight.velocity, hit->normal, restitution);
+    flight.velocity = rebound_velocity(flight.velocity, hit->normal, restitution);
     step -= hit->time * step;
   }
   return flight;

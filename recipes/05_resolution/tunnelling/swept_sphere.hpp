@@ -46,15 +46,15 @@ std::optional<SweptHit<Real>> swept_sphere_box(
 {
   using Vector = Vector3<Wide<Real>>;
   const Vector start = box_coordinates(box, sphere.center), half = widen(box.half_extents);
-  const Vector way = widen(box.axes).transpose() * widen(displacement);
+  const Vector path = widen(box.axes).transpose() * widen(displacement);
   const Wide<Real> radius = sphere.radius;
   const auto gap = [&](const Vector& offset)
   {
     const Direction<Wide<Real>> out = signed_distance_box<Wide<Real>>(start + offset, half);
     return Direction<Wide<Real>>{-out.unit, out.length - radius};
   };
-  const Wide<Real> rounding = sweep_rounding<Real>(start, way, half.maxCoeff() + radius);
-  return narrowed<Real>(first_touch<Wide<Real>>(way, rounding, gap), widen(box.axes));
+  const Wide<Real> rounding = sweep_rounding<Real>(start, path, half.maxCoeff() + radius);
+  return narrowed<Real>(first_touch<Wide<Real>>(path, rounding, gap), widen(box.axes));
 }
 // [swept_sphere_box]
 
@@ -64,7 +64,7 @@ std::optional<SweptHit<Real>> swept_sphere_plane(
     const Sphere<Real>& sphere, const Vector3<Real>& displacement, const Plane<Real>& plane)
 {
   using Vector = Vector3<Wide<Real>>;
-  const Vector normal = widen(plane.normal), way = widen(displacement);
+  const Vector normal = widen(plane.normal), path = widen(displacement);
   const Plane<Wide<Real>> wide{widen(plane.normal), plane.distance};
   const Wide<Real> start = signed_distance<Wide<Real>>(wide, widen(sphere.center));
   const Wide<Real> radius = sphere.radius;
@@ -72,9 +72,9 @@ std::optional<SweptHit<Real>> swept_sphere_plane(
     return Direction<Wide<Real>>{-normal, start - radius + normal.dot(offset)};
   };
   const Wide<Real> size = widen(sphere.center).cwiseAbs().maxCoeff() + radius;
-  const Wide<Real> rounding = sweep_rounding<Real>(Vector::Zero(), way, size);
+  const Wide<Real> rounding = sweep_rounding<Real>(Vector::Zero(), path, size);
   return narrowed<Real>(
-      first_touch<Wide<Real>>(way, rounding, gap), Matrix3<Wide<Real>>::Identity());
+      first_touch<Wide<Real>>(path, rounding, gap), Matrix3<Wide<Real>>::Identity());
 }
 
 /// The same of a second sphere; concentric ones part along +y.
@@ -83,16 +83,16 @@ std::optional<SweptHit<Real>> swept_sphere_sphere(
     const Sphere<Real>& sphere, const Vector3<Real>& displacement, const Sphere<Real>& other)
 {
   using Vector = Vector3<Wide<Real>>;
-  const Vector start = widen(other.center) - widen(sphere.center), way = widen(displacement);
-  const Wide<Real> reach = Wide<Real>(sphere.radius) + Wide<Real>(other.radius);
+  const Vector start = widen(other.center) - widen(sphere.center), path = widen(displacement);
+  const Wide<Real> radius_bound = Wide<Real>(sphere.radius) + Wide<Real>(other.radius);
   const auto gap = [&](const Vector& offset)
   {
-    const Direction<Wide<Real>> ahead = normalize<Wide<Real>>(start - offset);
-    return Direction<Wide<Real>>{ahead.unit, ahead.length - reach};
+    const Direction<Wide<Real>> direction = normalize<Wide<Real>>(start - offset);
+    return Direction<Wide<Real>>{direction.unit, direction.length - radius_bound};
   };
-  const Wide<Real> rounding = sweep_rounding<Real>(start, way, reach);
+  const Wide<Real> rounding = sweep_rounding<Real>(start, path, radius_bound);
   return narrowed<Real>(
-      first_touch<Wide<Real>>(way, rounding, gap), Matrix3<Wide<Real>>::Identity());
+      first_touch<Wide<Real>>(path, rounding, gap), Matrix3<Wide<Real>>::Identity());
 }
 
 } // namespace cookbook

@@ -26,22 +26,22 @@ Real no_push_through_speed(const Real& thickness, const Real& radius, const Real
 // [discrete_step]
 /// Moves the ball, and looks afterwards: an overlap is pushed out, the velocity bounces.
 template <class Real>
-FlyingBall<Real> discrete_step(
-    FlyingBall<Real> flight, const Obb<Real>& wall, const Real& restitution, const Real& step)
+MovingSphere<Real> discrete_step(
+    MovingSphere<Real> flight, const Obb<Real>& wall, const Real& restitution, const Real& step)
 {
   flight = moved(flight, step);
-  if (const auto manifold = sphere_box(flight.ball, wall))
+  if (const auto manifold = sphere_box(flight.sphere, wall))
   {
-    flight.ball.center -= manifold->depth * manifold->normal;
-    flight.velocity = bounced(flight.velocity, manifold->normal, restitution);
+    flight.sphere.center -= manifold->depth * manifold->normal;
+    flight.velocity = rebound_velocity(flight.velocity, manifold->normal, restitution);
   }
   return flight;
 }
 
 /// The same in `count` shorter steps.
 template <class Real>
-FlyingBall<Real> substeps(
-    FlyingBall<Real> flight, const Obb<Real>& wall, const Real& restitution, const Real& step,
+MovingSphere<Real> substeps(
+    MovingSphere<Real> flight, const Obb<Real>& wall, const Real& restitution, const Real& step,
     int count)
 {
   for (int i = 0; i < count; ++i)
@@ -64,28 +64,28 @@ Vector3<Real> speculative_velocity(
 
 /// Direction from the ball to the wall, and the gap [m] between them.
 template <class Real>
-Direction<Real> gap_to(const Sphere<Real>& ball, const Obb<Real>& wall)
+Direction<Real> direction_to(const Sphere<Real>& sphere, const Obb<Real>& wall)
 {
-  const Direction<Real> ahead =
-      direction_to_box<Real>(box_coordinates(wall, ball.center), wall.axes, wall.half_extents);
-  return {ahead.unit, ahead.length - ball.radius};
+  const Direction<Real> gap =
+      direction_to_box<Real>(box_coordinates(wall, sphere.center), wall.axes, wall.half_extents);
+  return {gap.unit, gap.length - sphere.radius};
 }
 
 /// Brakes the ball before the step if the wall is no farther than a margin [m]; lets it bounce
 /// where they touch, to a millionth of the radius.
 template <class Real>
-FlyingBall<Real> speculative_step(
-    FlyingBall<Real> flight, const Obb<Real>& wall, const Real& restitution, const Real& step,
+MovingSphere<Real> speculative_step(
+    MovingSphere<Real> flight, const Obb<Real>& wall, const Real& restitution, const Real& step,
     const Real& margin)
 {
-  const Direction<Real> ahead = gap_to(flight.ball, wall);
-  if (ahead.length <= flight.ball.radius * Real(1e-6))
+  const Direction<Real> gap = direction_to(flight.sphere, wall);
+  if (gap.length <= flight.sphere.radius * Real(1e-6))
   {
-    flight.velocity = bounced(flight.velocity, ahead.unit, restitution);
+    flight.velocity = rebound_velocity(flight.velocity, gap.unit, restitution);
   }
-  else if (ahead.length <= margin)
+  else if (gap.length <= margin)
   {
-    flight.velocity = speculative_velocity(flight.velocity, ahead.unit, ahead.length, step);
+    flight.velocity = speculative_velocity(flight.velocity, gap.unit, gap.length, step);
   }
   return moved(flight, step);
 }

@@ -4,7 +4,7 @@
 /// \brief Contacts in colours, so that no two of a colour share a body that moves.
 
 #include "06_world/lanes/groups.hpp"
-#include "06_world/lanes/make_room.hpp"
+#include "06_world/lanes/reserve_space.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -34,7 +34,7 @@ public:
   {
     taken_.assign(bodies, 0);
     colors_of_.clear();
-    make_room(colors_of_, pairs.size());
+    reserve_space(colors_of_, pairs.size());
     int own = 0;
     count_ = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i)

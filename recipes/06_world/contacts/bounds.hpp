@@ -18,13 +18,13 @@ struct Bounds
 {
   Eigen::AlignedBox<double, 3> box; ///< [m], world; infinite for a plane
   int body;                         ///< its number
-  int place = 0;                    ///< in the list that a tree was built of
+  int index = 0;                    ///< in the list that a tree was built of
 };
 // [bounds]
 
 /// How far [m] a body reaches from its centre along the axes of the world; `axes()` are its own.
 template <class Axes>
-struct Reach
+struct AxisExtents
 {
   const Axes& axes;
 
@@ -32,9 +32,9 @@ struct Reach
   {
     return axes().cwiseAbs() * box.half_extents;
   }
-  Vector3<double> operator()(const SphereShape& ball) const
+  Vector3<double> operator()(const SphereShape& sphere) const
   {
-    return Vector3<double>::Constant(ball.radius);
+    return Vector3<double>::Constant(sphere.radius);
   }
   Vector3<double> operator()(const PlaneShape&) const
   {
@@ -48,9 +48,9 @@ Eigen::AlignedBox<double, 3> bounds_at(
     const Vector3<double>& center, const Axes& axes, const decltype(SceneBody::shape)& shape,
     double margin)
 {
-  const Vector3<double> reach =
-      std::visit(Reach<Axes>{axes}, shape) + Vector3<double>::Constant(margin);
-  return {center - reach, center + reach};
+  const Vector3<double> extents =
+      std::visit(AxisExtents<Axes>{axes}, shape) + Vector3<double>::Constant(margin);
+  return {center - extents, center + extents};
 }
 
 /// The bounds of a shape where its body is, wider by a margin [m].

@@ -33,8 +33,11 @@ public:
 
   const std::vector<Node>& nodes() const { return nodes_; } ///< the root first
   const std::vector<Bounds>& all() const { return all_; }   ///< first all that is finite
-  std::span<const Bounds> leaves() const { return {all_.data(), finite_}; }            ///< that
-  std::span<const Bounds> endless() const { return std::span(all_).subspan(finite_); } ///< all else
+  std::span<const Bounds> leaves() const { return {all_.data(), finite_}; } ///< that
+  std::span<const Bounds> unbounded() const
+  {
+    return std::span(all_).subspan(finite_);
+  } ///< all else
 
   /// Sorts bounds into the tree.
   void build(std::span<const Bounds> bounds)
@@ -42,31 +45,31 @@ public:
     all_.assign(bounds.begin(), bounds.end());
     for (std::size_t i = 0; i < all_.size(); ++i)
     {
-      all_[i].place = static_cast<int>(i);
+      all_[i].index = static_cast<int>(i);
     }
     sort();
   }
 
   /// Whether it was built of the bounds of these bodies, in this order.
-  bool is_of(std::span<const Bounds> bounds) const
+  bool is_built_of(std::span<const Bounds> bounds) const
   {
     const auto same = [&](const Bounds& one)
-    { return one.body == bounds[static_cast<std::size_t>(one.place)].body; };
+    { return one.body == bounds[static_cast<std::size_t>(one.index)].body; };
     return bounds.size() == all_.size() && std::all_of(all_.begin(), all_.end(), same);
   }
 
   /// Gives all bodies new bounds, `bounds(one)`, and sorts them anew if they have spread or drawn
   /// together by a fifth since that was done; whether it was.
   template <class BoundsOf>
-  bool follow(const BoundsOf& bounds)
+  bool update(const BoundsOf& bounds)
   {
     for (Bounds& one : std::span(all_).subspan(finite_))
     {
       one.box = bounds(one);
     }
     refit(bounds);
-    const double now = spread();
-    if (now <= built_ * 6 / 5 && built_ <= now * 6 / 5)
+    const double now = total_size();
+    if (now <= built_size_ * 6 / 5 && built_size_ <= now * 6 / 5)
     {
       return false;
     }
@@ -91,7 +94,7 @@ public:
   }
 
   /// Widens the bounds of one of all by a box [m], and with them all branches above it.
-  void widen(std::size_t leaf, const Eigen::AlignedBox<double, 3>& box)
+  void enlarge(std::size_t leaf, const Eigen::AlignedBox<double, 3>& box)
   {
     replace(leaf, all_[leaf].box.merged(box));
   }
@@ -119,7 +122,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_leaves = 4; // side by side, that no node parts any more
+  static constexpr std::size_t max_leaves = 4; // side by side, that no node parts any more
   /// Evaluated along the axes that are asked for.
   static auto center(const Bounds& one) { return one.box.min() / 2 + one.box.max() / 2; }
 
@@ -132,16 +135,16 @@ private:
     nodes_.clear();
     if (finite_ > 0)
     {
-      grow(0, static_cast<std::uint32_t>(finite_));
+      build_node(0, static_cast<std::uint32_t>(finite_));
     }
-    built_ = spread();
+    built_size_ = total_size();
   }
 
-  void grow(std::uint32_t first, std::uint32_t end)
+  void build_node(std::uint32_t first, std::uint32_t end)
   {
     const std::size_t here = nodes_.size();
     nodes_.push_back({box_around(first, end), first, end, 0});
-    if (end - first <= most_leaves)
+    if (end - first <= max_leaves)
     {
       return;
     }
@@ -157,13 +160,13 @@ private:
     const std::uint32_t middle = first + (end - first) / 2;
     Bounds* const leaf = all_.data();
     std::nth_element(leaf + first, leaf + middle, leaf + end, before);
-    grow(first, middle);
+    build_node(first, middle);
     nodes_[here].right = static_cast<std::uint32_t>(nodes_.size());
-    grow(middle, end);
+    build_node(middle, end);
   }
 
   /// The sum of the sizes [m] of all boxes.
-  double spread() const
+  double total_size() const
   {
     const auto add = [](double sum, const Node& node) { return sum + node.box.sizes().sum(); };
     return std::accumulate(nodes_.begin(), nodes_.end(), 0.0, add);
@@ -182,7 +185,7 @@ private:
   std::vector<Bounds> all_;
   std::size_t finite_ = 0;
   std::vector<Node> nodes_;
-  double built_ = 0; // [m], its spread when it was built
+  double built_size_ = 0; // [m], its spread when it was built
 };
 // [bounds_tree]
 

@@ -6,7 +6,7 @@
 #include "06_world/contacts/pair_order.hpp"
 #include "06_world/contacts/too_many_contacts.hpp"
 #include "06_world/contacts/tree_overlaps.hpp"
-#include "06_world/lanes/make_room.hpp"
+#include "06_world/lanes/reserve_space.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -21,7 +21,7 @@ namespace cookbook
 // [overlapping_pairs]
 /// Finds which bodies may touch, in memory that stays from step to step.
 ///
-/// Who hardly moves is looked for with wider bounds, its room, and anew once it has left that.
+/// A body that hardly moves has a fat AABB in the tree, and is found anew once it has left that.
 class BroadPhase
 {
 public:
@@ -30,8 +30,8 @@ public:
   template <class Call>
   void each_pair(std::span<const Bounds> bounds, const Call& call)
   {
-    const bool known = tree_.is_of(bounds);
-    if (!known || !follow(bounds))
+    const bool known = tree_.is_built_of(bounds);
+    if (!known || !update_tree(bounds))
     {
       find(bounds, known);
     }
@@ -53,25 +53,24 @@ public:
   /// Those pairs, and others that are nearly as near.
   const std::vector<std::pair<int, int>>& close_pairs() const { return close_pairs_; }
 
-  /// A tree of the bounds that pairs were last found of, to be changed. While it is asked for,
-  /// nobody is given room.
+  /// The tree of the last bounds, to be changed; while it is asked for, no AABB is fattened.
   BoundsTree& tree(std::span<const Bounds> bounds)
   {
-    if (roomy_)
+    if (is_fat_)
     {
       tree_.refit([&](const Bounds& leaf) { return bounds[place(leaf.body)].box; });
     }
-    roomy_ = false;
-    asked_ = true;
+    is_fat_ = false;
+    tree_requested_ = true;
     return tree_;
   }
 
 private:
-  static constexpr double room = 0.05; // of a box's smallest size, on all sides
+  static constexpr double fat_margin = 0.05; // of a box's smallest size, on all sides
 
   std::size_t place(int body) const { return places_[static_cast<std::size_t>(body)]; }
 
-  const Eigen::AlignedBox<double, 3>& room_of(int body) const
+  const Eigen::AlignedBox<double, 3>& fat_bounds_of(int body) const
   {
     return tree_.all()[leaves_[static_cast<std::size_t>(body)]].box;
   }
@@ -85,42 +84,41 @@ private:
     }
   }
 
-  /// Whether the bodies of the tree have rooms, and only few have left theirs, now or since pairs
-  /// were found; those are given others.
-  bool follow(std::span<const Bounds> bounds)
+  /// Whether the AABBs of the tree are fat, and few bodies have left theirs; those are refitted.
+  bool update_tree(std::span<const Bounds> bounds)
   {
-    if (!roomy_)
+    if (!is_fat_)
     {
       return false;
     }
-    left_.clear();
+    escaped_.clear();
     for (std::uint32_t leaf = 0; leaf < bounds.size(); ++leaf)
     {
       const Bounds& known = tree_.all()[leaf];
-      if (!known.box.contains(bounds[static_cast<std::size_t>(known.place)].box))
+      if (!known.box.contains(bounds[static_cast<std::size_t>(known.index)].box))
       {
-        left_.push_back(leaf);
+        escaped_.push_back(leaf);
       }
     }
-    moved_ += left_.size();
-    const bool few = 8 * left_.size() <= bounds.size() && moved_ <= bounds.size();
-    if (few && !left_.empty())
+    moved_ += escaped_.size();
+    const bool few = 8 * escaped_.size() <= bounds.size() && moved_ <= bounds.size();
+    if (few && !escaped_.empty())
     {
-      give_rooms(bounds);
+      fatten_escaped(bounds);
     }
     return few;
   }
 
-  void give_rooms(std::span<const Bounds> bounds)
+  void fatten_escaped(std::span<const Bounds> bounds)
   {
-    roomy_ = false; // until all is done
-    for (const std::size_t leaf : left_)
+    is_fat_ = false; // until all is done
+    for (const std::size_t leaf : escaped_)
     {
-      const std::size_t place = static_cast<std::size_t>(tree_.all()[leaf].place);
-      tree_.replace(leaf, roomy(bounds[place].box, room));
+      const std::size_t place = static_cast<std::size_t>(tree_.all()[leaf].index);
+      tree_.replace(leaf, fattened(bounds[place].box, fat_margin));
     }
     found_.clear();
-    for (const std::size_t leaf : left_)
+    for (const std::size_t leaf : escaped_)
     {
       add_overlaps(tree_, leaf, found_);
     }
@@ -129,32 +127,33 @@ private:
     std::erase_if(found_, is_known);
     std::sort(found_.begin(), found_.end());
     found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
-    merge_in(close_pairs_, std::span(found_));
-    const auto apart = [&](const auto& pair)
-    { return !boxes_intersect(room_of(pair.first), room_of(pair.second)); };
-    std::erase_if(close_pairs_, apart);
-    roomy_ = true;
+    merge_sorted(close_pairs_, std::span(found_));
+    const auto disjoint = [&](const auto& pair)
+    { return !boxes_intersect(fat_bounds_of(pair.first), fat_bounds_of(pair.second)); };
+    std::erase_if(close_pairs_, disjoint);
+    is_fat_ = true;
   }
 
-  /// Finds all pairs anew, and gives room to all known that have hardly moved, or kept to theirs.
+  /// Finds all pairs anew, and fattens the AABBs of bodies that have hardly moved.
   void find(std::span<const Bounds> bounds, bool known)
   {
-    const bool gives = known && !asked_;
-    const auto room_for = [&](const Bounds& one) // as it was the last time, or with its room
+    const bool may_fatten = known && !tree_requested_;
+    const auto fat_bounds_for = [&](const Bounds& one) // as it was the last time, or fat
     {
-      const auto& now = bounds[static_cast<std::size_t>(one.place)].box;
-      const bool stays = gives && (roomy_ ? one.box : roomy(one.box, room / 4)).contains(now);
-      return stays ? roomy(now, room) : now;
+      const auto& now = bounds[static_cast<std::size_t>(one.index)].box;
+      const bool stays =
+          may_fatten && (is_fat_ ? one.box : fattened(one.box, fat_margin / 4)).contains(now);
+      return stays ? fattened(now, fat_margin) : now;
     };
     if (known)
     {
-      tree_.follow(room_for);
+      tree_.update(fat_bounds_for);
     }
     else
     {
       tree_.build(bounds);
     }
-    roomy_ = asked_ = false;
+    is_fat_ = tree_requested_ = false;
     moved_ = 0;
     find_places(bounds);
     close_pairs_.clear();
@@ -162,11 +161,11 @@ private:
         tree_,
         [&](int a, int b)
         {
-          add_in_room(close_pairs_, std::pair(a, b));
+          append(close_pairs_, std::pair(a, b));
           check(std::ssize(close_pairs_), 200);
         });
     order_.sort(close_pairs_, places_.size());
-    roomy_ = gives;
+    is_fat_ = may_fatten;
   }
 
   /// Finds where each body is in the list of bounds, and in that of the tree.
@@ -182,18 +181,18 @@ private:
     std::uint32_t leaf = 0;
     for (const Bounds& one : tree_.all())
     {
-      places_[static_cast<std::size_t>(one.body)] = static_cast<std::uint32_t>(one.place);
+      places_[static_cast<std::size_t>(one.body)] = static_cast<std::uint32_t>(one.index);
       leaves_[static_cast<std::size_t>(one.body)] = leaf++;
     }
   }
 
   BoundsTree tree_;
   PairOrder order_;
-  std::vector<std::pair<int, int>> close_pairs_, found_; // by their rooms
+  std::vector<std::pair<int, int>> close_pairs_, found_; // by their fat AABBs
   std::vector<std::uint32_t> places_, leaves_; // of bodies in the list of bounds, in the tree
-  std::vector<std::uint32_t> left_;            // the leaves of those that left their room
-  std::size_t moved_ = 0;                      // rooms given since pairs were found
-  bool roomy_ = false, asked_ = false; // whether there are rooms; whether the tree was asked for
+  std::vector<std::uint32_t> escaped_;         // leaves whose body left its fat AABB
+  std::size_t moved_ = 0;                      // AABBs refitted since pairs were found
+  bool is_fat_ = false, tree_requested_ = false;
 };
 // [overlapping_pairs]
 

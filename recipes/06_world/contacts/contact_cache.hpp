@@ -6,7 +6,7 @@
 #include "06_world/contacts/broad_phase.hpp"
 #include "06_world/contacts/narrow_phase.hpp"
 #include "06_world/contacts/pair_order.hpp"
-#include "06_world/lanes/make_room.hpp"
+#include "06_world/lanes/reserve_space.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,14 +22,14 @@ namespace cookbook
 /// The restitution of two bodies of a scene: the larger one.
 inline double restitution_of(const Scene& scene, int a, int b)
 {
-  return std::max(scene.bodies[place_of(a)].restitution, scene.bodies[place_of(b)].restitution);
+  return std::max(scene.bodies[index_of(a)].restitution, scene.bodies[index_of(b)].restitution);
 }
 
 /// The contact of two bodies of a scene that is new: two surfaces meet with the geometric mean of
 /// their frictions.
 inline WorldContact new_contact(const Scene& scene, int a, int b)
 {
-  const SceneBody &body_a = scene.bodies[place_of(a)], &body_b = scene.bodies[place_of(b)];
+  const SceneBody &body_a = scene.bodies[index_of(a)], &body_b = scene.bodies[index_of(b)];
   WorldContact contact;
   contact.a = a;
   contact.b = b;
@@ -39,30 +39,30 @@ inline WorldContact new_contact(const Scene& scene, int a, int b)
 }
 
 /// Brings contacts up to date with pairs of bodies, which `each_pair(call)` calls `call(pair)`
-/// with; both are in order. Pairs that are not as near as `reach(a, b)` says have none, and neither
-/// have those that ignore each other.
+/// with; both are in order. Pairs that are not as near as `margins_of(a, b)` says have none, and
+/// neither have those that ignore each other.
 ///
 /// What is known already keeps its place in the list, as long as no pair before it begins or ends.
-/// `still(i)` says that a body has not moved since; a contact of two such bodies stays as it is.
+/// `inactive(i)` says that a body has not moved since; a contact of two such bodies stays as it is.
 /// `begun` is room for those that begin.
-template <class EachPair, class Reach, class Still>
+template <class EachPair, class MarginsOf, class Inactive>
 void update_contacts(
     std::vector<WorldContact>& contacts, std::vector<WorldContact>& begun, const Scene& scene,
-    std::span<const RigidBody> bodies, const EachPair& each_pair, const Reach& reach,
-    const Still& still)
+    std::span<const RigidBody> bodies, const EachPair& each_pair, const MarginsOf& margins_of,
+    const Inactive& inactive)
 {
   begun.clear();
-  const auto touches = [&](WorldContact& contact)
+  const auto updated = [&](WorldContact& contact)
   {
-    const std::size_t a = place_of(contact.a), b = place_of(contact.b);
-    const UpdateContact points{contact, bodies[a], bodies[b], reach(contact.a, contact.b)};
+    const std::size_t a = index_of(contact.a), b = index_of(contact.b);
+    const UpdateContact points{contact, bodies[a], bodies[b], margins_of(contact.a, contact.b)};
     std::visit(points, scene.bodies[a].shape, scene.bodies[b].shape);
     return !contact.points.empty();
   };
   auto kept = contacts.begin(), known = contacts.begin();
   const auto update = [&](const std::pair<int, int>& pair)
   {
-    const bool both_still = still(pair.first) && still(pair.second);
+    const bool both_inactive = inactive(pair.first) && inactive(pair.second);
     while (known != contacts.end() && pair_of(*known) < pair)
     {
       ++known;
@@ -77,12 +77,12 @@ void update_contacts(
       {
         *kept = std::move(*known);
       }
-      kept += both_still || touches(*kept) ? 1 : 0;
+      kept += both_inactive || updated(*kept) ? 1 : 0;
     }
-    else if (!both_still)
+    else if (!both_inactive)
     {
-      add_in_room(begun, new_contact(scene, pair.first, pair.second));
-      if (!touches(begun.back()))
+      append(begun, new_contact(scene, pair.first, pair.second));
+      if (!updated(begun.back()))
       {
         begun.pop_back();
       }
@@ -90,7 +90,7 @@ void update_contacts(
   };
   each_pair(update);
   contacts.erase(kept, contacts.end());
-  merge_in(contacts, std::span(begun));
+  merge_sorted(contacts, std::span(begun));
 }
 // [world_contacts]
 

@@ -18,16 +18,16 @@ namespace cookbook
 ///
 /// So it is with a cube on flush tiles and the side of the tile that it comes to next.
 inline bool is_ghost(
-    const Obb<double>& a, const Obb<double>& b, const Vector3<double>& normal, double gap,
+    const Obb<double>& a, const Obb<double>& b, const Vector3<double>& normal, double separation,
     double margin)
 {
-  const double share = gap > 0.1 * margin ? 1 : 0.1;
+  const double fraction = separation > 0.1 * margin ? 1 : 0.1;
   const auto passes = [&](const Vector3<double>& axis)
   {
     const double reach_a = box_radius(a, axis), reach_b = box_radius(b, axis);
     const double overlap = reach_a + reach_b - std::abs(axis.dot(b.center - a.center));
     return std::abs(axis.dot(normal)) < 0.5 &&
-           overlap <= share * std::min({margin, reach_a, reach_b});
+           overlap <= fraction * std::min({margin, reach_a, reach_b});
   };
   for (int i = 0; i < 3; ++i)
   {
@@ -42,19 +42,19 @@ inline bool is_ghost(
 /// True if a ball that is a gap [m] apart from a box along a normal is not above one of its faces:
 /// it may well pass by the edge.
 inline bool is_ghost(
-    const Sphere<double>& ball, const Obb<double>& box, const Vector3<double>& normal, double gap,
-    double)
+    const Sphere<double>& sphere, const Obb<double>& box, const Vector3<double>& normal,
+    double separation, double)
 {
   const double upright = (box.axes.transpose() * normal).cwiseAbs().maxCoeff();
-  return gap > 1e-9 * ball.radius && upright < 1 - 1e-12;
+  return separation > 1e-9 * sphere.radius && upright < 1 - 1e-12;
 }
 
 /// The same, the other way round.
 inline bool is_ghost(
-    const Obb<double>& box, const Sphere<double>& ball, const Vector3<double>& normal, double gap,
-    double margin)
+    const Obb<double>& box, const Sphere<double>& sphere, const Vector3<double>& normal,
+    double separation, double margin)
 {
-  return is_ghost(ball, box, normal, gap, margin);
+  return is_ghost(sphere, box, normal, separation, margin);
 }
 
 /// No other two shapes pass each other by.

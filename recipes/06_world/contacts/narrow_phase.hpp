@@ -20,17 +20,17 @@
 namespace cookbook
 {
 
-// [meet]
+// [steady_manifold]
 /// The manifold of two shapes that touch, or will within a margin [m], in this frame.
 template <class A, class B>
-std::optional<Manifold<double>> meet(int, const A& a, const B& b, double margin)
+std::optional<Manifold<double>> steady_manifold(int, const A& a, const B& b, double margin)
 {
-  return within(a, b, margin);
+  return manifold_within(a, b, margin);
 }
 
 /// Edges of two boxes that lie along each other to within this share of all their half extents
 /// together do not cross: where they did would be chance, and another place in every step.
-inline constexpr double share_of_hair = 1e-10;
+inline constexpr double parallel_tolerance = 1e-10;
 
 /// That of two boxes, on the axis of the frame before, −1 if there was none, unless another is
 /// better, or a face nearly as good as a pair of edges.
@@ -38,7 +38,7 @@ inline constexpr double share_of_hair = 1e-10;
 /// The axis is that of the boxes once both have grown by half the margin, for only then do they
 /// overlap; the points are those of the boxes as they are.
 inline std::optional<Manifold<double>>
-meet(int before, const Obb<double>& a, const Obb<double>& b, double margin)
+steady_manifold(int before, const Obb<double>& a, const Obb<double>& b, double margin)
 {
   const Obb<double> grown_a = grown(a, margin / 2), grown_b = grown(b, margin / 2);
   const std::optional<std::pair<int, double>> found =
@@ -52,54 +52,55 @@ meet(int before, const Obb<double>& a, const Obb<double>& b, double margin)
   const double growth = margin / 2 *
                         ((a.axes.transpose() * normal).cwiseAbs().sum() +
                          (b.axes.transpose() * normal).cwiseAbs().sum());
-  const double hair = share_of_hair * tolerances_of(a, b).size;
-  return box_box_on<RowInRegisters<double>>(a, b, axis, overlap - growth, growth + margin, hair);
+  const double tolerance = parallel_tolerance * tolerances_of(a, b).size;
+  return box_box_on<RowInRegisters<double>>(
+      a, b, axis, overlap - growth, growth + margin, tolerance);
 }
 
 /// The axis on which the manifold of a contact was built in the frame before; −1 if it had none.
-inline int axis_before(const WorldContact& contact)
+inline int previous_axis(const WorldContact& contact)
 {
   return contact.points.empty() ? -1 : axis_of_feature(contact.points.front().feature);
 }
 
 /// Whether a contact has points with the features of a manifold, in the same order.
-inline bool has_features_of(const WorldContact& contact, const Manifold<double>& manifold)
+inline bool has_same_features(const WorldContact& contact, const Manifold<double>& manifold)
 {
   const auto same = [](const auto& one, const auto& other) { return one.feature == other.feature; };
   return std::equal(
       contact.points.begin(), contact.points.end(), manifold.points.begin(), manifold.points.end(),
       same);
 }
-// [meet]
+// [steady_manifold]
 
 // [update_contact]
 /// Which bodies are in contact.
-struct ContactReach
+struct ContactMargins
 {
-  double reach; ///< [m], how far apart they may be
-  double ghost; ///< [m], by how much what only passes by may overlap, is_ghost()
+  double contact; ///< [m], how far apart they may be
+  double ghost;   ///< [m], by how much what only passes by may overlap, is_ghost()
 };
 
 /// Writes where each point of a contact is on the surfaces of its two bodies, as its manifold says.
-inline void anchor(
+inline void set_anchors(
     WorldContact& contact, const Manifold<double>& manifold, const RigidBody& a, const RigidBody& b)
 {
   for (std::size_t i = 0; i < manifold.points.size(); ++i)
   {
     const ContactPoint<double>& point = manifold.points[i];
     const Vector3<double> half = manifold.normal * (point.depth / 2);
-    contact.points[i].on_a = a.axes.transpose() * (point.position + half - a.motion.center);
-    contact.points[i].on_b = b.axes.transpose() * (point.position - half - b.motion.center);
+    contact.points[i].anchor_a = a.axes.transpose() * (point.position + half - a.motion.center);
+    contact.points[i].anchor_b = b.axes.transpose() * (point.position - half - b.motion.center);
   }
 }
 
 /// Gives a contact the normal and points of a manifold of its two bodies: a point with a feature
 /// that was there before keeps what was known of it.
-inline void renew(
+inline void update_points(
     WorldContact& contact, const Manifold<double>& manifold, const RigidBody& a, const RigidBody& b)
 {
   contact.normal = manifold.normal;
-  if (!has_features_of(contact, manifold))
+  if (!has_same_features(contact, manifold))
   {
     PerPoint<WorldPoint> points =
         carried_points<WorldPoint>(contact.points, contact.points, manifold.points);
@@ -113,7 +114,7 @@ inline void renew(
     }
     contact.points.assign(points.begin(), points.begin() + manifold.points.size());
   }
-  anchor(contact, manifold, a, b);
+  set_anchors(contact, manifold, a, b);
 }
 
 /// Brings the points of a contact up to date with where its bodies are; none where they are too far
@@ -123,20 +124,20 @@ struct UpdateContact
   WorldContact& contact;
   const RigidBody& a;
   const RigidBody& b;
-  ContactReach margins;
+  ContactMargins margins;
 
   template <class ShapeA, class ShapeB>
   void operator()(const ShapeA& shape_a, const ShapeB& shape_b) const
   {
     const auto placed_a = placed(a, shape_a);
     const auto placed_b = placed(b, shape_b);
-    const std::optional<Manifold<double>> met =
-        meet(axis_before(contact), placed_a, placed_b, margins.reach);
-    if (!met || is_ghost(placed_a, placed_b, met->normal, -met->depth, margins.ghost))
+    const std::optional<Manifold<double>> found =
+        steady_manifold(previous_axis(contact), placed_a, placed_b, margins.contact);
+    if (!found || is_ghost(placed_a, placed_b, found->normal, -found->depth, margins.ghost))
     {
       return contact.points.clear();
     }
-    renew(contact, *met, a, b);
+    update_points(contact, *found, a, b);
   }
   void operator()(const PlaneShape&, const PlaneShape&) const { contact.points.clear(); }
 };

@@ -23,9 +23,9 @@ inline Obb<double> placed(const RigidBody& body, const BoxShape& box)
 }
 
 /// A ball where its body is.
-inline Sphere<double> placed(const RigidBody& body, const SphereShape& ball)
+inline Sphere<double> placed(const RigidBody& body, const SphereShape& sphere)
 {
-  return {body.motion.center, ball.radius};
+  return {body.motion.center, sphere.radius};
 }
 
 /// A plane, which is where it is.
@@ -39,9 +39,9 @@ inline Obb<double> grown(const Obb<double>& box, double margin)
 {
   return {box.center, box.axes, box.half_extents + Vector3<double>::Constant(margin)};
 }
-inline Sphere<double> grown(const Sphere<double>& ball, double margin)
+inline Sphere<double> grown(const Sphere<double>& sphere, double margin)
 {
-  return {ball.center, ball.radius + margin};
+  return {sphere.center, sphere.radius + margin};
 }
 inline Plane<double> grown(const Plane<double>& plane, double margin)
 {
@@ -93,7 +93,7 @@ inline std::optional<Manifold<double>> manifold_of(const Plane<double>& a, const
 /// A grows by the margin, they meet, and that is taken back: the points are midway between the
 /// surfaces as they are.
 template <class A, class B>
-std::optional<Manifold<double>> within(const A& a, const B& b, double margin)
+std::optional<Manifold<double>> manifold_within(const A& a, const B& b, double margin)
 {
   std::optional<Manifold<double>> manifold = manifold_of(grown(a, margin), b);
   if (manifold)
@@ -110,16 +110,16 @@ std::optional<Manifold<double>> within(const A& a, const B& b, double margin)
 
 /// The same, the other way round.
 inline std::optional<Manifold<double>>
-within(const Obb<double>& a, const Sphere<double>& b, double margin)
+manifold_within(const Obb<double>& a, const Sphere<double>& b, double margin)
 {
-  return swapped(within(b, a, margin));
+  return swapped(manifold_within(b, a, margin));
 }
 
 /// The same, the other way round.
 template <class A>
-std::optional<Manifold<double>> within(const A& a, const Plane<double>& b, double margin)
+std::optional<Manifold<double>> manifold_within(const A& a, const Plane<double>& b, double margin)
 {
-  return swapped(within(b, a, margin));
+  return swapped(manifold_within(b, a, margin));
 }
 // [within_margin]
 

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Pairs of bodies, and lists of what is between two, put in order where they are.
 
-#include "06_world/lanes/make_room.hpp"
+#include "06_world/lanes/reserve_space.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -25,10 +25,10 @@ inline std::pair<int, int> pair_of(const std::pair<int, int>& pair)
 /// Takes things in among others, away from where they were; both are in the order of their pairs,
 /// and so is the result. Room grows by a sixteenth more than they need.
 template <class One>
-void merge_in(std::vector<One>& all, std::span<One> others)
+void merge_sorted(std::vector<One>& all, std::span<One> others)
 {
   std::size_t known = all.size(), other = others.size();
-  make_room(all, known + other);
+  reserve_space(all, known + other);
   all.resize(known + other);
   while (other > 0)
   {
@@ -46,11 +46,11 @@ public:
   /// Sorts pairs of numbers below `bodies`.
   void sort(std::vector<std::pair<int, int>>& pairs, std::size_t bodies)
   {
-    const auto first_of = [](const auto& pair) { return static_cast<std::size_t>(pair.first); };
+    const auto moving_first = [](const auto& pair) { return static_cast<std::size_t>(pair.first); };
     ends_.assign(bodies, 0);
     for (const auto& pair : pairs)
     {
-      ++ends_[first_of(pair)];
+      ++ends_[moving_first(pair)];
     }
     next_.resize(bodies);
     std::exclusive_scan(ends_.begin(), ends_.end(), next_.begin(), std::uint32_t{0});
@@ -61,7 +61,7 @@ public:
       while (next_[body] < ends_[body])
       {
         auto& here = pairs[next_[body]];
-        std::swap(here, pairs[next_[first_of(here)]++]); // with itself, where it belongs here
+        std::swap(here, pairs[next_[moving_first(here)]++]); // with itself, where it belongs here
       }
       std::sort(pairs.data() + begin, pairs.data() + ends_[body]);
     }

@@ -26,16 +26,17 @@ using BodyId = std::uint64_t;
 /// A body as a world moves it: one that can be pushed, and how it is turned.
 struct RigidBody : Body<double>
 {
-  bool round;                     ///< a ball: where it touches does not turn with it
+  bool is_sphere;                 ///< a sphere: where it touches does not turn with it
   std::uint32_t generation;       ///< how many had its place in the world before
   Quaternion<double> orientation; ///< unit, body to world
-  Quaternion<double> arms_at;     ///< as it was turned when a solver took its arms, kept_axes()
-  Vector3<double> moments;        ///< [kg m²], along the body's axes; 0 where it is fixed
-  Matrix3<double> axes;           ///< [1], the orientation as a matrix; a ball's stay the world's
+  Quaternion<double>
+      lagged_orientation;  ///< as it was turned when a solver took its arms, kept_axes()
+  Vector3<double> moments; ///< [kg m²], along the body's axes; 0 where it is fixed
+  Matrix3<double> axes;    ///< [1], the orientation as a matrix; a ball's stay the world's
 };
 
 /// The place of a body in lists.
-inline std::size_t place_in_lists(BodyId id)
+inline std::size_t index_of_id(BodyId id)
 {
   return static_cast<std::size_t>(id & 0xFFFF'FFFF);
 }
@@ -53,52 +54,56 @@ inline bool is_fixed(const RigidBody& body)
 }
 
 /// What pulls a body that is not fixed, in a step.
-struct Pull
+struct ExternalAcceleration
 {
   Vector3<double> acceleration = Vector3<double>::Zero();         ///< [m/s²], world
   Vector3<double> angular_acceleration = Vector3<double>::Zero(); ///< [rad/s²], world
 };
 
 /// What the forces of a step do to the body at a place; nothing behind the end of their list.
-inline Pull force_on(std::span<const Pull> forces, std::size_t place)
+inline ExternalAcceleration
+force_on(std::span<const ExternalAcceleration> forces, std::size_t place)
 {
-  return place < forces.size() ? forces[place] : Pull{};
+  return place < forces.size() ? forces[place] : ExternalAcceleration{};
 }
 
 /// Forces last as long as this, also where a step throws.
-struct ForcesOfStep
+struct ClearForces
 {
-  std::vector<Pull>& forces;
+  std::vector<ExternalAcceleration>& forces;
 
-  ~ForcesOfStep() { forces.clear(); }
+  ~ClearForces() { forces.clear(); }
 };
 
 /// What gravity [m/s²] and the forces of a step do together to the body at a place.
-inline Pull pull_on(const Vector3<double>& gravity, std::span<const Pull> forces, std::size_t place)
+inline ExternalAcceleration acceleration_on(
+    const Vector3<double>& gravity, std::span<const ExternalAcceleration> forces, std::size_t place)
 {
-  Pull pull = force_on(forces, place);
+  ExternalAcceleration pull = force_on(forces, place);
   pull.acceleration += gravity;
   return pull;
 }
 
 /// The fastest approach [m/s] that is a rest in a step [s], where what pulls parts two bodies at
 /// this acceleration [m/s²]: by gravity, or by what presses them, if that is more.
-inline double rest_threshold(const Vector3<double>& gravity, double parting_pull, double step)
+inline double
+rest_threshold(const Vector3<double>& gravity, double separating_acceleration, double step)
 {
-  return restitution_threshold(std::max(gravity.norm(), -parting_pull), step);
+  return restitution_threshold(std::max(gravity.norm(), -separating_acceleration), step);
 }
 
 /// How a body moves once something has pulled it for a time [s], where it is.
-inline Motion<double> after_pull(const Motion<double>& motion, const Pull& by, double time)
+inline Motion<double>
+accelerated(const Motion<double>& motion, const ExternalAcceleration& by, double time)
 {
   const auto& [center, velocity, spin] = motion;
   return {center, velocity + time * by.acceleration, spin + time * by.angular_acceleration};
 }
 
 /// Has something pull a body for a time [s].
-inline void pull(RigidBody& body, const Pull& by, double time)
+inline void apply_forces(RigidBody& body, const ExternalAcceleration& by, double time)
 {
-  body.motion = after_pull(body.motion, by, time);
+  body.motion = accelerated(body.motion, by, time);
 }
 
 /// Takes a body's mass, so that nothing moves it any more.
@@ -121,7 +126,7 @@ inline bool is_finite(const RigidBody& body)
 /// Brings the matrices of a body up to date with its orientation; a ball's are the same in all.
 inline void update_axes(RigidBody& body)
 {
-  if (body.round)
+  if (body.is_sphere)
   {
     return;
   }
@@ -162,14 +167,14 @@ inline MassProperties<double> mass_properties(const SceneBody& body)
 /// A body of a scene as it starts.
 inline RigidBody rigid_body(const SceneBody& body)
 {
-  const bool fixed = body.mass == 0, round = std::holds_alternative<SphereShape>(body.shape);
+  const bool fixed = body.mass == 0, is_sphere = std::holds_alternative<SphereShape>(body.shape);
   const Matrix3<double> axes = Matrix3<double>::Identity();
   const Motion<double> motion{body.position, body.velocity, body.angular_velocity};
   const MassProperties<double> mass = mass_properties(body);
   const Body<double> pushed =
       fixed ? Body<double>{motion, 0, Matrix3<double>::Zero()} : dynamic_body(motion, mass, axes);
   const Quaternion<double> orientation = body.orientation.normalized();
-  RigidBody made{pushed, round, 0, orientation, orientation, mass.moments, axes};
+  RigidBody made{pushed, is_sphere, 0, orientation, orientation, mass.moments, axes};
   update_axes(made);
   return made;
 }

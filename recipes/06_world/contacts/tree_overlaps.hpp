@@ -14,9 +14,10 @@ namespace cookbook
 {
 
 /// A box wider by a share of its smallest size on all sides.
-inline Eigen::AlignedBox<double, 3> roomy(const Eigen::AlignedBox<double, 3>& box, double share)
+inline Eigen::AlignedBox<double, 3>
+fattened(const Eigen::AlignedBox<double, 3>& box, double fraction)
 {
-  const Vector3<double> more = Vector3<double>::Constant(share * box.sizes().minCoeff());
+  const Vector3<double> more = Vector3<double>::Constant(fraction * box.sizes().minCoeff());
   return {box.min() - more, box.max() + more};
 }
 
@@ -63,7 +64,7 @@ void each_below(const BoundsTree& tree, std::size_t node, const Enters& enters, 
 template <class Enters, class Visit>
 void each_that(const BoundsTree& tree, const Enters& enters, const Visit& visit)
 {
-  for (const Bounds& one : tree.endless())
+  for (const Bounds& one : tree.unbounded())
   {
     visit(one.body);
   }
@@ -134,10 +135,10 @@ void each_overlap(const BoundsTree& tree, const Meet& meet)
       meet(std::min(a.body, b.body), std::max(a.body, b.body));
     }
   };
-  for (auto one = tree.endless().begin(); one != tree.endless().end(); ++one)
+  for (auto one = tree.unbounded().begin(); one != tree.unbounded().end(); ++one)
   {
     const auto with = [&](const Bounds& other) { ask(*one, other); };
-    std::for_each(one + 1, tree.endless().end(), with);
+    std::for_each(one + 1, tree.unbounded().end(), with);
     std::for_each(tree.leaves().begin(), tree.leaves().end(), with);
   }
   if (!tree.nodes().empty())

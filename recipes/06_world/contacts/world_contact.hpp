@@ -16,7 +16,7 @@ namespace cookbook
 {
 
 /// A number of a body or contact as a place in a list.
-inline std::size_t place_of(int number)
+inline std::size_t index_of(int number)
 {
   return static_cast<std::size_t>(number);
 }
@@ -26,14 +26,14 @@ inline std::size_t place_of(int number)
 /// and what is carried are those of the last, times their number.
 struct WorldPoint
 {
-  Vector3<double> on_a = Vector3<double>::Zero();     ///< [m], in A's frame, on its surface
-  Vector3<double> on_b = Vector3<double>::Zero();     ///< [m], in B's frame, on its surface
+  Vector3<double> anchor_a = Vector3<double>::Zero(); ///< [m], in A's frame, on its surface
+  Vector3<double> anchor_b = Vector3<double>::Zero(); ///< [m], in B's frame, on its surface
   Vector3<double> friction = Vector3<double>::Zero(); ///< [N s], on B, across the normal, world
-  double impulse = 0;        ///< [N s], by the solver in this step, along the normal, zero or more
-  double carried = 0;        ///< [N s], along it, with which the next step begins
-  std::uint32_t feature = 0; ///< which features of the shapes meet here
-  bool solved = false;       ///< whether the impulse is more than a guess
-  bool strained = false;     ///< whether it is more than any load, is_strained()
+  double impulse = 0; ///< [N s], by the solver in this step, along the normal, zero or more
+  double warm_start_impulse = 0; ///< [N s], along it, with which the next step begins
+  std::uint32_t feature = 0;     ///< which features of the shapes meet here
+  bool solved = false;           ///< whether the impulse is more than a guess
+  bool over_constrained = false; ///< whether it is more than any load, is_strained()
 };
 
 /// Two bodies of a world that touch, or may in this step.
@@ -54,27 +54,27 @@ inline std::pair<int, int> pair_of(const WorldContact& contact)
 }
 
 /// Whether two bodies press on each other at a point.
-inline bool is_pressed(const WorldPoint& point)
+inline bool is_active(const WorldPoint& point)
 {
   return point.impulse > 0;
 }
 
 /// Whether two bodies press on each other at any point of a contact.
-inline bool presses(const WorldContact& contact)
+inline bool is_touching(const WorldContact& contact)
 {
-  return std::any_of(contact.points.begin(), contact.points.end(), is_pressed);
+  return std::any_of(contact.points.begin(), contact.points.end(), is_active);
 }
 
 /// The arms [m], world, of a contact point as its bodies are turned now.
 inline Arms<double> arms_of(const RigidBody& a, const RigidBody& b, const WorldPoint& point)
 {
-  return {a.axes * point.on_a, b.axes * point.on_b};
+  return {a.axes * point.anchor_a, b.axes * point.anchor_b};
 }
 
 /// How far apart [m] the two surfaces are at a contact point, along a normal from A to B; negative
 /// where they overlap.
-inline double
-gap(const RigidBody& a, const RigidBody& b, const Vector3<double>& normal, const WorldPoint& point)
+inline double separation_of(
+    const RigidBody& a, const RigidBody& b, const Vector3<double>& normal, const WorldPoint& point)
 {
   const Arms<double> arms = arms_of(a, b, point);
   const Vector3<double> between = (b.motion.center + arms.b) - (a.motion.center + arms.a);

@@ -51,7 +51,7 @@ add_point(DirectBlocks& blocks, const DirectPoint& point, const Matrix3<double>&
 
 /// The sums over points that resist alike in all directions: all of such a contact in a few
 /// numbers.
-struct EvenPoints
+struct IsotropicPoints
 {
   double count = 0;
   Vector3<double> a = Vector3<double>::Zero(), b = Vector3<double>::Zero();
@@ -95,12 +95,15 @@ inline DirectBlocks blocks_of(
     std::span<const DirectPoint> points, const Vector3<double>& normal,
     const DirectStiffness& stiffness)
 {
-  const auto resists_evenly = [&](const DirectPoint& point)
-  { return stiffness.push == stiffness.grip && point.pressed && point.grip == Grip::stick; };
-  EvenPoints even;
+  const auto is_isotropic = [&](const DirectPoint& point)
+  {
+    return stiffness.push == stiffness.friction_state && point.active &&
+           point.friction_state == FrictionState::stick;
+  };
+  IsotropicPoints even;
   for (const DirectPoint& point : points)
   {
-    if (resists_evenly(point))
+    if (is_isotropic(point))
     {
       even.add(point.arms);
     }
@@ -108,7 +111,7 @@ inline DirectBlocks blocks_of(
   DirectBlocks blocks = even.blocks(stiffness.push);
   for (const DirectPoint& point : points)
   {
-    if (!resists_evenly(point) && pushes(point))
+    if (!is_isotropic(point) && has_impulse(point))
     {
       add_point(blocks, point, stiffness_at(point, normal, stiffness));
     }

@@ -13,16 +13,16 @@
 namespace cookbook
 {
 
-// [direct_press]
+// [contact_states]
 /// Presses the points of a contact at the velocities as they are.
-inline void press(DirectSystem& system, const DirectContact& contact)
+inline void update_point(DirectSystem& system, const DirectContact& contact)
 {
   const Motion<double> a = motion_of(system, contact.a), b = motion_of(system, contact.b);
   for (std::size_t i = contact.first; i < contact.end; ++i)
   {
     DirectPoint& point = system.points[i];
-    const Vector3<double> moving = relative_velocity(a, b, point.arms);
-    press(point, contact.of->normal, moving, contact.stiffness);
+    const Vector3<double> velocity = relative_velocity(a, b, point.arms);
+    update_point(point, contact.of->normal, velocity, contact.stiffness);
   }
 }
 
@@ -42,36 +42,36 @@ inline void add_impulses(DirectSystem& system, const DirectContact& contact, dou
   }
   if (contact.a >= 0)
   {
-    system.missing[place_of(contact.a)] += times * on_a;
+    system.residual[index_of(contact.a)] += times * on_a;
   }
   if (contact.b >= 0)
   {
-    system.missing[place_of(contact.b)] += times * on_b;
+    system.residual[index_of(contact.b)] += times * on_b;
   }
 }
-// [direct_press]
+// [contact_states]
 
-// [direct_missing]
+// [direct_residual]
 /// Presses all points at the velocities as they are, and finds the impulses that are missing, body
 /// by body: those of the contacts less the change of momentum.
-inline void find_missing(DirectSystem& system)
+inline void find_residual(DirectSystem& system)
 {
-  system.missing.resize(system.bodies.size());
+  system.residual.resize(system.bodies.size());
   for (std::size_t i = 0; i < system.bodies.size(); ++i)
   {
     const DirectBody& body = system.bodies[i];
     const Vector6 change = body.free - system.velocities[i];
-    system.missing[i] << body.mass * change.head<3>(), body.inertia * change.tail<3>();
+    system.residual[i] << body.mass * change.head<3>(), body.inertia * change.tail<3>();
   }
   for (const DirectContact& contact : system.contacts)
   {
-    press(system, contact);
+    update_point(system, contact);
     add_impulses(system, contact, 1);
   }
 }
-// [direct_missing]
+// [direct_residual]
 
-// [direct_small]
+// [tolerances]
 /// The largest impulse [N s] of an island.
 inline double largest_impulse(const DirectSystem& system)
 {
@@ -85,11 +85,11 @@ inline double largest_impulse(const DirectSystem& system)
 
 /// How far [N s] friction at a contact may be off its cone: by the largest impulse [N s], but by no
 /// more than slightly changes the two bodies, unless so much may be missing [N s].
-inline double friction_slack(
-    const DirectContact& contact, double largest, double missing, const DirectSettings& settings)
+inline double friction_tolerance_at(
+    const DirectContact& contact, double largest, double residual, const DirectSettings& settings)
 {
   const double slight = settings.friction_speed * contact.mass;
-  return std::max(missing, std::min(settings.friction_tolerance * largest, slight));
+  return std::max(residual, std::min(settings.friction_tolerance * largest, slight));
 }
 
 /// A square [m²] of the radius of gyration about all axes together: by it turns count as ways.
@@ -100,13 +100,13 @@ inline double squared_radius(const DirectBody& body)
 
 /// No load is so many times what the bodies of an island bring into a step, each by its motion and
 /// by what pulls it. More is the strain of bodies that are jammed between others which give no way.
-inline constexpr double strain = 4;
+inline constexpr double over_constraint_ratio = 4;
 /// A machine, so many times as heavy as the lightest, brings only what pulls it: a game may renew
 /// its motion in every step.
 inline constexpr double machine_ratio = 100;
 
 /// Whether the largest impulse [N s] of an island, or its friction, is such a strain.
-inline bool is_strained(const DirectSystem& system, double largest)
+inline bool is_over_constrained(const DirectSystem& system, double largest)
 {
   for (const DirectPoint& point : system.points)
   {
@@ -124,7 +124,7 @@ inline bool is_strained(const DirectSystem& system, double largest)
     brought +=
         body.mass * std::sqrt(velocity.squaredNorm() + squared_radius(body) * spin.squaredNorm());
   }
-  return largest > strain * brought;
+  return largest > over_constraint_ratio * brought;
 }
 
 /// How fast [m/s] overlaps open, at that point among those that push where it is fastest.
@@ -137,7 +137,7 @@ inline double fastest_opening(const DirectSystem& system)
     {
       const DirectPoint& point = system.points[i];
       const double opening = -point.bias - point.impulse / contact.stiffness.push;
-      fastest = point.pressed && point.bias < 0 ? std::max(fastest, opening) : fastest;
+      fastest = point.active && point.bias < 0 ? std::max(fastest, opening) : fastest;
     }
   }
   return fastest;
@@ -151,13 +151,13 @@ inline bool any_opens(const DirectSystem& system)
 }
 
 /// How much is missing [N s], as a root of a sum of squares; turns count by the radius of gyration.
-inline double size_of_missing(const DirectSystem& system)
+inline double residual_norm(const DirectSystem& system)
 {
   double sum = 0;
-  for (std::size_t i = 0; i < system.missing.size(); ++i)
+  for (std::size_t i = 0; i < system.residual.size(); ++i)
   {
-    sum += system.missing[i].head<3>().squaredNorm() +
-           system.missing[i].tail<3>().squaredNorm() / squared_radius(system.bodies[i]);
+    sum += system.residual[i].head<3>().squaredNorm() +
+           system.residual[i].tail<3>().squaredNorm() / squared_radius(system.bodies[i]);
   }
   return std::sqrt(sum);
 }
@@ -176,6 +176,6 @@ inline double rounding_of(const DirectSystem& system)
   }
   return 8 * std::numeric_limits<double>::epsilon() * fastest * stiffest;
 }
-// [direct_small]
+// [tolerances]
 
 } // namespace cookbook

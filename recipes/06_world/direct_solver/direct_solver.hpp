@@ -3,9 +3,9 @@
 /// \file
 /// \brief All contacts of an island at once: Newton's method with an exact factorisation.
 
-#include "06_world/direct_solver/direct_advance.hpp"
 #include "06_world/direct_solver/direct_residual.hpp"
 #include "06_world/direct_solver/factored_points.hpp"
+#include "06_world/direct_solver/line_search.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -20,15 +20,15 @@ namespace cookbook
 /// Takes all new points for pressed whose gaps a speed [m/s] could close in a step: so a tower
 /// stands from the first iteration on, not box upon box. Whether there are any: then the
 /// first change, which takes what is missing without them, leads past the answer.
-inline bool guess(DirectSystem& system, double speed)
+inline bool guess_active_set(DirectSystem& system, double speed)
 {
   bool any = false;
   for (DirectPoint& point : system.points)
   {
-    if (!point.solved && !point.pressed && point.bias <= speed)
+    if (!point.solved && !point.active && point.bias <= speed)
     {
-      point.pressed = true;
-      point.grip = Grip::stick;
+      point.active = true;
+      point.friction_state = FrictionState::stick;
       any = true;
     }
   }
@@ -38,60 +38,61 @@ inline bool guess(DirectSystem& system, double speed)
 /// Has friction follow the impulses along the normals, of which this is the largest [N s], and so
 /// much may be missing [N s]; false where no friction was off by more than the settings allow.
 inline bool
-moved_bounds(DirectSystem& system, double largest, double missing, const DirectSettings& settings)
+moved_bounds(DirectSystem& system, double largest, double residual, const DirectSettings& settings)
 {
   bool off = false;
   for (const DirectContact& contact : system.contacts)
   {
-    const double tolerance = friction_slack(contact, largest, missing, settings);
+    const double tolerance = friction_tolerance_at(contact, largest, residual, settings);
     bool any = false;
     for (std::size_t i = contact.first; i < contact.end; ++i)
     {
       DirectPoint& point = system.points[i];
       const double bound = point.coefficient * point.impulse;
-      if (!settings.bounds_move && stays(point, bound, largest))
+      if (!settings.bounds_move && bound_stays(point, bound, largest))
       {
         continue;
       }
       const double above = point.friction.norm() - bound;
       const auto off_by_more_than = [&](double most)
-      { return above > most || (point.grip != Grip::stick && -above > most); };
-      any = any || off_by_more_than(0) || (point.grip != Grip::none) != (bound > 0);
+      { return above > most || (point.friction_state != FrictionState::stick && -above > most); };
+      any = any || off_by_more_than(0) ||
+            (point.friction_state != FrictionState::none) != (bound > 0);
       off = off || off_by_more_than(tolerance);
       point.bound = bound;
     }
     if (any)
     {
       add_impulses(system, contact, -1);
-      press(system, contact);
+      update_point(system, contact);
       add_impulses(system, contact, 1);
     }
   }
   return off;
 }
 
-/// Writes what was found into the world. Impulses that were missing are given, so that bodies have
-/// just what contacts gave them, and momentum is kept to rounding.
+/// Writes the answer into the world. The residual is applied to the bodies, which keeps momentum to
+/// rounding.
 inline void scatter(
-    const DirectSystem& system, const std::vector<Vector6>& missing, bool strained,
+    const DirectSystem& system, const std::vector<Vector6>& residual, bool over_constrained,
     IslandView world, const Island& island)
 {
   for (std::size_t i = 0; i < island.bodies.size(); ++i)
   {
-    RigidBody& body = world.bodies[place_of(island.bodies[i])];
-    const Vector3<double> push = missing[i].head<3>(), turn = missing[i].tail<3>();
+    RigidBody& body = world.bodies[index_of(island.bodies[i])];
+    const Vector3<double> push = residual[i].head<3>(), turn = residual[i].tail<3>();
     body.motion.velocity = system.velocities[i].head<3>() + body.inverse_mass * push;
     body.motion.angular_velocity = system.velocities[i].tail<3>() + body.inverse_inertia * turn;
   }
   std::size_t point = 0;
   for (const int i : island.contacts)
   {
-    for (WorldPoint& of : world.contacts[place_of(i)].points)
+    for (WorldPoint& of : world.contacts[index_of(i)].points)
     {
-      of.impulse = of.carried = system.points[point].impulse;
+      of.impulse = of.warm_start_impulse = system.points[point].impulse;
       of.friction = system.points[point].friction;
       of.solved = true;
-      of.strained = strained;
+      of.over_constrained = over_constrained;
       ++point;
     }
   }
@@ -99,10 +100,9 @@ inline void scatter(
 // [direct_bounds]
 
 // [direct_solver]
-/// Finds the velocities of islands after a step. It remembers how the last island was laid out, and
-/// is quicker if the next one hangs together in the same way. So it is if the same points push as
-/// in the step before, where they did: then the matrix need not be factored again. What is found
-/// with it counts only if nothing is missing.
+/// Finds the velocities of islands after a step. It keeps the layout of the last island's matrix,
+/// and its factor while the active set stays the same; an answer by an old factor counts only if
+/// its residual is small enough.
 class DirectSolver
 {
 public:
@@ -116,9 +116,9 @@ public:
     {
       return false;
     }
-    find_missing(system_);
-    const bool guessed = guess(system_, 2 * step * world.gravity.norm());
-    const bool stiff = settings.give == 0;
+    find_residual(system_);
+    const bool was_guessed = guess_active_set(system_, 2 * step * world.gravity.norm());
+    const bool stiff = settings.softening == 0;
     bool fresh = false; // whether the matrix was factored in this step
     for (int i = 0; i < settings.iterations; ++i)
     {
@@ -128,19 +128,19 @@ public:
         return false;
       }
       fresh = fresh || !at_hand;
-      change_ = system_.missing;
+      change_ = system_.residual;
       matrix_.solve(change_);
-      const Advance gone = advance(system_, change_);
+      const LineSearch searched = line_search(system_, change_);
       const double most = largest_impulse(system_);
-      small_ = std::max({settings.tolerance * most, rounding_of(system_), settings.missing});
-      const bool exact = gone.exact && fresh && (i > 0 || !guessed);
-      const bool found = exact || size_of_missing(system_) <= small_;
-      missing_ = system_.missing; // before the bounds move
-      const bool follows = found || gone.stuck || (stiff && gone.part >= 0.5);
+      small_ = std::max({settings.tolerance * most, rounding_of(system_), settings.residual});
+      const bool exact = searched.exact && fresh && (i > 0 || !was_guessed);
+      const bool found = exact || residual_norm(system_) <= small_;
+      residual_ = system_.residual; // before the bounds move
+      const bool follows = found || searched.stuck || (stiff && searched.fraction >= 0.5);
       const bool moved = follows && moved_bounds(system_, most, small_, settings);
       if (found && !moved)
       {
-        scatter(system_, missing_, is_strained(system_, most), world, island);
+        scatter(system_, residual_, is_over_constrained(system_, most), world, island);
         return true;
       }
     }
@@ -191,7 +191,7 @@ private:
   DirectSystem system_;
   BlockCholesky matrix_;
   FactoredPoints factored_;
-  std::vector<Vector6> change_, missing_;
+  std::vector<Vector6> change_, residual_;
   std::vector<std::pair<int, int>> coupled_, laid_out_;
   double small_ = 0;
 };

@@ -5,8 +5,8 @@
 
 #include "05_resolution/mass_properties/mass_properties.hpp"
 #include "06_world/direct_solver/direct_blocks.hpp"
-#include "06_world/direct_solver/direct_give.hpp"
-#include "06_world/lanes/make_room.hpp"
+#include "06_world/direct_solver/direct_softening.hpp"
+#include "06_world/lanes/reserve_space.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,10 +45,10 @@ struct DirectSystem
   std::vector<DirectContact> contacts;
   std::vector<DirectPoint> points;
   std::vector<Vector6> velocities; ///< [m/s, rad/s], as they are found
-  std::vector<Vector6> missing;    ///< [N s, N m s], at these velocities
+  std::vector<Vector6> residual;   ///< [N s, N m s], at these velocities
 
-  std::vector<PushingWay> ways_before;    ///< room for how points pushed before a change
-  std::vector<Vector6> velocities_before; ///< room for the velocities before it
+  std::vector<ContactState> states_before; ///< room for how points pushed before a change
+  std::vector<Vector6> velocities_before;  ///< room for the velocities before it
 };
 
 /// The number in an island of a body of the world; −1 if it is none of its bodies.
@@ -64,21 +64,22 @@ inline void gather(
     DirectSystem& system, IslandView world, const Island& island, const WorldContact& contact,
     double step, const DirectSettings& settings)
 {
-  const RigidBody& a = world.bodies[place_of(contact.a)];
-  const RigidBody& b = world.bodies[place_of(contact.b)];
+  const RigidBody& a = world.bodies[index_of(contact.a)];
+  const RigidBody& b = world.bodies[index_of(contact.b)];
   const std::size_t first = system.points.size();
   const double inverse_mass = a.inverse_mass + b.inverse_mass;
   const DirectStiffness stiffness = stiffness_of(contact, inverse_mass, settings);
   for (const WorldPoint& point : contact.points)
   {
-    const double apart = gap(a, b, contact.normal, point) / step;
-    const double opening = std::min(-settings.correction * apart, settings.correction_speed);
+    const double separation = separation_of(a, b, contact.normal, point) / step;
+    const double opening = std::min(-settings.correction * separation, settings.correction_speed);
     DirectPoint& made = system.points.emplace_back();
     made.arms = arms_of(a, b, point);
-    made.bias = apart > 0 ? apart : -opening;
+    made.bias = separation > 0 ? separation : -opening;
     made.solved = point.solved;
-    made.held = held_friction(contact, point, opening * stiffness.push, settings.give);
-    made.coefficient = settings.opening_grips || opening <= slow_opening ? contact.friction : 0;
+    made.stored_friction =
+        kept_friction(contact, point, opening * stiffness.push, settings.softening);
+    made.coefficient = settings.opening_friction || opening <= slow_opening ? contact.friction : 0;
     made.bound_is_new = point.impulse == 0 && made.coefficient > 0;
     made.bound = made.bound_is_new ? std::numeric_limits<double>::infinity()
                                    : made.coefficient * point.impulse;
@@ -94,12 +95,12 @@ inline void clear(DirectSystem& system, IslandView world, const Island& island)
   std::size_t points = 0;
   for (const int i : island.contacts)
   {
-    points += world.contacts[place_of(i)].points.size();
+    points += world.contacts[index_of(i)].points.size();
   }
   const auto empty = [](auto& list, std::size_t count)
   {
     list.clear();
-    make_room(list, count);
+    reserve_space(list, count);
   };
   empty(system.bodies, island.bodies.size());
   empty(system.velocities, island.bodies.size());
@@ -115,25 +116,25 @@ inline void gather(
   clear(system, world, island);
   for (const int i : island.bodies)
   {
-    const RigidBody& body = world.bodies[place_of(i)];
+    const RigidBody& body = world.bodies[index_of(i)];
     const auto velocities = [](const Motion<double>& motion) -> Vector6
     { return (Vector6() << motion.velocity, motion.angular_velocity).finished(); };
     const Vector6 before = velocities(body.motion);
-    const Vector6 free = velocities(after_pull(body.motion, pull_on(world, i), step));
+    const Vector6 free = velocities(accelerated(body.motion, acceleration_on(world, i), step));
     system.velocities.push_back(before);
     system.bodies.push_back(
         {1 / body.inverse_mass, world_inertia(body.moments, body.axes), free, free - before});
   }
   for (const int i : island.contacts)
   {
-    gather(system, world, island, world.contacts[place_of(i)], step, settings);
+    gather(system, world, island, world.contacts[index_of(i)], step, settings);
   }
 }
 
 /// How a body of an island moves, by its number there; a fixed one, −1, does not.
 inline Motion<double> motion_of(const DirectSystem& system, int body)
 {
-  const Vector6 velocity = body >= 0 ? system.velocities[place_of(body)] : Vector6(Vector6::Zero());
+  const Vector6 velocity = body >= 0 ? system.velocities[index_of(body)] : Vector6(Vector6::Zero());
   return {Vector3<double>::Zero(), velocity.head<3>(), velocity.tail<3>()};
 }
 // [direct_system]

@@ -26,11 +26,11 @@ public:
     points_.clear();
     for (const DirectPoint& point : all)
     {
-      if (point.grip == Grip::slip)
+      if (point.friction_state == FrictionState::slip)
       {
         return points_.clear();
       }
-      if (pushes(point))
+      if (has_impulse(point))
       {
         points_.push_back({point, point.arms});
       }
@@ -43,7 +43,7 @@ public:
     auto then = points_.begin();
     for (const DirectPoint& now : all)
     {
-      if (!pushes(now))
+      if (!has_impulse(now))
       {
         continue;
       }
@@ -59,7 +59,7 @@ public:
 private:
   struct Pushed
   {
-    PushingWay way;
+    ContactState state;
     Arms<double> arms;
   };
 
@@ -67,7 +67,7 @@ private:
   {
     const auto stays = [](const Vector3<double>& one, const Vector3<double>& other)
     { return (one - other).squaredNorm() <= 1e-18 * other.squaredNorm(); };
-    return now == then.way && stays(now.arms.a, then.arms.a) && stays(now.arms.b, then.arms.b);
+    return now == then.state && stays(now.arms.a, then.arms.a) && stays(now.arms.b, then.arms.b);
   }
 
   std::vector<Pushed> points_;

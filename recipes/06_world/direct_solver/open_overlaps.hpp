@@ -3,7 +3,7 @@
 /// \file
 /// \brief Overlaps that the direct solver opens, without leaving the speed with which they open.
 
-#include "06_world/contacts/moved_body.hpp"
+#include "06_world/contacts/integrate_body.hpp"
 #include "06_world/direct_solver/direct_solver.hpp"
 #include "06_world/islands/island_points.hpp"
 
@@ -27,21 +27,21 @@ inline void open_overlaps(
   {
     for (std::size_t i = 0; i < motions.size(); ++i)
     {
-      std::swap(world.bodies[place_of(island.bodies[i])].motion, motions[i]);
+      std::swap(world.bodies[index_of(island.bodies[i])].motion, motions[i]);
     }
   };
   swap_motions();
   const bool found = solver.solve(
-      world, island, step, {.correction = 0, .missing = solver.small(), .bounds_move = false});
+      world, island, step, {.correction = 0, .residual = solver.small(), .bounds_move = false});
   swap_motions();
   for (std::size_t i = 0; i < motions.size(); ++i)
   {
-    RigidBody& body = world.bodies[place_of(island.bodies[i])];
+    RigidBody& body = world.bodies[index_of(island.bodies[i])];
     const Motion<double>& end = found ? motions[i] : body.motion;
     const Vector3<double> change = end.velocity - body.motion.velocity;
     const Vector3<double> turn = world_inertia(body.moments, body.axes) *
                                  (end.angular_velocity - body.motion.angular_velocity);
-    move(body, step);
+    integrate_position(body, step);
     body.motion.velocity += change;
     body.motion.angular_velocity += body.inverse_inertia * turn;
   }

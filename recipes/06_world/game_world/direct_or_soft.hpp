@@ -3,7 +3,7 @@
 /// \file
 /// \brief The recommended solver: direct, or by soft steps where that finds no answer.
 
-#include "06_world/contacts/moved_body.hpp"
+#include "06_world/contacts/integrate_body.hpp"
 #include "06_world/direct_solver/direct_solver.hpp"
 #include "06_world/direct_solver/open_overlaps.hpp"
 #include "06_world/soft_steps/soft_steps.hpp"
@@ -20,23 +20,24 @@ namespace cookbook
 
 /// Forgets what the points of an island were given in the frame before if any is strained: what
 /// held it in balance may be gone. Stiff contacts do without it, small steps would begin with it.
-inline void forget_strain(IslandView world, const Island& island)
+inline void forget_over_constrained(IslandView world, const Island& island)
 {
-  const auto any_strained = [&](int i)
+  const auto any_over_constrained = [&](int i)
   {
-    const auto& points = world.contacts[place_of(i)].points;
+    const auto& points = world.contacts[index_of(i)].points;
     return std::any_of(
-        points.begin(), points.end(), [](const WorldPoint& point) { return point.strained; });
+        points.begin(), points.end(),
+        [](const WorldPoint& point) { return point.over_constrained; });
   };
-  if (std::any_of(island.contacts.begin(), island.contacts.end(), any_strained))
+  if (std::any_of(island.contacts.begin(), island.contacts.end(), any_over_constrained))
   {
     for (const int i : island.contacts)
     {
-      for (WorldPoint& point : world.contacts[place_of(i)].points)
+      for (WorldPoint& point : world.contacts[index_of(i)].points)
       {
-        point.impulse = point.carried = 0;
+        point.impulse = point.warm_start_impulse = 0;
         point.friction.setZero();
-        point.strained = false;
+        point.over_constrained = false;
       }
     }
   }
@@ -52,7 +53,7 @@ enum class DirectAnswer
 };
 
 /// Hears of each island how its frame was solved.
-using DirectWatch = std::function<void(const Island&, DirectAnswer)>;
+using DirectObserver = std::function<void(const Island&, DirectAnswer)>;
 
 /// The recommended solver: direct where that finds an answer, and soft steps where it does not, as
 /// in impacts and dense heaps.
@@ -65,9 +66,10 @@ class DirectOrSoft
 {
 public:
   /// Soft steps take so many substeps; arms turn and corners are sharp, as in the frames that are
-  /// solved. `watch`, if given, hears of every island and frame.
-  explicit DirectOrSoft(int substeps, DirectWatch watch = {})
-      : soft_{.substeps = substeps, .kept_turn = 0, .worn_corner = 0}, watch_(std::move(watch))
+  /// solved. `observer`, if given, hears of every island and frame.
+  explicit DirectOrSoft(int substeps, DirectObserver observer = {})
+      : soft_{.substeps = substeps, .anchor_lag = 0, .torsional_radius = 0},
+        observer_(std::move(observer))
   {
   }
 
@@ -78,16 +80,16 @@ public:
     motions_.clear();
     for (const int body : island.bodies)
     {
-      motions_.push_back(world.bodies[place_of(body)].motion);
+      motions_.push_back(world.bodies[index_of(body)].motion);
     }
     const DirectAnswer answer = solved(tries, world, island, step);
-    if (watch_)
+    if (observer_)
     {
-      watch_(island, answer);
+      observer_(island, answer);
     }
     if (answer == DirectAnswer::none)
     {
-      forget_strain(world, island);
+      forget_over_constrained(world, island);
       return soft_steps(world, island, step, soft_);
     }
     if (answer == DirectAnswer::exact && tries.direct.opening() > slow_opening)
@@ -96,7 +98,7 @@ public:
     }
     for (const int body : island.bodies)
     {
-      move(world.bodies[place_of(body)], step);
+      integrate_position(world.bodies[index_of(body)], step);
     }
   }
 
@@ -110,21 +112,21 @@ private:
     DirectSolver direct;
     std::size_t bodies = 1;
     int frames_to_wait = 0;
-    int pause = 1;   // frames to wait after the next failure
-    double give = 0; // how soft contacts are in the next try
+    int pause = 1;        // frames to wait after the next failure
+    double softening = 0; // how soft contacts are in the next try
   };
 
   /// What is known of an island; of those that it was made of no more is, nor of what is gone.
   Tries& tries_of(IslandView world, const Island& island)
   {
-    const auto id = [&](int body) { return id_at(world.bodies, place_of(body)); };
+    const auto id = [&](int body) { return id_at(world.bodies, index_of(body)); };
     if (tries_.size() > 2 * kept_) // bodies that were taken out are fixed
     {
       std::erase_if(
           tries_,
           [&](const auto& one)
           {
-            const std::size_t first = place_in_lists(one.first);
+            const std::size_t first = index_of_id(one.first);
             return first >= world.bodies.size() || is_fixed(world.bodies[first]) ||
                    id_at(world.bodies, first) != one.first;
           });
@@ -150,21 +152,21 @@ private:
       --tries.frames_to_wait;
       return DirectAnswer::none;
     }
-    const bool soft = tries.give > 0;
-    bool found = tries.direct.solve(world, island, step, settings_at(tries.give));
+    const bool soft = tries.softening > 0;
+    bool found = tries.direct.solve(world, island, step, settings_at(tries.softening));
     if (!found && !soft && island.bodies.size() <= few && tries.direct.opens())
     {
-      found = tries.direct.solve(world, island, step, {.opening_grips = false});
+      found = tries.direct.solve(world, island, step, {.opening_friction = false});
     }
     tries.frames_to_wait = found ? 0 : tries.pause;
     tries.pause = found ? 1 : std::min(2 * tries.pause, 16);
-    tries.give = next_give(tries.give, found);
+    tries.softening = next_softening(tries.softening, found);
     return !found ? DirectAnswer::none : soft ? DirectAnswer::softened : DirectAnswer::exact;
   }
 
   SoftSettings soft_;
   std::vector<Motion<double>> motions_; // of an island's bodies before a step
-  DirectWatch watch_;
+  DirectObserver observer_;
   std::map<BodyId, Tries> tries_; // by the island's first body
   std::size_t kept_ = 16;         // how many there were, and some more, when it was last tidied up
 };

@@ -23,9 +23,8 @@ namespace cookbook
 /// Bodies in motion, from a scene that makes sense. No body of it becomes NaN or infinite. A copy
 /// goes on as the original would, to the bit.
 /// Bodies are known by ids; those of the scene are 0, 1, 2, … An id is never given to another body.
-/// Lists, contacts and impacts have a body at its place, which is its id until one is put in where
-/// another was taken out; till then who was taken out stays in lists, fixed. What is asked of a
-/// body that is not there, or not any more, is answered by std::out_of_range.
+/// Lists, contacts and impacts have a body at its index, which is its id until a slot is reused; a
+/// removed body stays in its slot, fixed. An id that is not valid throws std::out_of_range.
 class GameWorld
 {
 public:
@@ -43,7 +42,7 @@ public:
     state_.bounds.reserve(scene.bodies.size());
     while (bodies().size() < state_.scene.bodies.size())
     {
-      enter(state_, state_.scene.bodies[bodies().size()]);
+      add_body(state_, state_.scene.bodies[bodies().size()]);
     }
   }
 
@@ -61,53 +60,55 @@ public:
   const std::vector<RigidBody>& bodies() const { return state_.bodies; } ///< in its order, as now
   /// All contacts of the last step.
   const std::vector<WorldContact>& contacts() const { return state_.contacts; }
-  /// Who hit whom in it, in the order of pairs; they may have been taken out since.
+  /// The hit events of that step, in the order of pairs; bodies may have been removed since.
   const std::vector<Impact>& impacts() const { return state_.impacts; }
   double time() const { return double(state_.steps) * scene().step; } ///< [s], since the start
-  /// Whether a body is there: it was put in, and not taken out.
-  bool has(BodyId body) const { return is_there(state_, body); }
-  /// The place of a body in lists.
-  std::size_t place(BodyId body) const
+  /// Whether an id is valid: the body was added, and not removed.
+  bool has(BodyId body) const { return is_valid(state_, body); }
+  /// The index of a body in lists.
+  std::size_t index(BodyId body) const
   {
     if (!has(body))
     {
-      throw not_there(state_, body);
+      throw invalid_id(state_, body);
     }
-    return place_in_lists(body);
+    return index_of_id(body);
   }
-  /// Who has a place, or had it last.
+  /// The id of the body in a slot, or of the last one there.
   BodyId id(std::size_t place) const
   {
-    return place < bodies().size() ? id_at(bodies(), place) : throw not_there(state_, place);
+    return place < bodies().size() ? id_at(bodies(), place) : throw invalid_id(state_, place);
   }
-  const RigidBody& body(BodyId body) const { return bodies()[place(body)]; } ///< a body
+  const RigidBody& body(BodyId body) const { return bodies()[index(body)]; } ///< a body
   /// Whether a body sleeps.
-  bool sleeps(BodyId body) const { return cookbook::sleeps(state_, static_cast<int>(place(body))); }
+  bool is_asleep(BodyId body) const
+  {
+    return cookbook::is_asleep(state_, static_cast<int>(index(body)));
+  }
 
   /// How far apart [m] two bodies may be and still be in contact, but for impacts that are
   /// foreseen.
   double margin() const { return contact_margin(scene()); }
 
-  /// Puts a body in, and says its id; InvalidScene, and nothing changes, if it makes no sense. What
-  /// sleeps where it is put wakes.
+  /// Adds a body and returns its id; InvalidScene, and nothing changes, if it makes no sense.
+  /// Bodies that sleep where it is put wake.
   BodyId add(const SceneBody& body)
   {
-    const std::size_t place = enter(state_, checked(body, next_place(state_)));
+    const std::size_t place = add_body(state_, checked(body, next_index(state_)));
     wake_touched_by(state_, state_.bounds.back());
     return id(place);
   }
 
-  /// Takes a body out: has() says so at once; from the next step on nothing touches it. What has
-  /// leaned on it wakes. After that step its place is given to the next body that is put in.
-  void remove(BodyId body) { leave(state_, place(body)); }
+  /// Removes a body, and wakes what touches it; after the next step its slot is free.
+  void remove(BodyId body) { remove_body(state_, index(body)); }
 
-  /// Puts a body elsewhere [m], turned otherwise, world: what is on the way there is not hit, and
-  /// nobody sees it go there. It keeps its velocity, and wakes with what it touched and what it
-  /// will touch. InvalidShape, and nothing changes, if it is a plane or if that is no pose.
+  /// Teleports a body to a pose [m], world; it hits nothing on the way and keeps its velocity. It
+  /// wakes, with what it touched and what it will touch. InvalidShape, and nothing changes, if it
+  /// is a plane or if that is no pose.
   void set_pose(BodyId body, const Vector3<double>& position, const Quaternion<double>& orientation)
   {
-    check_can_be_put(scene().bodies[place(body)], position, orientation);
-    put_elsewhere(state_, place(body), position, orientation);
+    check_can_teleport(scene().bodies[index(body)], position, orientation);
+    teleport(state_, index(body), position, orientation);
   }
 
   /// Gives a body another velocity [m/s] and angular velocity [rad/s], world, and wakes it with all
@@ -116,7 +117,7 @@ public:
   void set_velocity(
       BodyId body, const Vector3<double>& velocity, const Vector3<double>& angular_velocity)
   {
-    RigidBody& set = state_.bodies[place(body)];
+    RigidBody& set = state_.bodies[index(body)];
     check_finite("velocity", velocity);
     check_finite("angular_velocity", angular_velocity);
     if (!is_fixed(set))
@@ -130,8 +131,8 @@ public:
   /// [rad/s²], world, more; otherwise as set_velocity().
   void accelerate(BodyId body, const Vector3<double>& more, const Vector3<double>& angular_more)
   {
-    const std::size_t i = place(body);
-    Pull sum = force_on(state_.forces, i);
+    const std::size_t i = index(body);
+    ExternalAcceleration sum = force_on(state_.forces, i);
     check_finite("acceleration", sum.acceleration += more);
     check_finite("angular_acceleration", sum.angular_acceleration += angular_more);
     if (!is_fixed(state_.bodies[i]))
@@ -154,8 +155,7 @@ public:
     }
   }
 
-  /// Has two bodies pass through each other from the next step on, and wakes both; InvalidScene if
-  /// they are one.
+  /// Turns collisions of two bodies off, and wakes both; InvalidScene if they are one.
   void ignore(BodyId a, BodyId b)
   {
     std::vector<std::pair<int, int>>& ignored = state_.scene.ignored;
@@ -166,8 +166,7 @@ public:
     }
   }
 
-  /// Has two bodies meet again from the next step on, if they ignore each other, and wakes both;
-  /// InvalidScene if they are one.
+  /// Turns them on again, and wakes both; InvalidScene if they are one.
   void stop_ignoring(BodyId a, BodyId b) { std::erase(state_.scene.ignored, woken_pair(a, b)); }
 
   /// Goes on by one step of the scene. Where it throws TooManyContacts, all bodies are as before;
@@ -178,7 +177,7 @@ private:
   /// Wakes a body and all that hangs together with it.
   void wake_island_of(BodyId body)
   {
-    const int number = static_cast<int>(place(body));
+    const int number = static_cast<int>(index(body));
     wake_islands_of(state_, {&number, 1});
   }
 
@@ -186,7 +185,7 @@ private:
   std::pair<int, int> woken_pair(BodyId a, BodyId b)
   {
     const std::pair<int, int> pair =
-        checked_pair({static_cast<int>(place(a)), static_cast<int>(place(b))}, bodies().size());
+        checked_pair({static_cast<int>(index(a)), static_cast<int>(index(b))}, bodies().size());
     wake_island_of(a);
     wake_island_of(b);
     return pair;

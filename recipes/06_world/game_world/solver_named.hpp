@@ -45,8 +45,8 @@ COOKBOOK_WORLD_INLINE WorldSolver solver_named(const std::string& name, int subs
   }
   if (name == "sequential_impulses" || name == "cold_impulses")
   {
-    const bool warm = name == "sequential_impulses";
-    const SequentialSettings how{.iterations = 8, .warm = warm};
+    const bool warm_starting = name == "sequential_impulses";
+    const SequentialSettings how{.iterations = 8, .warm_starting = warm_starting};
     const auto steps = [how, n = or_else(1)](IslandView w, const Island& i, double h)
     {
       const auto scale = [&](double by)

@@ -20,7 +20,7 @@ namespace cookbook
 /// begin their watch anew.
 inline void wake_islands_of(WorldState& world, std::span<const int> bodies)
 {
-  const auto asleep = [&](int body) { return sleeps(world, body); };
+  const auto asleep = [&](int body) { return is_asleep(world, body); };
   if (std::any_of(bodies.begin(), bodies.end(), asleep))
   {
     world.islands.find(world.bodies, world.contacts);
@@ -30,7 +30,7 @@ inline void wake_islands_of(WorldState& world, std::span<const int> bodies)
   {
     for (const int body : bodies)
     {
-      world.sleep[place_of(body)] = {};
+      world.sleep[index_of(body)] = {};
     }
   }
 }
@@ -42,15 +42,15 @@ inline void wake_around(WorldState& world, int body)
   {
     return;
   }
-  std::vector<int> touching{body};
+  std::vector<int> awake_islands{body};
   for (const WorldContact& contact : world.contacts)
   {
     if (contact.a == body || contact.b == body)
     {
-      touching.push_back(contact.a + contact.b - body);
+      awake_islands.push_back(contact.a + contact.b - body);
     }
   }
-  wake_islands_of(world, touching);
+  wake_islands_of(world, awake_islands);
 }
 
 /// Wakes what sleeps in the bounds of a body, with all that hangs together with it.
@@ -63,7 +63,7 @@ inline void wake_touched_by(WorldState& world, const Bounds& bound)
   std::vector<int> touched;
   for (const Bounds& other : world.bounds)
   {
-    if (sleeps(world, other.body) && other.box.intersects(bound.box))
+    if (is_asleep(world, other.body) && other.box.intersects(bound.box))
     {
       touched.push_back(other.body);
     }
@@ -88,56 +88,57 @@ void put_at(List& list, std::size_t place, const Item& item)
 }
 
 /// The place that the next body is given: that of one who was taken out, or a new one.
-inline std::size_t next_place(const WorldState& world)
+inline std::size_t next_index(const WorldState& world)
 {
-  return world.free.empty() ? world.bodies.size() : world.free.back();
+  return world.free_slots.empty() ? world.bodies.size() : world.free_slots.back();
 }
 
 /// Has a body enter the world, and says at which place.
-inline std::size_t enter(WorldState& world, const SceneBody& body)
+inline std::size_t add_body(WorldState& world, const SceneBody& body)
 {
-  const std::size_t i = next_place(world);
+  const std::size_t i = next_index(world);
   const bool had_another = i < world.bodies.size();
   RigidBody made = rigid_body(body);
   made.generation = had_another ? world.bodies[i].generation + 1 : 0;
   put_at(world.scene.bodies, i, body);
-  set_start(world.scene.bodies[i], made);
+  set_start_state(world.scene.bodies[i], made);
   put_at(world.bodies, i, made);
   world.sleep.resize(world.may_sleep ? world.bodies.size() : 0); // who has left was woken before
   world.bounds.push_back(bounds_now(world, i));
-  world.balls += made.round ? 1 : 0;
-  put_at(world.gone, i, false);
+  world.spheres += made.is_sphere ? 1 : 0;
+  put_at(world.removed, i, false);
   if (had_another)
   {
-    world.free.pop_back();
+    world.free_slots.pop_back();
   }
   return i;
 }
 
 /// Has a body leave it: it stays where it is, and nothing touches it any more. A step later its
 /// place is free.
-inline void leave(WorldState& world, std::size_t i)
+inline void remove_body(WorldState& world, std::size_t i)
 {
   wake_around(world, static_cast<int>(i));
   fix(world.bodies[i]);
-  world.balls -= world.bodies[i].round ? 1 : 0;
-  world.gone[i] = true;
-  world.left.push_back(i);
-  std::erase_if(world.bounds, [&](const Bounds& bound) { return place_of(bound.body) == i; });
+  world.spheres -= world.bodies[i].is_sphere ? 1 : 0;
+  world.removed[i] = true;
+  world.slots_to_free.push_back(i);
+  std::erase_if(world.bounds, [&](const Bounds& bound) { return index_of(bound.body) == i; });
   std::erase_if(
       world.scene.ignored,
-      [&](const auto& pair) { return place_of(pair.first) == i || place_of(pair.second) == i; });
+      [&](const auto& pair) { return index_of(pair.first) == i || index_of(pair.second) == i; });
 }
 
 /// Frees the places of those who had left before a step.
-inline void free_places(WorldState& world)
+inline void release_slots(WorldState& world)
 {
-  world.free.insert(world.free.end(), world.left.begin(), world.left.end());
-  world.left.clear();
+  world.free_slots.insert(
+      world.free_slots.end(), world.slots_to_free.begin(), world.slots_to_free.end());
+  world.slots_to_free.clear();
 }
 
 /// Puts a body elsewhere, also before the step that was the last.
-inline void put_elsewhere(
+inline void teleport(
     WorldState& world, std::size_t i, const Vector3<double>& position,
     const Quaternion<double>& orientation)
 {

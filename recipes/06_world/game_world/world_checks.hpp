@@ -33,12 +33,12 @@ struct CheckShape
   {
     checked(Obb<double>{{0, 0, 0}, Matrix3<double>::Identity(), box.half_extents});
   }
-  void operator()(const SphereShape& ball) const
+  void operator()(const SphereShape& sphere) const
   {
-    check_finite("radius", ball.radius);
-    if (!(ball.radius > 0))
+    check_finite("radius", sphere.radius);
+    if (!(sphere.radius > 0))
     {
-      throw InvalidShape("radius", "greater than zero", text_of(ball.radius));
+      throw InvalidShape("radius", "greater than zero", text_of(sphere.radius));
     }
   }
   void operator()(const PlaneShape& plane) const
@@ -84,7 +84,7 @@ inline void check_orientation(const Quaternion<double>& orientation)
 }
 
 /// Throws InvalidShape unless a body may be put there.
-inline void check_can_be_put(
+inline void check_can_teleport(
     const SceneBody& body, const Vector3<double>& position, const Quaternion<double>& orientation)
 {
   if (std::holds_alternative<PlaneShape>(body.shape))
@@ -113,7 +113,7 @@ inline void check(const SceneBody& body)
   check_range("friction", body.friction, 0, 1e6);
   check_range("restitution", body.restitution, 0, 1);
   check_range("damping", body.damping, 0, 1e6);
-  check_range("spin_damping", body.spin_damping, 0, 1e6);
+  check_range("spin_damping", body.angular_damping, 0, 1e6);
   if (body.mass > 0)
   {
     checked(mass_properties(body));

@@ -55,7 +55,8 @@ inline void apply_torque(GameWorld& world, BodyId body, const Vector3<double>& t
 
 /// Has a heavy body move as a platform in the next step, at a velocity [m/s]: so fast, without
 /// spin, and held up against gravity. It is called once a step; a fixed body stays where it is.
-inline void carry(GameWorld& world, BodyId platform, const Vector3<double>& velocity)
+inline void
+set_kinematic_velocity(GameWorld& world, BodyId platform, const Vector3<double>& velocity)
 {
   const Vector3<double> none = Vector3<double>::Zero();
   world.set_velocity(platform, velocity, none);

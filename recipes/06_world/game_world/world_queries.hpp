@@ -34,7 +34,7 @@ struct BodyHit
 };
 
 /// What a ball that is moved has met.
-struct BallHit
+struct SphereHit
 {
   BodyId body;          ///< whom
   SweptHit<double> hit; ///< which share of the way is free, and the normal: out of the ball, into
@@ -42,21 +42,20 @@ struct BallHit
 };
 
 /// Bounds of a body that hold it in spite of rounding; infinite for a plane.
-inline Eigen::AlignedBox<double, 3> sure_bounds(const RigidBody& body, const SceneBody& of)
+inline Eigen::AlignedBox<double, 3> conservative_bounds(const RigidBody& body, const SceneBody& of)
 {
   const Eigen::AlignedBox<double, 3> box = bounds_of(body, of.shape, 0);
   const double largest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
-  const Vector3<double> little =
+  const Vector3<double> padding =
       Vector3<double>::Constant(8 * std::numeric_limits<double>::epsilon() * largest);
-  return {box.min() - little, box.max() + little};
+  return {box.min() - padding, box.max() + padding};
 }
 
 /// Asks every body.
-inline constexpr auto everybody = [](BodyId) { return true; };
+inline constexpr auto every_body = [](BodyId) { return true; };
 
-/// Answers questions about the bodies of a world as they are now. It is made anew after a step,
-/// once a body was put in, or elsewhere, and once the world is another. Who was taken out meanwhile
-/// does not answer.
+/// Ray casts, sphere casts and overlap tests against the bodies of a world as they are now. It is
+/// made anew after a step, or once a body was added or teleported; removed bodies are skipped.
 class WorldQueries
 {
 public:
@@ -70,42 +69,41 @@ public:
       if (world.has(world.id(i)))
       {
         bounds.push_back(
-            {sure_bounds(world.bodies()[i], world.scene().bodies[i]), static_cast<int>(i)});
+            {conservative_bounds(world.bodies()[i], world.scene().bodies[i]), static_cast<int>(i)});
       }
     }
     tree_.build(bounds);
   }
 
-  /// The body that a ray meets first, of those for which `asked(id)`, the one with the least
-  /// id of several; nothing if none. InvalidShape if the ray is none.
-  template <class Asked = decltype(everybody)>
-  std::optional<BodyHit> cast(const Ray<double>& ray, const Asked& asked = everybody) const
+  /// The first body that a ray hits, of those for which `filter(id)`, the least id of several.
+  template <class Filter = decltype(every_body)>
+  std::optional<BodyHit> cast(const Ray<double>& ray, const Filter& filter = every_body) const
   {
     checked(ray);
-    const double endless = std::numeric_limits<double>::infinity();
-    return first_met<BodyHit>(
-        ray, 0, endless, asked, [](const Hit<double, 3>& hit) { return hit.t; },
+    const double unbounded = std::numeric_limits<double>::infinity();
+    return first_hit<BodyHit>(
+        ray, 0, unbounded, filter, [](const Hit<double, 3>& hit) { return hit.t; },
         [&](const auto& shape) { return cookbook::cast(ray, shape); });
   }
 
   /// The body that a ball meets first which is moved by a way [m], world, of those for which
-  /// `asked(id)`, the one with the least id of several; nothing if none, or if there is no
+  /// `filter(id)`, the one with the least id of several; nothing if none, or if there is no
   /// way to go. One that it overlaps is met at once, if the way leads deeper into it. InvalidShape
   /// if the ball is none, or the way not finite.
-  template <class Asked = decltype(everybody)>
-  std::optional<BallHit>
-  cast(const Sphere<double>& ball, const Vector3<double>& way, const Asked& asked = everybody) const
+  template <class Filter = decltype(every_body)>
+  std::optional<SphereHit> cast(
+      const Sphere<double>& sphere, const Vector3<double>& displacement,
+      const Filter& filter = every_body) const
   {
-    checked(ball);
-    check_finite("way", way);
-    return first_met<BallHit>(
-        {ball.center, way}, ball.radius, 1, asked,
+    checked(sphere);
+    check_finite("way", displacement);
+    return first_hit<SphereHit>(
+        {sphere.center, displacement}, sphere.radius, 1, filter,
         [](const SweptHit<double>& hit) { return hit.time; },
-        [&](const auto& shape) { return sweep(ball, way, shape); });
+        [&](const auto& shape) { return sweep(sphere, displacement, shape); });
   }
 
-  /// The ids of all bodies that a ball or a box overlaps or touches, the least first;
-  /// InvalidShape if it is none.
+  /// The ids of all bodies that a sphere or a box overlaps or touches, the least first.
   template <class Shape>
   std::vector<BodyId> overlapping(const Shape& shape) const
   {
@@ -119,8 +117,9 @@ public:
         tree_, [&](const Eigen::AlignedBox<double, 3>& box) { return box.intersects(around); },
         [&](int body)
         {
-          const auto meets = [&](const auto& of) { return overlaps(placed(at(body), of), shape); };
-          if (world_.has(id_of(body)) && std::visit(meets, shape_of(body)))
+          const auto overlap = [&](const auto& of)
+          { return overlaps(placed(at(body), of), shape); };
+          if (world_.has(id_of(body)) && std::visit(overlap, shape_of(body)))
           {
             found.push_back(id_of(body));
           }
@@ -130,29 +129,30 @@ public:
   }
 
 private:
-  static auto sweep(const Sphere<double>& ball, const Vector3<double>& way, const Obb<double>& box)
-  {
-    return swept_sphere_box(ball, way, box);
-  }
   static auto
-  sweep(const Sphere<double>& ball, const Vector3<double>& way, const Plane<double>& plane)
+  sweep(const Sphere<double>& sphere, const Vector3<double>& displacement, const Obb<double>& box)
   {
-    return swept_sphere_plane(ball, way, plane);
+    return swept_sphere_box(sphere, displacement, box);
   }
-  static auto
-  sweep(const Sphere<double>& ball, const Vector3<double>& way, const Sphere<double>& other)
+  static auto sweep(
+      const Sphere<double>& sphere, const Vector3<double>& displacement, const Plane<double>& plane)
   {
-    return swept_sphere_sphere(ball, way, other);
+    return swept_sphere_plane(sphere, displacement, plane);
+  }
+  static auto sweep(
+      const Sphere<double>& sphere, const Vector3<double>& displacement,
+      const Sphere<double>& other)
+  {
+    return swept_sphere_sphere(sphere, displacement, other);
   }
 
-  /// The first of all hits of something that goes along a ray and is as thick as a radius [m], for
-  /// up to so many lengths of the ray: `when` a hit is, `meet` a shape where it is.
-  template <class Met, class Asked, class When, class Meet>
-  std::optional<Met> first_met(
-      const Ray<double>& ray, double radius, double lengths, const Asked& asked, const When& when,
-      const Meet& meet) const
+  /// The first hit of a sphere of a radius [m] along a ray, up to so many lengths of the ray.
+  template <class Found, class Filter, class When, class Meet>
+  std::optional<Found> first_hit(
+      const Ray<double>& ray, double radius, double lengths, const Filter& filter, const When& when,
+      const Meet& query) const
   {
-    std::optional<Met> first;
+    std::optional<Found> first;
     RayForBoxes<double> thick = ray_for_boxes(ray, tree_.finite_box());
     for (int i = 0; i < 3; ++i)
     {
@@ -161,35 +161,35 @@ private:
     const double longest = ray.direction.cwiseAbs().maxCoeff();
     const auto may_come_first = [&](const Eigen::AlignedBox<double, 3>& box)
     {
-      const double enter = ray_enters_box(thick, box);
-      return enter < std::numeric_limits<double>::infinity() &&
-             enter <= (first ? when(first->hit) : lengths) * longest * (1 + 1e-12);
+      const double add_body = ray_enters_box(thick, box);
+      return add_body < std::numeric_limits<double>::infinity() &&
+             add_body <= (first ? when(first->hit) : lengths) * longest * (1 + 1e-12);
     };
-    const auto ask = [&](int body)
+    const auto test = [&](int body)
     {
       const BodyId id = id_of(body);
-      if (!world_.has(id) || !asked(id))
+      if (!world_.has(id) || !filter(id))
       {
         return;
       }
       const auto hit = std::visit(
-          [&](const auto& shape) { return meet(placed(at(body), shape)); }, shape_of(body));
-      const auto sooner = [&](const Met& other)
+          [&](const auto& shape) { return query(placed(at(body), shape)); }, shape_of(body));
+      const auto sooner = [&](const Found& other)
       { return std::pair(when(*hit), id) < std::pair(when(other.hit), other.body); };
       if (hit && (!first || sooner(*first)))
       {
-        first = Met{id, *hit};
+        first = Found{id, *hit};
       }
     };
-    each_that(tree_, may_come_first, ask);
+    each_that(tree_, may_come_first, test);
     return first;
   }
 
-  BodyId id_of(int body) const { return world_.id(place_of(body)); }
-  const RigidBody& at(int body) const { return world_.bodies()[place_of(body)]; }
+  BodyId id_of(int body) const { return world_.id(index_of(body)); }
+  const RigidBody& at(int body) const { return world_.bodies()[index_of(body)]; }
   const decltype(SceneBody::shape)& shape_of(int body) const
   {
-    return world_.scene().bodies[place_of(body)].shape;
+    return world_.scene().bodies[index_of(body)].shape;
   }
 
   const GameWorld& world_;

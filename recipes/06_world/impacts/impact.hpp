@@ -17,16 +17,16 @@ namespace cookbook
 /// Two bodies that have hit each other in a step.
 struct Impact
 {
-  int a;                  ///< the place of body A in the world's lists
+  int a;                  ///< the point of body A in the world's lists
   int b;                  ///< that of body B, greater than a
-  Vector3<double> place;  ///< [m], world, where they met
+  Vector3<double> point;  ///< [m], world, where they met
   Vector3<double> normal; ///< [1], unit, world, from A to B
   double speed;           ///< [m/s], at which they closed there, along the normal
 };
 
 /// Whether two bodies that close at a speed [m/s] do more in a step [s] than their rounding, which
 /// is less than a millionth of their size [m].
-inline bool is_heard(double speed, double step, double size)
+inline bool is_hit(double speed, double step, double size)
 {
   return speed * step > 1e-6 * size;
 }
@@ -38,30 +38,30 @@ add_impacts(IslandView world, const Island& island, double step, std::vector<Imp
 {
   for (const int number : island.contacts)
   {
-    const WorldContact& contact = world.contacts[place_of(number)];
-    const RigidBody &a = world.bodies[place_of(contact.a)], &b = world.bodies[place_of(contact.b)];
-    const double pull = parting_pull(world, contact);
-    const double slow = rest_threshold(world.gravity, pull, step);
-    Impact fastest{contact.a, contact.b, b.motion.center, contact.normal, slow};
+    const WorldContact& contact = world.contacts[index_of(number)];
+    const RigidBody &a = world.bodies[index_of(contact.a)], &b = world.bodies[index_of(contact.b)];
+    const double acceleration = separating_acceleration(world, contact);
+    const double threshold_speed = rest_threshold(world.gravity, acceleration, step);
+    Impact fastest{contact.a, contact.b, b.motion.center, contact.normal, threshold_speed};
     for (const WorldPoint& point : contact.points)
     {
-      if (is_pressed(point))
+      if (is_active(point))
       {
         continue;
       }
       const Arms<double> arms = arms_of(a, b, point);
       const double parting = separating_velocity<double>(a, b, contact.normal, arms);
-      const double apart = gap(a, b, contact.normal, point);
-      const double speed = impact_speed<double>(parting, {pull, 0, -apart});
-      const bool touches = apart + step * (parting + step * pull) <= 0;
-      if (speed > fastest.speed && touches && is_heard(speed, step, arms.a.norm() + arms.b.norm()))
+      const double separation = separation_of(a, b, contact.normal, point);
+      const double speed = impact_speed<double>(parting, {acceleration, 0, -separation});
+      const bool touches = separation + step * (parting + step * acceleration) <= 0;
+      if (speed > fastest.speed && touches && is_hit(speed, step, arms.a.norm() + arms.b.norm()))
       {
-        const double time = std::max(0.0, apart / speed);
-        fastest.place = b.motion.center + arms.b + time * velocity_at_arm<double>(b.motion, arms.b);
+        const double time = std::max(0.0, separation / speed);
+        fastest.point = b.motion.center + arms.b + time * velocity_at_arm<double>(b.motion, arms.b);
         fastest.speed = speed;
       }
     }
-    if (fastest.speed > slow)
+    if (fastest.speed > threshold_speed)
     {
       impacts.push_back(fastest);
     }

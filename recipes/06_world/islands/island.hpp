@@ -32,7 +32,7 @@ public:
   {
     numbers_.resize(bodies.size());
     find_islands(
-        numbers_, [&](int i) { return !is_fixed(bodies[place_of(i)]); }, contacts);
+        numbers_, [&](int i) { return !is_fixed(bodies[index_of(i)]); }, contacts);
     count_ = 0;
     place_.resize(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -41,8 +41,8 @@ public:
     }
     const auto group = [&](int body)
     {
-      const int number = numbers_[place_of(body)];
-      return number >= 0 ? place_[place_of(number)] : -1;
+      const int number = numbers_[index_of(body)];
+      return number >= 0 ? place_[index_of(number)] : -1;
     };
     bodies_.sort(count_, bodies.size(), [&](std::size_t i) { return group(static_cast<int>(i)); });
     contacts_.sort(

@@ -24,38 +24,38 @@ struct IslandPoint : ContactConstraint<double>
   RigidBody* a;                ///< the body that the normal points away from
   RigidBody* b;                ///< the body that it points to
   const WorldContact* contact; ///< whose point it is
-  WorldPoint* known;           ///< what the next frame finds again
+  WorldPoint* cached;          ///< its impulses, kept from frame to frame
 };
 
 /// What a solver may see and change.
 struct IslandView
 {
-  std::span<RigidBody> bodies;      ///< all bodies of the world
-  std::span<WorldContact> contacts; ///< all contacts of the world
-  Vector3<double> gravity;          ///< [m/s²], world
-  std::vector<IslandPoint>& room;   ///< for the points of an island; kept from step to step
-  std::span<const Pull> forces{};   ///< of this step, force_on()
+  std::span<RigidBody> bodies;                    ///< all bodies of the world
+  std::span<WorldContact> contacts;               ///< all contacts of the world
+  Vector3<double> gravity;                        ///< [m/s²], world
+  std::vector<IslandPoint>& scratch;              ///< for the points of an island; scratch buffer
+  std::span<const ExternalAcceleration> forces{}; ///< of this step, force_on()
 };
 
-/// What pulls a body that is not fixed.
-inline Pull pull_on(IslandView world, int body)
+/// The external acceleration of a body that is not fixed.
+inline ExternalAcceleration acceleration_on(IslandView world, int body)
 {
-  return pull_on(world.gravity, world.forces, place_of(body));
+  return acceleration_on(world.gravity, world.forces, index_of(body));
 }
 
-/// Has that pull it for a time [s].
-inline void pull(IslandView world, int body, double time)
+/// Applies that for a time [s].
+inline void apply_forces(IslandView world, int body, double time)
 {
-  pull(world.bodies[place_of(body)], pull_on(world, body), time);
+  apply_forces(world.bodies[index_of(body)], acceleration_on(world, body), time);
 }
 
-/// How fast [m/s²] that parts the two bodies of a contact; negative where they press.
-inline double parting_pull(IslandView world, const WorldContact& contact)
+/// The separating acceleration [m/s²] of two bodies along a contact normal; negative: they press.
+inline double separating_acceleration(IslandView world, const WorldContact& contact)
 {
   const auto pulls = [&](int body)
   {
-    const bool fixed = is_fixed(world.bodies[place_of(body)]);
-    return fixed ? 0.0 : pull_on(world, body).acceleration.dot(contact.normal);
+    const bool fixed = is_fixed(world.bodies[index_of(body)]);
+    return fixed ? 0.0 : acceleration_on(world, body).acceleration.dot(contact.normal);
   };
   return pulls(contact.b) - pulls(contact.a);
 }
@@ -63,7 +63,7 @@ inline double parting_pull(IslandView world, const WorldContact& contact)
 /// Moves the bodies of one island on by a step [s], and sets the impulses of its contacts.
 using IslandSolver = std::function<void(IslandView, const Island&, double)>;
 
-/// The same for any number of islands, none of which may feel that there are others.
+/// The same for any number of islands, none of which affects another.
 using WorldSolver = std::function<void(IslandView, std::span<const Island>, double)>;
 
 /// A solver that solves islands one after the other; none if there is none for one.
@@ -83,16 +83,16 @@ inline WorldSolver one_by_one(IslandSolver solver)
   };
 }
 
-/// Finds what impulses at a point feel, with the bodies as they are turned now.
+/// Computes the effective masses of a point at the present orientations.
 inline void compute_masses(IslandPoint& point)
 {
   compute_masses<double>(point, *point.a, *point.b);
 }
 
-/// Says how a body is turned, as far as the arms are concerned at which it is pushed.
+/// The axes of a body by which its arms are taken.
 using FindAxes = Matrix3<double>(const RigidBody&);
 
-/// As it is turned now.
+/// Those of its present orientation.
 inline Matrix3<double> axes_now(const RigidBody& body)
 {
   return body.axes;
@@ -119,11 +119,11 @@ inline ContactConstraint<double> constraint_of(
     const RigidBody& a, const RigidBody& b, const WorldContact& contact, const ContactFrame& frame,
     const WorldPoint& of)
 {
-  const Arms<double> arms{frame.axes_a * of.on_a, frame.axes_b * of.on_b};
-  const double apart = gap(a, b, contact.normal, of);
+  const Arms<double> arms{frame.axes_a * of.anchor_a, frame.axes_b * of.anchor_b};
+  const double separation = separation_of(a, b, contact.normal, of);
   const Vector2<double> friction = frame.surface.along(of.friction);
-  return {
-      contact.normal, frame.surface, arms, contact.friction, apart, of.carried, 0, friction, 0, {}};
+  const double impulse = of.warm_start_impulse, mu = contact.friction;
+  return {contact.normal, frame.surface, arms, mu, separation, impulse, 0, friction, 0, {}};
 }
 
 /// A contact point of an island.
@@ -136,17 +136,17 @@ inline IslandPoint island_point(
   return point;
 }
 
-/// The points of an island, contact by contact, in the room that the world has for them.
+/// The points of an island, contact by contact, in the scratch buffer of the world.
 inline std::span<IslandPoint>
 points_of(IslandView world, const Island& island, FindAxes& find_axes = axes_now)
 {
-  std::vector<IslandPoint>& points = world.room;
+  std::vector<IslandPoint>& points = world.scratch;
   points.clear();
   for (const int number : island.contacts)
   {
-    WorldContact& contact = world.contacts[place_of(number)];
-    RigidBody& a = world.bodies[place_of(contact.a)];
-    RigidBody& b = world.bodies[place_of(contact.b)];
+    WorldContact& contact = world.contacts[index_of(number)];
+    RigidBody& a = world.bodies[index_of(contact.a)];
+    RigidBody& b = world.bodies[index_of(contact.b)];
     const ContactFrame frame = frame_of(a, b, contact, find_axes);
     for (WorldPoint& point : contact.points)
     {
@@ -156,20 +156,20 @@ points_of(IslandView world, const Island& island, FindAxes& find_axes = axes_now
   return points;
 }
 
-/// Writes down what points have been given, for the next frame to begin with.
+/// Stores the impulses of points, with which the next frame begins.
 inline void store(std::span<const IslandPoint> points)
 {
   for (const IslandPoint& point : points)
   {
-    point.known->impulse = point.known->carried = point.impulse;
-    point.known->friction = point.surface.in_world(point.friction);
+    point.cached->impulse = point.cached->warm_start_impulse = point.impulse;
+    point.cached->friction = point.surface.in_world(point.friction);
   }
 }
 
 /// How far apart [m] the surfaces are at a point where the bodies are now.
-inline double gap(const IslandPoint& point)
+inline double separation_of(const IslandPoint& point)
 {
-  return gap(*point.a, *point.b, point.normal, *point.known);
+  return separation_of(*point.a, *point.b, point.normal, *point.cached);
 }
 
 /// How fast [m/s] the surfaces part at a point.
@@ -178,19 +178,19 @@ inline double separating_velocity(const IslandPoint& point)
   return separating_velocity<double>(*point.a, *point.b, point);
 }
 
-/// Pushes the bodies of a point along the normal, or takes back at most what it has got; R7.
+/// Adds to the normal impulse at a point, whose sum is never below zero; R7.
 inline void add_impulse(IslandPoint& point, double change)
 {
   add_impulse<double>(*point.a, *point.b, point, change);
 }
 
-/// Takes away what slips at a point; R6.
+/// Solves the friction at a point; R6.
 inline void add_friction(IslandPoint& point)
 {
   add_friction<double>(*point.a, *point.b, point);
 }
 
-/// Gives the bodies of a point what the frame before has ended with.
+/// Warm starting of a point.
 inline void warm_start(const IslandPoint& point)
 {
   warm_start<double>(*point.a, *point.b, point);

@@ -23,15 +23,15 @@ namespace cookbook
 /// bounces there: they part already, or are too slow, or will not touch in this step [s].
 inline double impact_target(const IslandPoint& point, IslandView world, double step)
 {
-  const double speed = separating_velocity(point), apart = point.separation;
-  if (speed >= 0 || apart > -speed * step)
+  const double speed = separating_velocity(point), separation = point.separation;
+  if (speed >= 0 || separation > -speed * step)
   {
     return -1;
   }
-  const double acceleration = parting_pull(world, *point.contact);
+  const double acceleration = separating_acceleration(world, *point.contact);
   const double threshold = rest_threshold(world.gravity, acceleration, step);
   const double target = rebound_speed<double>(
-      speed, {acceleration, 0, -apart}, point.contact->restitution, threshold);
+      speed, {acceleration, 0, -separation}, point.contact->restitution, threshold);
   return target > 0 ? target : -1;
 }
 // [impact_target]
@@ -46,7 +46,7 @@ struct ImpactPoint
 };
 
 /// The speed [m/s] at a point that is not told from none: the rounding of those of its bodies.
-inline double lost_speed(const IslandPoint& point)
+inline double speed_rounding(const IslandPoint& point)
 {
   const auto fastest = [](const Motion<double>& motion, const Vector3<double>& arm)
   { return fastest_point(motion.velocity, motion.angular_velocity, arm.norm()); };
@@ -55,19 +55,17 @@ inline double lost_speed(const IslandPoint& point)
 }
 
 /// How accurate a bounce is, as a share of the fastest speed.
-inline constexpr double exact_bounce = 1e-13;
+inline constexpr double impact_tolerance = 1e-13;
 
-/// By how much more than it misses a point is pushed where a bounce is only asked for roughly: the
-/// others take a part of that back. This gets there sooner, but with much friction not to the end.
+/// Over-relaxation (SOR) of impacts that are solved roughly; with much friction it may not
+/// converge.
 inline constexpr double over_relaxation = 1.2;
 
-/// Brings points to a share of their targets, and keeps the others from closing, one after the
-/// other until a round changes nothing by more than the accuracy, a share of the fastest speed, or
-/// by more than is lost to rounding, or 200 times. Two points that stick may strain against each
-/// other and move nothing: so it also ends where a round changes less than 1e-5 of the fastest
-/// speed, and no less than 0.999 of what the round before did.
+/// Brings points to a fraction of their targets, and keeps the others from closing, by sequential
+/// impulses: until the residual is below the accuracy, a fraction of the fastest speed, or below
+/// rounding, or stagnates below 1e-5 of the fastest speed; 200 passes at most.
 inline void
-reach_targets(std::vector<ImpactPoint>& points, double share, double accuracy = exact_bounce)
+solve_impact(std::vector<ImpactPoint>& points, double fraction, double accuracy = impact_tolerance)
 {
   double fastest = 0, lost = 0;
   for (ImpactPoint& one : points)
@@ -75,37 +73,38 @@ reach_targets(std::vector<ImpactPoint>& points, double share, double accuracy = 
     one.point.impulse = 0;
     one.point.friction.setZero();
     fastest = std::max({fastest, one.target, -separating_velocity(one.point)});
-    lost = std::max(lost, lost_speed(one.point));
+    lost = std::max(lost, speed_rounding(one.point));
   }
   const double enough = std::max(accuracy * fastest, lost);
-  const double relaxed = accuracy > exact_bounce ? over_relaxation : 1;
-  double missing = fastest, before = 2 * fastest;
-  const auto strains = [&] { return missing <= 1e-5 * fastest && missing > 0.999 * before; };
-  for (int round = 0; round < 200 && missing > enough && !strains(); ++round)
+  const double relaxation = accuracy > impact_tolerance ? over_relaxation : 1;
+  double residual = fastest, before = 2 * fastest;
+  const auto is_stuck = [&] { return residual <= 1e-5 * fastest && residual > 0.999 * before; };
+  for (int round = 0; round < 200 && residual > enough && !is_stuck(); ++round)
   {
-    before = missing;
-    missing = 0;
+    before = residual;
+    residual = 0;
     for (ImpactPoint& one : points)
     {
-      const double given = one.point.impulse;
-      const double target = share * one.target;
+      const double before_impulse = one.point.impulse;
+      const double target = fraction * one.target;
       add_impulse(
-          one.point, relaxed * one.point.normal_mass * (target - separating_velocity(one.point)));
-      if (one.point.impulse > 0 || given > 0)
+          one.point,
+          relaxation * one.point.normal_mass * (target - separating_velocity(one.point)));
+      if (one.point.impulse > 0 || before_impulse > 0)
       {
         add_friction(one.point);
       }
-      missing = std::max(missing, std::abs(one.point.impulse - given) / one.point.normal_mass);
+      residual =
+          std::max(residual, std::abs(one.point.impulse - before_impulse) / one.point.normal_mass);
     }
   }
 }
 
-/// Lets points bounce, with as much of their restitution as leaves these bodies no more energy than
-/// they had: with friction the whole of it may give them some. False, and nothing changes, where
-/// even none does.
-inline bool bounce(
+/// Resolves impacts with as much restitution as adds no energy; with friction all of it may add
+/// some. False, and nothing changes, where even none does.
+inline bool resolve_impacts(
     std::vector<ImpactPoint>& points, std::span<RigidBody* const> bodies,
-    double accuracy = exact_bounce)
+    double accuracy = impact_tolerance)
 {
   std::vector<Motion<double>> before;
   before.reserve(bodies.size());
@@ -123,9 +122,9 @@ inline bool bounce(
     return sum;
   };
   const double energy_before = energy();
-  for (const double share : {1.0, 0.8, 0.6, 0.4, 0.2, 0.0})
+  for (const double fraction : {1.0, 0.8, 0.6, 0.4, 0.2, 0.0})
   {
-    reach_targets(points, share, accuracy);
+    solve_impact(points, fraction, accuracy);
     if (energy() <= energy_before * (1 + 1e-9))
     {
       return true;
@@ -141,13 +140,13 @@ inline bool bounce(
 
 // [impacts]
 /// How often an island bounces in a step, and at how many points after the first time.
-inline constexpr std::size_t most_impacts = 64;
+inline constexpr std::size_t max_impacts = 64;
 
 /// Lets the bodies of an island bounce, then those that were pushed; says whether any was about to.
 inline bool simultaneous_impacts(IslandView world, const Island& island, double step)
 {
-  const auto bouncy = [&](int i) { return world.contacts[place_of(i)].restitution > 0; };
-  if (std::none_of(island.contacts.begin(), island.contacts.end(), bouncy))
+  const auto has_restitution = [&](int i) { return world.contacts[index_of(i)].restitution > 0; };
+  if (std::none_of(island.contacts.begin(), island.contacts.end(), has_restitution))
   {
     return false;
   }
@@ -177,10 +176,11 @@ inline bool simultaneous_impacts(IslandView world, const Island& island, double 
   std::vector<RigidBody*> bodies;
   for (const int i : island.bodies)
   {
-    bodies.push_back(&world.bodies[place_of(i)]);
+    bodies.push_back(&world.bodies[index_of(i)]);
   }
-  bool goes_on = true;
-  for (std::size_t round = 1; goes_on && bounce(points, bodies) && round < most_impacts; ++round)
+  bool again = true;
+  for (std::size_t round = 1; again && resolve_impacts(points, bodies) && round < max_impacts;
+       ++round)
   {
     pushed.clear();
     for (const ImpactPoint& one : points)
@@ -191,7 +191,7 @@ inline bool simultaneous_impacts(IslandView world, const Island& island, double 
       }
     }
     std::erase_if(pushed, [](const RigidBody* body) { return is_fixed(*body); });
-    goes_on = find_points(false) && points.size() <= most_impacts;
+    again = find_points(false) && points.size() <= max_impacts;
   }
   return true;
 }

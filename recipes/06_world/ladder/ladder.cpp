@@ -45,7 +45,7 @@ Cells agreement_table()
   for (const Agreement& one : agreements())
   {
     cells.push_back(
-        {one.scene, number(one.time), rounded(one.moved), rounded(1000 * one.apart),
+        {one.scene, number(one.time), rounded(one.moved), rounded(1000 * one.separation),
          rounded(1000 * allowed(one))});
   }
   return cells;

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Numbers sorted into groups, such as bodies into islands, in the room that there is.
 
-#include "06_world/lanes/make_room.hpp"
+#include "06_world/lanes/reserve_space.hpp"
 
 #include <cstddef>
 #include <numeric>
@@ -32,7 +32,7 @@ public:
       }
     }
     std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-    make_room(members_, static_cast<std::size_t>(starts_.back()));
+    reserve_space(members_, static_cast<std::size_t>(starts_.back()));
     members_.resize(static_cast<std::size_t>(starts_.back()));
     for (std::size_t i = 0; i < count; ++i)
     {

@@ -34,7 +34,7 @@ void each_turned(TurningLane<Real>& of, Call& call)
 
 /// Then what stays.
 template <class Real, class Call>
-void each_given(TurningLane<Real>& of, Call& call)
+void each_stored(TurningLane<Real>& of, Call& call)
 {
   each_number(of.moments, call);
 }
@@ -48,7 +48,7 @@ template <class Lanes>
   TurningLane<Lanes> of;
   ReadLanes<Lanes> read{numbers};
   each_turned(of, read);
-  each_given(of, read);
+  each_stored(of, read);
   of.now = turned_about_mean<Lanes>(of.now, of.moments, time);
   WriteLanes<Lanes> write{numbers};
   each_turned(of, write);

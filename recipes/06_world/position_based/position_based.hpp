@@ -4,7 +4,7 @@
 /// \brief Many contacts by positions: small steps, each corrected until nothing overlaps (XPBD).
 
 #include "05_resolution/restitution/restitution.hpp"
-#include "06_world/contacts/moved_body.hpp"
+#include "06_world/contacts/integrate_body.hpp"
 #include "06_world/position_based/position_point.hpp"
 
 #include <algorithm>
@@ -27,12 +27,12 @@ struct PositionSettings
 
 // [small_step]
 /// Lets a point that was pressed rest, or part as it did before, however fast it was pushed out.
-inline void correct_speed(PositionPoint& one, double threshold)
+inline void solve_velocity(PositionPoint& one, double threshold)
 {
-  if (one.pressed > 0)
+  if (one.normal_lambda > 0)
   {
-    const double wanted = one.parted > threshold ? one.parted : 0;
-    const double change = wanted - separating_velocity(one.point);
+    const double target = one.separating_before > threshold ? one.separating_before : 0;
+    const double change = target - separating_velocity(one.point);
     apply_impulse<double>(
         *one.point.a, *one.point.b, one.point.arms,
         one.point.normal_mass * change * one.point.normal);
@@ -43,43 +43,43 @@ inline void correct_speed(PositionPoint& one, double threshold)
 // [position_based]
 /// The points of an island; each sticks where it stuck in the frame before, if it did.
 inline std::vector<PositionPoint>
-position_points(IslandView world, const Island& island, double small)
+position_points(IslandView world, const Island& island, double substep)
 {
   std::vector<PositionPoint> points;
   for (const IslandPoint& point : points_of(world, island))
   {
-    const Vector3<double> owed =
-        point.surface.in_world(point.friction) * small / point.sliding.smallest;
-    points.push_back({point, owed});
-    point.known->impulse = 0;
+    const Vector3<double> stored_slip =
+        point.surface.in_world(point.friction) * substep / point.sliding.smallest;
+    points.push_back({point, stored_slip});
+    point.cached->impulse = 0;
   }
   return points;
 }
 
 /// Begins a small step at a point.
-inline void begin(PositionPoint& one)
+inline void begin_substep(PositionPoint& one)
 {
-  one.point.arms = arms_now(one.point);
-  hold(one);
-  one.parted = separating_velocity(one.point);
-  one.pressed = 0;
-  one.rubbed.setZero();
+  one.point.arms = current_arms(one.point);
+  stick(one);
+  one.separating_before = separating_velocity(one.point);
+  one.normal_lambda = 0;
+  one.friction_lambda.setZero();
 }
 
 /// Ends a small step [s] at a point: adds its impulse to the frame's, and writes down what friction
 /// still owes a point that sticks, as the impulse that would take its slip back.
-inline void end(PositionPoint& one, double small, double threshold)
+inline void end_substep(PositionPoint& one, double substep, double threshold)
 {
-  const bool touches = one.pressed > 0 || gap(one.point) <= threshold * small;
-  one.point.arms = arms_now(one.point);
+  const bool touches = one.normal_lambda > 0 || separation_of(one.point) <= threshold * substep;
+  one.point.arms = current_arms(one.point);
   if (touches)
   {
     compute_masses(one.point);
   }
-  correct_speed(one, threshold);
-  one.point.known->impulse += one.pressed / small;
-  one.owed = touches ? slip(one) : Vector3<double>(0, 0, 0);
-  one.point.known->friction = one.owed * one.point.sliding.smallest / small;
+  solve_velocity(one, threshold);
+  one.point.cached->impulse += one.normal_lambda / substep;
+  one.stored_slip = touches ? slip(one) : Vector3<double>(0, 0, 0);
+  one.point.cached->friction = one.stored_slip * one.point.sliding.smallest / substep;
 }
 
 /// Moves the bodies of an island on by a step [s]; R15, R16.
@@ -89,10 +89,10 @@ inline void end(PositionPoint& one, double small, double threshold)
 inline void position_based(
     IslandView world, const Island& island, double step, const PositionSettings& settings)
 {
-  const double small = step / settings.substeps;
-  const double compliance = settings.compliance / (small * small);
-  const double threshold = restitution_threshold(world.gravity.norm(), small);
-  std::vector<PositionPoint> points = position_points(world, island, small);
+  const double substep = step / settings.substeps;
+  const double compliance = settings.compliance / (substep * substep);
+  const double threshold = restitution_threshold(world.gravity.norm(), substep);
+  std::vector<PositionPoint> points = position_points(world, island, substep);
   std::vector<RigidBody> before(island.bodies.size());
   const auto each_body = [&](const auto& change)
   {
@@ -103,26 +103,27 @@ inline void position_based(
   };
   for (int i = 0; i < settings.substeps; ++i)
   {
-    std::for_each(points.begin(), points.end(), begin);
+    std::for_each(points.begin(), points.end(), begin_substep);
     each_body(
         [&](RigidBody& was, int body)
         {
-          was = world.bodies[place_of(body)];
-          pull(world, body, small);
-          move(world.bodies[place_of(body)], small);
+          was = world.bodies[index_of(body)];
+          apply_forces(world, body, substep);
+          integrate_position(world.bodies[index_of(body)], substep);
         });
     for (int pass = 0; pass < settings.iterations; ++pass)
     {
       for (PositionPoint& point : points)
       {
-        correct_gap(point, compliance, settings.correction_speed * small);
-        correct_slip(point);
+        solve_normal(point, compliance, settings.correction_speed * substep);
+        solve_friction(point);
       }
     }
     each_body([&](const RigidBody& was, int body)
-              { velocities_from(was, world.bodies[place_of(body)], small); });
+              { derive_velocities(was, world.bodies[index_of(body)], substep); });
     std::for_each(
-        points.begin(), points.end(), [&](PositionPoint& point) { end(point, small, threshold); });
+        points.begin(), points.end(),
+        [&](PositionPoint& point) { end_substep(point, substep, threshold); });
   }
 }
 // [position_based]

@@ -17,9 +17,9 @@ namespace
 using namespace cookbook;
 
 /// What a stack does in 20 s.
-std::string outcome(const Scene& scene, int passes, bool warm)
+std::string outcome(const Scene& scene, int passes, bool warm_starting)
 {
-  const StackRun run = run_stack(scene, {.iterations = passes, .warm = warm}, 20);
+  const StackRun run = run_stack(scene, {.iterations = passes, .warm_starting = warm_starting}, 20);
   return run.fell > 0 ? "falls after " + rounded(run.fell) + " s"
                       : "sinks " + rounded(1000 * run.sink) + " mm";
 }
@@ -29,11 +29,11 @@ void print_stacks()
   Table table({"stack", "warm starting", "8 passes", "20 passes", "40 passes"});
   const auto rows = [&](const std::string& name, const Scene& scene)
   {
-    for (const bool warm : {false, true})
+    for (const bool warm_starting : {false, true})
     {
       table.row(
-          {name, warm ? "yes" : "no", outcome(scene, 8, warm), outcome(scene, 20, warm),
-           outcome(scene, 40, warm)});
+          {name, warm_starting ? "yes" : "no", outcome(scene, 8, warm_starting),
+           outcome(scene, 20, warm_starting), outcome(scene, 40, warm_starting)});
     }
   };
   rows("5 cubes", scenes::tower(5));

@@ -4,9 +4,9 @@
 /// \brief Many contacts by impulses: one point after the other, pass by pass, frame by frame.
 
 #include "05_resolution/position_correction/position_correction.hpp"
-#include "06_world/contacts/moved_body.hpp"
-#include "06_world/islands/body_shift.hpp"
+#include "06_world/contacts/integrate_body.hpp"
 #include "06_world/islands/island_points.hpp"
+#include "06_world/islands/position_impulse.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ namespace cookbook
 struct SequentialSettings
 {
   int iterations = 8;          ///< passes over the velocities in a frame
-  bool warm = true;            ///< whether a frame begins with the impulses of the one before
+  bool warm_starting = true;   ///< whether a frame begins with the impulses of the one before
   double correction = 0.2;     ///< [1], share of an overlap that a frame pushes out
   double slop = 0.005;         ///< [m], of overlap that stays
   double correction_speed = 3; ///< [m/s], no overlap is pushed out faster
@@ -35,13 +35,13 @@ struct SequentialSettings
 inline double
 target_speed(const IslandPoint& point, double step, const SequentialSettings& settings)
 {
-  const double apart = point.separation;
-  if (apart > 0 || settings.position_iterations > 0)
+  const double separation = point.separation;
+  if (separation > 0 || settings.position_iterations > 0)
   {
-    return std::min(0.0, -apart / step);
+    return std::min(0.0, -separation / step);
   }
   return bias_velocity(
-      -apart, settings.slop, settings.correction / step, settings.correction_speed);
+      -separation, settings.slop, settings.correction / step, settings.correction_speed);
 }
 // [target_speed]
 
@@ -86,10 +86,12 @@ inline void position_pass(std::vector<SequentialPoint>& points, const Sequential
   for (SequentialPoint& one : points)
   {
     const Vector3<double>& normal = one.point.normal;
-    const double apart = position_correction(-gap(one.point), settings.slop, settings.correction);
-    if (apart > 0)
+    const double separation =
+        position_correction(-separation_of(one.point), settings.slop, settings.correction);
+    if (separation > 0)
     {
-      shift_apart(one.point, apart / shift_inverse_mass(one.point, normal) * normal);
+      apply_position_impulse(
+          one.point, separation / current_inverse_mass(one.point, normal) * normal);
     }
   }
 }
@@ -103,12 +105,12 @@ inline std::vector<SequentialPoint> sequential_points(
 {
   for (const int body : island.bodies)
   {
-    pull(world, body, step);
+    apply_forces(world, body, step);
   }
   std::vector<SequentialPoint> points;
   for (IslandPoint& point : points_of(world, island))
   {
-    if (settings.warm)
+    if (settings.warm_starting)
     {
       warm_start(point);
     }
@@ -139,7 +141,7 @@ inline void sequential_impulses(
   }
   for (const int body : island.bodies)
   {
-    move(world.bodies[static_cast<std::size_t>(body)], step);
+    integrate_position(world.bodies[static_cast<std::size_t>(body)], step);
   }
   for (int i = 0; i < settings.position_iterations; ++i)
   {

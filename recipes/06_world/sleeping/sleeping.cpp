@@ -34,12 +34,12 @@ void print_slopes(double speed)
 void print_bounces()
 {
   Table table({"ball", "slow", "slow for 0.5 s", "slow, still, steady"});
-  for (const BouncingCase& ball : bouncing_cases())
+  for (const BouncingCase& sphere : bouncing_cases())
   {
-    std::vector<std::string> row{ball.what};
+    std::vector<std::string> row{sphere.what};
     for (const SleepRule& rule : sleep_rules())
     {
-      const std::optional<Bedtime> asleep = bounces_out(ball.restitution, ball.threshold, rule);
+      const std::optional<Bedtime> asleep = bounces_out(sphere.restitution, sphere.threshold, rule);
       row.push_back(asleep ? seconds(asleep->time) : "awake");
     }
     table.row(row);

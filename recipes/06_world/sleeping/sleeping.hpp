@@ -14,15 +14,15 @@
 namespace cookbook
 {
 
-// [watch]
+// [sleep_state]
 /// How little a body must move, and for how long, before it may sleep.
 template <class Real>
 struct SleepLimits
 {
-  Real speed = Real(0.05);   ///< [m/s], of its fastest point, at any time
-  Real way = Real(0.002);    ///< [m], all that its fastest point goes in the time
-  Real change = Real(0.005); ///< [m/s], between its velocity at the start and at any time
-  Real time = Real(0.5);     ///< [s]
+  Real speed = Real(0.05);         ///< [m/s], of its fastest point, at any time
+  Real displacement = Real(0.002); ///< [m], all that its fastest point goes in the time
+  Real change = Real(0.005);       ///< [m/s], between its velocity at the start and at any time
+  Real time = Real(0.5);           ///< [s]
 };
 
 /// What is known of a body that is watched until it rests.
@@ -31,28 +31,28 @@ struct SleepState
 {
   Vector3<Real> velocity = Vector3<Real>::Zero();         ///< [m/s], when the watch began
   Vector3<Real> angular_velocity = Vector3<Real>::Zero(); ///< [rad/s], when the watch began
-  Real way = Real(0);                                     ///< [m], gone since
-  Real still = Real(0);                                   ///< [s], since the watch began
-  bool asleep = false; ///< whether the body is left out of the simulation
-  bool calm = true;    ///< at the first body of an island: whether all of it may sleep
+  Real displacement = Real(0);                            ///< [m], gone since
+  Real time_at_rest = Real(0);                            ///< [s], since the watch began
+  bool asleep = false;      ///< whether the body is left out of the simulation
+  bool island_rests = true; ///< at the first body of an island: whether all of it may sleep
 };
 
 /// The watch of an awake body a step [s] later; it begins anew where the body has moved too much.
 ///
 /// A velocity that is not a number is too much.
 template <class Real>
-SleepState<Real> watched(
+SleepState<Real> update_sleep_state(
     SleepState<Real> state, const Vector3<Real>& velocity, const Vector3<Real>& angular_velocity,
     const Real& radius, const Real& step, const SleepLimits<Real>& limits)
 {
   const Real speed = fastest_point(velocity, angular_velocity, radius);
   const Real change = fastest_point<Real>(
       velocity - state.velocity, angular_velocity - state.angular_velocity, radius);
-  const Real way = state.way + step * speed;
-  if (speed <= limits.speed && way <= limits.way && change <= limits.change)
+  const Real displacement = state.displacement + step * speed;
+  if (speed <= limits.speed && displacement <= limits.displacement && change <= limits.change)
   {
-    state.way = way;
-    state.still += step;
+    state.displacement = displacement;
+    state.time_at_rest += step;
     return state;
   }
   return {velocity, angular_velocity, Real(0), Real(0), false};
@@ -62,37 +62,37 @@ SleepState<Real> watched(
 template <class Real>
 bool may_sleep(const SleepState<Real>& state, const SleepLimits<Real>& limits)
 {
-  return state.still >= limits.time;
+  return state.time_at_rest >= limits.time;
 }
-// [watch]
+// [sleep_state]
 
-// [settle]
+// [update_sleep]
 /// Puts to sleep every island all of whose bodies may, and wakes every other.
 template <class Real>
-void settle(
+void update_sleep(
     std::vector<SleepState<Real>>& states, const std::vector<int>& island_of,
     const SleepLimits<Real>& limits)
 {
-  const auto calm = [&](std::size_t i) -> bool&
-  { return states[static_cast<std::size_t>(island_of[i])].calm; };
+  const auto island_rests = [&](std::size_t i) -> bool&
+  { return states[static_cast<std::size_t>(island_of[i])].island_rests; };
   for (SleepState<Real>& state : states)
   {
-    state.calm = true;
+    state.island_rests = true;
   }
   for (std::size_t i = 0; i < states.size(); ++i)
   {
     if (island_of[i] >= 0 && !may_sleep(states[i], limits))
     {
-      calm(i) = false;
+      island_rests(i) = false;
     }
   }
   for (std::size_t i = 0; i < states.size(); ++i)
   {
-    if (island_of[i] >= 0 && states[i].asleep != calm(i))
+    if (island_of[i] >= 0 && states[i].asleep != island_rests(i))
     {
-      const bool rests = calm(i);
+      const bool rests = island_rests(i);
       states[i] = rests ? states[i] : SleepState<Real>{};
-      states[i].asleep = states[i].calm = rests;
+      states[i].asleep = states[i].island_rests = rests;
     }
   }
 }
@@ -128,6 +128,6 @@ void wake(std::vector<SleepState<Real>>& states, const std::vector<int>& island_
 {
   wake(states, island_of, std::span<const int>(&body, 1));
 }
-// [settle]
+// [update_sleep]
 
 } // namespace cookbook

@@ -14,8 +14,8 @@ struct SoftSettings
   double frequency = 0.125;    ///< [1], of the contacts' springs, as a share of the substeps' rate
   double damping_ratio = 5;    ///< [1], of the springs
   double correction_speed = 1; ///< [m/s], no overlap is taken away faster
-  double kept_turn = 0.07;     ///< [rad], by which a cube may turn slowly and keep its arms
-  double worn_corner = 0.002;  ///< [1], the radius of a corner, as a share of its arm
+  double anchor_lag = 0.07;    ///< [rad], by which a cube may turn slowly and keep its arms
+  double torsional_radius = 0.002; ///< [1], the radius of a corner, as a share of its arm
 };
 // [soft_settings]
 

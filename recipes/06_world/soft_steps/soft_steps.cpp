@@ -66,12 +66,12 @@ void print_kept(const Arguments& given)
   Table table({"aside after 20 s [m]", "arms turn", "arms are kept"});
   for (const std::string scene : {"tower_14", "tower_20", "tower_30", "tower_shifted_20"})
   {
-    const auto aside = [&](double kept_turn)
+    const auto aside = [&](double anchor_lag)
     {
-      const double way = lean(named_scene(scene), {.substeps = 4, .kept_turn = kept_turn});
+      const double way = lean(named_scene(scene), {.substeps = 4, .anchor_lag = anchor_lag});
       return way > 1 ? "falls" : number(std::round(way * 100) / 100);
     };
-    table.row({scene, aside(0), aside(SoftSettings{}.kept_turn)});
+    table.row({scene, aside(0), aside(SoftSettings{}.anchor_lag)});
   }
   std::cout << "\n" << table.text();
   save_figure(given, "kept_arms.svg", lever_figure().svg());
@@ -85,7 +85,7 @@ void print_corners()
   for (const double worn : {0.001, 0.002, 0.004})
   {
     const auto seconds = [](double time) { return number(std::round(time * 100) / 100); };
-    const WorldSolver solver = soft_solver({.substeps = 4, .worn_corner = worn});
+    const WorldSolver solver = soft_solver({.substeps = 4, .torsional_radius = worn});
     table.row(
         {number(worn), seconds(rests_after(cube_on_corner(), solver)),
          seconds(rests_by_formula(worn))});

@@ -4,12 +4,12 @@
 /// \brief Many contacts by small steps: each contact a stiff damped spring, corrected in turn.
 
 #include "05_resolution/contact_constraint/soft_contact.hpp"
-#include "06_world/contacts/moved_body.hpp"
-#include "06_world/islands/hold_corners.hpp"
+#include "06_world/contacts/integrate_body.hpp"
 #include "06_world/islands/island_points.hpp"
-#include "06_world/soft_steps/cold_starts.hpp"
-#include "06_world/soft_steps/kept_arms.hpp"
+#include "06_world/islands/torsional_friction.hpp"
+#include "06_world/soft_steps/lagged_anchors.hpp"
 #include "06_world/soft_steps/soft_settings.hpp"
+#include "06_world/soft_steps/warm_starting.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,26 +27,26 @@ inline double largest_turn(IslandView world, const Island& island, double time)
   for (const int i : island.bodies)
   {
     const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
-    fastest = std::max(fastest, body.round ? 0 : body.motion.angular_velocity.squaredNorm());
+    fastest = std::max(fastest, body.is_sphere ? 0 : body.motion.angular_velocity.squaredNorm());
   }
   return time * std::sqrt(fastest);
 }
 
 /// A box that turns by more than this [rad] in a frame lies in other overlaps before it is out of
 /// those that were found: it is not pushed out of them, which would only give it energy.
-inline constexpr double confusing_turn = 1;
+inline constexpr double max_correction_turn = 1;
 
 /// The spring of contacts in small steps [s]; R13.
-inline Softness<double> spring_for(double small, const SoftSettings& settings)
+inline Softness<double> contact_spring(double substep, const SoftSettings& settings)
 {
-  return softness(settings.frequency / small, settings.damping_ratio, small);
+  return softness(settings.frequency / substep, settings.damping_ratio, substep);
 }
 
 /// How fast [m/s] overlaps of an island are taken away in a step [s].
-inline double speed_of_correction(
+inline double island_correction_speed(
     IslandView world, const Island& island, double step, const SoftSettings& settings)
 {
-  return largest_turn(world, island, step) > confusing_turn ? 0 : settings.correction_speed;
+  return largest_turn(world, island, step) > max_correction_turn ? 0 : settings.correction_speed;
 }
 
 /// Turns impulses of a whole frame into those of one of its small steps, or back.
@@ -67,7 +67,7 @@ inline void store(std::span<IslandPoint> points, double substeps)
   store(points);
   for (const IslandPoint& point : points)
   {
-    point.known->impulse = point.total_impulse;
+    point.cached->impulse = point.total_impulse;
   }
 }
 
@@ -78,31 +78,31 @@ inline void store(std::span<IslandPoint> points, double substeps)
 inline void
 soft_steps(IslandView world, const Island& island, double step, const SoftSettings& settings)
 {
-  take_arms(world, island, settings.kept_turn);
-  const std::span<IslandPoint> points = points_of(world, island, kept_axes);
-  const double small = step / settings.substeps;
-  const Softness<double> spring = spring_for(small, settings);
-  const double correction_speed = speed_of_correction(world, island, step, settings);
+  update_lagged_anchors(world, island, settings.anchor_lag);
+  const std::span<IslandPoint> points = points_of(world, island, lagged_axes);
+  const double substep = step / settings.substeps;
+  const Softness<double> spring = contact_spring(substep, settings);
+  const double correction_speed = island_correction_speed(world, island, step, settings);
   scale_impulses(points, 1.0 / settings.substeps);
   for (int i = 0; i < settings.substeps; ++i)
   {
     for (const int body : island.bodies)
     {
-      pull(world, body, small);
+      apply_forces(world, body, substep);
     }
-    warm_start(world, island, small, points);
+    warm_start(world, island, substep, points);
     for (IslandPoint& point : points)
     {
-      solve_contact<double>(*point.a, *point.b, point, spring, small, correction_speed);
+      solve_contact<double>(*point.a, *point.b, point, spring, substep, correction_speed);
     }
     for (const int body : island.bodies)
     {
-      move(world.bodies[static_cast<std::size_t>(body)], small);
+      integrate_position(world.bodies[static_cast<std::size_t>(body)], substep);
     }
-    const bool turned = any_turns_noticeably(world, island, small);
+    const bool turned = any_turns_too_far(world, island, substep);
     for (IslandPoint& point : points)
     {
-      point.separation += small * separating_velocity(point);
+      point.separation += substep * separating_velocity(point);
       if (turned)
       {
         compute_masses(point);
@@ -110,12 +110,12 @@ soft_steps(IslandView world, const Island& island, double step, const SoftSettin
     }
     for (IslandPoint& point : points)
     {
-      solve_contact<double>(*point.a, *point.b, point, rigid<double>(), small, correction_speed);
+      solve_contact<double>(*point.a, *point.b, point, rigid<double>(), substep, correction_speed);
       point.total_impulse += point.impulse;
     }
   }
   store(points, settings.substeps);
-  hold_corners(world, island, settings.worn_corner);
+  apply_torsional_friction(world, island, settings.torsional_radius);
 }
 // [soft_steps]
 

@@ -12,38 +12,38 @@ namespace cookbook
 
 // [body_sizes]
 /// How far [m] a shape reaches from its centre.
-inline double reach_of(const SphereShape& ball)
+inline double bounding_radius_of(const SphereShape& sphere)
 {
-  return ball.radius;
+  return sphere.radius;
 }
-inline double reach_of(const BoxShape& box)
+inline double bounding_radius_of(const BoxShape& box)
 {
   return box.half_extents.norm();
 }
-inline double reach_of(const PlaneShape&)
+inline double bounding_radius_of(const PlaneShape&)
 {
   return 0;
 }
 
 /// How far [m] the nearest point of a shape's surface is from its centre.
-inline double thinness_of(const SphereShape& ball)
+inline double inner_radius_of(const SphereShape& sphere)
 {
-  return ball.radius;
+  return sphere.radius;
 }
-inline double thinness_of(const BoxShape& box)
+inline double inner_radius_of(const BoxShape& box)
 {
   return box.half_extents.minCoeff();
 }
-inline double thinness_of(const PlaneShape&)
+inline double inner_radius_of(const PlaneShape&)
 {
   return std::numeric_limits<double>::infinity();
 }
 
 /// How deep [m] bodies may get into each other and nobody minds, of which the thinner one has this
 /// thinness [m]: by a twentieth of its smallest size.
-inline double harmless_depth(double thinness)
+inline double allowed_penetration(double inner_radius)
 {
-  return thinness / 10;
+  return inner_radius / 10;
 }
 // [body_sizes]
 

@@ -4,7 +4,7 @@
 /// \brief Islands that are solved together, and what is known of the contacts of each.
 
 #include "06_world/islands/island.hpp"
-#include "06_world/lanes/make_room.hpp"
+#include "06_world/lanes/reserve_space.hpp"
 
 #include <cstddef>
 #include <span>
@@ -29,7 +29,7 @@ public:
   void add(const Island& island, double correction_speed)
   {
     islands_.push_back(island);
-    make_room(contacts_, contacts_.size() + island.contacts.size());
+    reserve_space(contacts_, contacts_.size() + island.contacts.size());
     contacts_.insert(contacts_.end(), island.contacts.begin(), island.contacts.end());
     speeds_.push_back(correction_speed);
   }

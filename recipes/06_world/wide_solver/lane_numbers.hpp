@@ -4,7 +4,7 @@
 /// \brief The numbers of contacts in groups, as they lie in memory.
 
 #include "06_world/lanes/line_allocator.hpp"
-#include "06_world/lanes/make_room.hpp"
+#include "06_world/lanes/reserve_space.hpp"
 #include "06_world/wide_solver/wide_contact.hpp"
 #include "06_world/wide_solver/wide_groups.hpp"
 
@@ -18,7 +18,7 @@ namespace cookbook
 
 // [lane_numbers]
 /// A gap [m] that nothing closes in a step.
-inline constexpr float far_apart = 1e20f;
+inline constexpr float infinite_separation = 1e20f;
 
 /// What a view shows, but for the bodies: put in and taken out lane by lane.
 class LaneNumbers
@@ -26,23 +26,23 @@ class LaneNumbers
 public:
   /// Room for contacts in groups of so many lanes: all are between nobody and nobody, and have no
   /// points but such as are too far apart to meet.
-  void clear(const WideGroups& groups, std::size_t lanes, int nobody)
+  void clear(const WideGroups& groups, std::size_t lanes, int null_body)
   {
     const auto clear = [](auto& list, std::size_t count, auto same)
     {
       list.clear();
-      make_room(list, count);
+      reserve_space(list, count);
       list.assign(count, same);
     };
     lanes_ = lanes;
     const std::size_t count = groups.taken().size();
-    clear(a_, count, nobody);
-    clear(b_, count, nobody);
+    clear(a_, count, null_body);
+    clear(b_, count, null_body);
     clear(contacts_, count * contact_numbers, 0.0f);
     clear(points_, groups.points() * lanes * point_numbers, 0.0f);
     for (std::size_t place = 0; place < groups.points(); ++place)
     {
-      std::fill_n(point(place, 0), lanes, far_apart); // the first of a point's numbers
+      std::fill_n(point(place, 0), lanes, infinite_separation); // the first of a point's numbers
     }
   }
 
@@ -56,7 +56,7 @@ public:
     of.coefficient = contact.friction;
     const std::size_t numbers = lane / lanes_ * contact_numbers;
     WriteLane<float> write{&contacts_[numbers * lanes_ + lane % lanes_], lanes_};
-    each_given(of, write);
+    each_stored(of, write);
   }
 
   /// Puts a point at a place into a lane of all, but for its masses.
@@ -65,26 +65,26 @@ public:
     WriteLane<float> pushed{point(place, lane), lanes_};
     pushed(at.separation);
     each_pushed(at, pushed);
-    WriteLane<float> given{pushed.to + point_masses * lanes_, lanes_};
-    each_given(at, given);
+    WriteLane<float> stored{pushed.to + point_masses * lanes_, lanes_};
+    each_stored(at, stored);
   }
 
   /// What a push has changed of the point at a place in a lane of all; nothing else of it.
   ContactConstraint<float> pushed(std::size_t place, std::size_t lane)
   {
     ContactConstraint<float> at;
-    ReadLane<float> read{point(place, lane) + lanes_ * gap_numbers, lanes_};
+    ReadLane<float> read{point(place, lane) + lanes_ * separation_numbers, lanes_};
     each_pushed(at, read);
     return at;
   }
 
   /// Forgets what that point has been given.
-  void start_cold(std::size_t place, std::size_t lane)
+  void discard_warm_start(std::size_t place, std::size_t lane)
   {
     ContactConstraint<float> at = pushed(place, lane);
     at.impulse = 0;
     at.friction.setZero();
-    WriteLane<float> write{point(place, lane) + lanes_ * gap_numbers, lanes_};
+    WriteLane<float> write{point(place, lane) + lanes_ * separation_numbers, lanes_};
     each_pushed(at, write);
   }
 

@@ -30,7 +30,7 @@ void look_at_each(const WideView& all, bool pushes, const Look& look)
     const int* const b = all.b + group * lanes;
     WideContact<Lanes> of;
     ReadLanes<Lanes> read{all.contacts + group * lanes * contact_numbers};
-    each_given(of, read);
+    each_stored(of, read);
     using std::max; // what cannot move has none
     of.correction_speed = max(gather_body(all.bodies, a, of.a), gather_body(all.bodies, b, of.b));
     const SurfaceAxes<Lanes> surface = surface_axes(of.normal);
@@ -45,7 +45,7 @@ void look_at_each(const WideView& all, bool pushes, const Look& look)
       read_point(at.separation);
       each_pushed(at, read_point);
       each_mass(at, read_point);
-      each_given(at, read_point);
+      each_stored(at, read_point);
       look(of, at, numbers);
     }
     if (pushes)
@@ -67,7 +67,8 @@ struct PassesInLanes
         [](const WideContact<Lanes>& of, ContactConstraint<Lanes>& at, float* numbers)
         {
           cookbook::compute_masses<Lanes>(at, of.a, of.b);
-          WriteLanes<Lanes> write{numbers + lanes_of<Lanes> * (gap_numbers + pushed_numbers)};
+          WriteLanes<Lanes> write{
+              numbers + lanes_of<Lanes> * (separation_numbers + impulse_numbers)};
           each_mass(at, write);
         });
   }
@@ -81,27 +82,27 @@ struct PassesInLanes
   }
 
   [[gnu::flatten]] static void
-  correct(const WideView& all, const Softness<float>& spring, float small, bool last)
+  solve(const WideView& all, const Softness<float>& spring, float substep, bool last)
   {
     const Softness<Lanes> how{spring.bias_rate, spring.mass_scale, spring.impulse_scale};
     look_at_each<Lanes>(
         all, true,
         [&](WideContact<Lanes>& of, ContactConstraint<Lanes>& at, float* numbers)
         {
-          solve_contact<Lanes>(of.a, of.b, at, how, small, of.correction_speed);
+          solve_contact<Lanes>(of.a, of.b, at, how, substep, of.correction_speed);
           at.total_impulse += last ? at.impulse : Lanes(0);
-          WriteLanes<Lanes> write{numbers + lanes_of<Lanes> * gap_numbers};
+          WriteLanes<Lanes> write{numbers + lanes_of<Lanes> * separation_numbers};
           each_pushed(at, write);
         });
   }
 
-  [[gnu::flatten]] static void part(const WideView& all, float small)
+  [[gnu::flatten]] static void update_separations(const WideView& all, float substep)
   {
     look_at_each<Lanes>(
         all, false,
         [&](const WideContact<Lanes>& of, ContactConstraint<Lanes>& at, float* numbers)
         {
-          at.separation += Lanes(small) * separating_velocity<Lanes>(of.a, of.b, at);
+          at.separation += Lanes(substep) * separating_velocity<Lanes>(of.a, of.b, at);
           store_pack(at.separation, numbers);
         });
   }
@@ -112,8 +113,8 @@ template <class Lanes>
 constexpr WidePasses passes_in_lanes()
 {
   using Passes = PassesInLanes<Lanes>;
-  return {lanes_of<Lanes>, Passes::compute_masses, Passes::warm_start,
-          Passes::correct, Passes::part,           turn_in_lanes<Doubles<Lanes>>};
+  return {lanes_of<Lanes>, Passes::compute_masses,     Passes::warm_start,
+          Passes::solve,   Passes::update_separations, turn_in_lanes<Doubles<Lanes>>};
 }
 // [passes_in_lanes]
 

@@ -25,7 +25,7 @@ struct WideContact
 
 /// The numbers of a contact, without those of its bodies, in the order in which they lie in memory.
 template <class Real, class Call>
-void each_given(WideContact<Real>& of, Call& call)
+void each_stored(WideContact<Real>& of, Call& call)
 {
   each_number(of.normal, call);
   call(of.coefficient);
@@ -52,18 +52,18 @@ void each_mass(ContactConstraint<Real>& at, Call& call)
 
 /// Then what stays for the whole frame.
 template <class Real, class Call>
-void each_given(ContactConstraint<Real>& at, Call& call)
+void each_stored(ContactConstraint<Real>& at, Call& call)
 {
   each_number(at.arms.a, call);
   each_number(at.arms.b, call);
 }
 
-inline constexpr std::size_t contact_numbers = 4; ///< numbers of a contact's each_given()
-inline constexpr std::size_t gap_numbers = 1;     ///< a point's gap
-inline constexpr std::size_t pushed_numbers = 4;  ///< numbers of each_pushed()
-inline constexpr std::size_t point_masses = 5;    ///< numbers of each_mass()
+inline constexpr std::size_t contact_numbers = 4;    ///< numbers of a contact's each_given()
+inline constexpr std::size_t separation_numbers = 1; ///< a point's gap
+inline constexpr std::size_t impulse_numbers = 4;    ///< numbers of each_pushed()
+inline constexpr std::size_t point_masses = 5;       ///< numbers of each_mass()
 inline constexpr std::size_t point_numbers =
-    gap_numbers + pushed_numbers + point_masses + 6; ///< of a point
+    separation_numbers + impulse_numbers + point_masses + 6; ///< of a point
 // [wide_contact]
 
 } // namespace cookbook

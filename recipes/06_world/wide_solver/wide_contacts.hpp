@@ -6,7 +6,7 @@
 #include "06_world/wide_solver/islands_together.hpp"
 #include "06_world/wide_solver/lane_numbers.hpp"
 #include "06_world/wide_solver/passes_in_lanes.hpp"
-#include "06_world/wide_solver/wide_turns.hpp"
+#include "06_world/wide_solver/wide_rotations.hpp"
 #include "common/simd/lanes.hpp"
 
 #include <algorithm>
@@ -40,12 +40,12 @@ public:
   }
 
   IslandsTogether islands; ///< those whose contacts are taken
-  WideTurns turns;         ///< how their bodies move on
+  WideRotations turns;     ///< how their bodies move on
 
   /// Takes the contacts of all islands, their impulses as they are for one of so many small steps.
   void take(IslandView world, int substeps)
   {
-    const double share = 1.0 / substeps;
+    const double fraction = 1.0 / substeps;
     take_bodies(world);
     groups_.find(world, islands.contacts(), passes_.lanes);
     numbers_.clear(groups_, passes_.lanes, static_cast<int>(world.bodies.size()));
@@ -54,15 +54,15 @@ public:
         [&](const WorldContact& contact, std::size_t lane)
         {
           numbers_.put(contact, lane);
-          std::size_t place = first_of(lane);
-          const RigidBody& a = world.bodies[place_of(contact.a)];
-          const RigidBody& b = world.bodies[place_of(contact.b)];
-          const ContactFrame frame = frame_of(a, b, contact, kept_axes);
+          std::size_t place = moving_first(lane);
+          const RigidBody& a = world.bodies[index_of(contact.a)];
+          const RigidBody& b = world.bodies[index_of(contact.b)];
+          const ContactFrame frame = frame_of(a, b, contact, lagged_axes);
           for (const WorldPoint& point : contact.points)
           {
             ContactConstraint<double> at = constraint_of(a, b, contact, frame, point);
-            at.impulse *= share;
-            at.friction *= share;
+            at.impulse *= fraction;
+            at.friction *= fraction;
             numbers_.put(at, place++, lane);
           }
         });
@@ -76,7 +76,7 @@ public:
   void warm_start() { passes_.warm_start(view()); }
 
   /// Forgets what the points of these bodies have been given.
-  void start_cold(IslandView world, std::span<const TurningBody> bodies)
+  void discard_warm_start(IslandView world, std::span<const TurningBody> bodies)
   {
     for_each_contact(
         world,
@@ -88,24 +88,27 @@ public:
           {
             for (std::size_t i = 0; i < contact.points.size(); ++i)
             {
-              numbers_.start_cold(first_of(lane) + i, lane);
+              numbers_.discard_warm_start(moving_first(lane) + i, lane);
             }
           }
         });
   }
 
   /// Corrects every point once, with a spring, in a small step [s]; whether that is the last time.
-  void correct(const Softness<double>& spring, double small, bool last)
+  void solve(const Softness<double>& spring, double substep, bool last)
   {
     const auto rounded = [](double number) { return static_cast<float>(number); };
-    passes_.correct(
+    passes_.solve(
         view(),
         {rounded(spring.bias_rate), rounded(spring.mass_scale), rounded(spring.impulse_scale)},
-        rounded(small), last);
+        rounded(substep), last);
   }
 
   /// Carries all gaps on for a small step [s].
-  void part(double small) { passes_.part(view(), static_cast<float>(small)); }
+  void update_separations(double substep)
+  {
+    passes_.update_separations(view(), static_cast<float>(substep));
+  }
 
   /// Writes down what the points have been given in so many small steps.
   void store(IslandView world, int substeps)
@@ -115,26 +118,29 @@ public:
         world,
         [&](WorldContact& contact, std::size_t lane)
         {
-          std::size_t place = first_of(lane);
+          std::size_t place = moving_first(lane);
           const SurfaceAxes<double> surface = surface_axes(contact.normal);
           for (WorldPoint& known : contact.points)
           {
             const ContactConstraint<float> at = numbers_.pushed(place++, lane);
             known.impulse = at.total_impulse;
-            known.carried = scale * at.impulse;
+            known.warm_start_impulse = scale * at.impulse;
             known.friction = surface.in_world((scale * at.friction).cast<double>());
           }
         });
   }
 
   /// A body of the world, to be pushed here.
-  LaneBody& body(int number) { return bodies_[place_of(number)]; }
+  LaneBody& body(int number) { return bodies_[index_of(number)]; }
 
 private:
   WideView view() { return numbers_.view(groups_.all(), bodies_.data()); }
 
   /// The place of the first point of a lane.
-  std::size_t first_of(std::size_t lane) const { return groups_.all()[lane / passes_.lanes].first; }
+  std::size_t moving_first(std::size_t lane) const
+  {
+    return groups_.all()[lane / passes_.lanes].first;
+  }
 
   /// Calls `call(contact, lane)` for all contacts, with their lanes among all.
   template <class Call>
@@ -145,7 +151,7 @@ private:
       const int taken = groups_.taken()[lane];
       if (taken != WideGroups::none)
       {
-        call(world.contacts[place_of(islands.contacts()[place_of(taken)])], lane);
+        call(world.contacts[index_of(islands.contacts()[index_of(taken)])], lane);
       }
     }
   }
@@ -160,8 +166,8 @@ private:
       const float speed = static_cast<float>(islands.correction_speeds()[island]);
       for (const int i : islands.all()[island].bodies)
       {
-        put_motion(world.bodies[place_of(i)], body(i));
-        put_inverse_masses(world.bodies[place_of(i)], body(i));
+        put_motion(world.bodies[index_of(i)], body(i));
+        put_inverse_masses(world.bodies[index_of(i)], body(i));
         body(i).inverse_inertia[3] = speed;
       }
     }

@@ -7,7 +7,7 @@
 #include "06_world/contact_graph/contact_graph.hpp"
 #include "06_world/islands/island_points.hpp"
 #include "06_world/lanes/groups.hpp"
-#include "06_world/lanes/make_room.hpp"
+#include "06_world/lanes/reserve_space.hpp"
 #include "06_world/wide_solver/wide_view.hpp"
 
 #include <cstddef>
@@ -29,7 +29,7 @@ struct PairsOfContacts
   std::size_t size() const { return contacts.size(); }
   std::pair<int, int> operator[](std::size_t i) const
   {
-    return pair_of(world.contacts[place_of(contacts[i])]);
+    return pair_of(world.contacts[index_of(contacts[i])]);
   }
 };
 
@@ -44,12 +44,12 @@ public:
   {
     graph_.color(
         world.bodies.size(), PairsOfContacts{world, contacts},
-        [&](int i) { return !is_fixed(world.bodies[place_of(i)]); });
+        [&](int i) { return !is_fixed(world.bodies[index_of(i)]); });
     const std::size_t most = contacts.size() / lanes + std::size_t(graph_.colors());
     groups_.clear();
     taken_.clear();
-    make_room(groups_, most);
-    make_room(taken_, most * lanes);
+    reserve_space(groups_, most);
+    reserve_space(taken_, most * lanes);
     points_ = 0;
     for (int color = 0; color < graph_.colors(); ++color)
     {
@@ -72,7 +72,7 @@ private:
   take(IslandView world, std::span<const int> contacts, std::span<const int> of, std::size_t lanes)
   {
     const auto count = [&](std::size_t i)
-    { return world.contacts[place_of(contacts[place_of(of[i])])].points.size(); };
+    { return world.contacts[index_of(contacts[index_of(of[i])])].points.size(); };
     by_points_.sort(
         most_points + 1, of.size(),
         [&](std::size_t i) { return static_cast<int>(most_points - count(i)); });
@@ -86,7 +86,7 @@ private:
           groups_.push_back({points_, most_points - fewer});
           points_ += most_points - fewer;
         }
-        taken_.push_back(of[place_of(i)]);
+        taken_.push_back(of[index_of(i)]);
       }
     }
     taken_.resize(groups_.size() * lanes, none);

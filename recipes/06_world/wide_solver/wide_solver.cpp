@@ -21,7 +21,7 @@ std::string millimetres(double length)
   return number(std::round(length * 1e6) / 1e3);
 }
 
-void run(const Arguments& given)
+void run(const Arguments& stored)
 {
   Table table(
       {"after 5 s of 8 substeps", "one by one: sink [mm]", "overlap [mm]",
@@ -34,7 +34,7 @@ void run(const Arguments& given)
          millimetres(wide.overlap)});
   }
   std::cout << table.text();
-  save_figure(given, "wide_solver.svg", apart_chart(5).svg());
+  save_figure(stored, "wide_solver.svg", apart_chart(5).svg());
 }
 // [print_both]
 

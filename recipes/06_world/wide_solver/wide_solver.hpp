@@ -20,8 +20,8 @@ inline bool fits_floats(IslandView world, const Island& island, double step)
   constexpr double most = 1e15;
   const auto fits = [&](int i)
   {
-    const RigidBody& body = world.bodies[place_of(i)];
-    const Motion<double> motion = after_pull(body.motion, pull_on(world, i), step);
+    const RigidBody& body = world.bodies[index_of(i)];
+    const Motion<double> motion = accelerated(body.motion, acceleration_on(world, i), step);
     const double turning = body.inverse_inertia.cwiseAbs().maxCoeff();
     return body.inverse_mass * most >= 1 && body.inverse_mass <= most && turning <= most * most &&
            motion.velocity.cwiseAbs().maxCoeff() <= most &&
@@ -33,17 +33,17 @@ inline bool fits_floats(IslandView world, const Island& island, double step)
 
 // [wide_bodies]
 /// Has forces pull all bodies for a small step [s]; those that turn noticeably in it.
-inline std::vector<TurningBody> pull(IslandView world, double small, WideContacts& lanes)
+inline std::vector<TurningBody> apply_forces(IslandView world, double substep, WideContacts& lanes)
 {
   std::vector<TurningBody> turning;
   lanes.islands.for_each_body(
       [&](int i)
       {
-        RigidBody& body = world.bodies[place_of(i)];
+        RigidBody& body = world.bodies[index_of(i)];
         take_motion(lanes.body(i), body);
-        pull(world, i, small);
+        apply_forces(world, i, substep);
         put_motion(body, lanes.body(i));
-        add_turning(i, body, small, turning);
+        add_turning(i, body, substep, turning);
       });
   return turning;
 }
@@ -55,7 +55,7 @@ inline void warm_start(IslandView world, std::span<TurningBody> turning, WideCon
   lanes.warm_start();
   const auto gains = [&](const TurningBody& one)
   {
-    RigidBody pushed = world.bodies[place_of(one.number)];
+    RigidBody pushed = world.bodies[index_of(one.number)];
     take_motion(lanes.body(one.number), pushed);
     return kinetic_energy(pushed) > one.energy;
   };
@@ -64,17 +64,17 @@ inline void warm_start(IslandView world, std::span<TurningBody> turning, WideCon
   {
     return;
   }
-  lanes.start_cold(world, {turning.begin(), cold});
-  lanes.islands.for_each_body([&](int i) { put_motion(world.bodies[place_of(i)], lanes.body(i)); });
+  lanes.discard_warm_start(world, {turning.begin(), cold});
+  lanes.islands.for_each_body([&](int i) { put_motion(world.bodies[index_of(i)], lanes.body(i)); });
   lanes.warm_start();
 }
 
 /// Moves all bodies on by a small step [s], and finds what impulses feel, where any of an island
 /// turns by what is noticed.
-inline void move(IslandView world, double small, WideContacts& lanes)
+inline void move(IslandView world, double substep, WideContacts& lanes)
 {
   lanes.turns.move(
-      world.bodies, lanes.islands, small,
+      world.bodies, lanes.islands, substep,
       [&](int i, RigidBody& body) { take_motion(lanes.body(i), body); });
   bool any = false;
   for (const Island& island : lanes.islands.all())
@@ -82,17 +82,17 @@ inline void move(IslandView world, double small, WideContacts& lanes)
     bool turned = false;
     for (const int i : island.bodies)
     {
-      const RigidBody& body = world.bodies[place_of(i)];
+      const RigidBody& body = world.bodies[index_of(i)];
       put_motion(body, lanes.body(i));
-      turned = turned || turns_noticeably(body, small);
+      turned = turned || turns_too_far(body, substep);
     }
     if (turned)
     {
       any = true;
       for (const int i : island.bodies)
       {
-        update_axes(world.bodies[place_of(i)]);
-        put_inverse_masses(world.bodies[place_of(i)], lanes.body(i));
+        update_axes(world.bodies[index_of(i)]);
+        put_inverse_masses(world.bodies[index_of(i)], lanes.body(i));
       }
     }
   }
@@ -119,35 +119,35 @@ inline void wide_steps(
   {
     if (fits_floats(world, island, step))
     {
-      take_arms(world, island, settings.kept_turn);
-      lanes.islands.add(island, speed_of_correction(world, island, step, settings));
+      update_lagged_anchors(world, island, settings.anchor_lag);
+      lanes.islands.add(island, island_correction_speed(world, island, step, settings));
     }
     else
     {
       soft_steps(world, island, step, settings);
     }
   }
-  const double small = step / settings.substeps;
+  const double substep = step / settings.substeps;
   lanes.take(world, settings.substeps);
   for (int i = 0; i < settings.substeps; ++i)
   {
-    std::vector<TurningBody> turning = pull(world, small, lanes);
+    std::vector<TurningBody> turning = apply_forces(world, substep, lanes);
     warm_start(world, turning, lanes);
-    lanes.correct(spring_for(small, settings), small, false);
-    move(world, small, lanes);
-    lanes.part(small);
-    lanes.correct(rigid<double>(), small, true);
+    lanes.solve(contact_spring(substep, settings), substep, false);
+    move(world, substep, lanes);
+    lanes.update_separations(substep);
+    lanes.solve(rigid<double>(), substep, true);
   }
   lanes.islands.for_each_body(
       [&](int i)
       {
-        take_motion(lanes.body(i), world.bodies[place_of(i)]);
-        update_axes(world.bodies[place_of(i)]);
+        take_motion(lanes.body(i), world.bodies[index_of(i)]);
+        update_axes(world.bodies[index_of(i)]);
       });
   lanes.store(world, settings.substeps);
   for (const Island& island : lanes.islands.all())
   {
-    hold_corners(world, island, settings.worn_corner);
+    apply_torsional_friction(world, island, settings.torsional_radius);
   }
 }
 // [wide_steps]

@@ -33,10 +33,10 @@ inline SweptBox<double> standing(double x, double y, double angle, double width,
 }
 
 /// The same on its way in that plane.
-inline SweptBox<double> moving(SweptBox<double> box, double x, double y, double turn)
+inline SweptBox<double> moving(SweptBox<double> box, double x, double y, double rotation)
 {
   box.displacement = {x, y, 0};
-  box.turn = {0, 0, turn};
+  box.rotation = {0, 0, rotation};
   return box;
 }
 

@@ -85,9 +85,9 @@ inline std::vector<FlightCase> flight_cases()
 }
 
 /// A share as whole per cent; none only if it is none.
-inline std::string percent(double share)
+inline std::string percent(double fraction)
 {
-  return share > 0 && share < 0.005 ? "under 1 %" : number(std::round(100 * share)) + " %";
+  return fraction > 0 && fraction < 0.005 ? "under 1 %" : number(std::round(100 * fraction)) + " %";
 }
 
 /// What became of a method with all balls of a case.

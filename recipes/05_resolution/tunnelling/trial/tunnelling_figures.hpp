@@ -22,22 +22,22 @@ inline plot::Figure2d wall_panel(const FlightMethod& method)
   const double edge = 0.24;
   plot::Figure2d figure("wall", method.name, {{-0.9, -0.15}, {0.9, edge}, 560});
   figure.box({0, (edge - 0.15) / 2}, 0, {0.01, (edge + 0.15) / 2}, plot::Ink::b, plot::Fill::solid);
-  FlyingBall<double> flight{{{-0.72, -0.07, 0}, 0.05}, shots.velocity};
+  MovingSphere<double> flight{{{-0.72, -0.07, 0}, 0.05}, shots.velocity};
   std::vector<Eigen::Vector2d> path;
   for (int step = 0; step < 5; ++step)
   {
-    const Eigen::Vector2d place = flight.ball.center.head<2>();
+    const Eigen::Vector2d place = flight.sphere.center.head<2>();
     path.push_back(place);
     if (std::abs(place.x()) < 0.85 && place.y() < edge - 0.05)
     {
       figure.circle(place, 0.05, plot::Ink::a)
           .label(place, std::to_string(step), plot::Side::centre, plot::Ink::a);
     }
-    const Vector3<double> way = shots.step * flight.velocity;
-    const auto hit = swept_sphere_box(flight.ball, way, shots.wall);
+    const Vector3<double> displacement = shots.step * flight.velocity;
+    const auto hit = swept_sphere_box(flight.sphere, displacement, shots.wall);
     if (hit && hit->time > 0 && method.name == swept_method().name)
     {
-      path.push_back((flight.ball.center + hit->time * way).head<2>());
+      path.push_back((flight.sphere.center + hit->time * displacement).head<2>());
       figure.circle(path.back(), 0.05, plot::Ink::overlap, plot::Fill::none, plot::Stroke::dotted);
     }
     flight = method.stepped(flight, shots.wall, shots.restitution, shots.step);
@@ -64,21 +64,22 @@ inline double mean_looks(const Shots& shots)
   int looks = 0;
   for (int i = 0; i < shots.count; ++i)
   {
-    FlyingBall<double> flight = shots.start(i);
+    MovingSphere<double> flight = shots.start(i);
     for (int step = 0; step < shots.steps(); ++step)
     {
-      FlyingBall<double> now = flight;
+      MovingSphere<double> now = flight;
       for (double left = shots.step; left > 0;)
       {
         const auto gap = [&](const Vector3<double>& offset)
         {
           ++looks;
-          return gap_to({now.ball.center + offset, now.ball.radius}, shots.wall);
+          return direction_to({now.sphere.center + offset, now.sphere.radius}, shots.wall);
         };
         const auto hit = first_touch<double>(left * now.velocity, 1e-12, gap);
         const double free = hit ? hit->time * left : left;
         now = moved(now, free);
-        now.velocity = hit ? bounced(now.velocity, hit->normal, shots.restitution) : now.velocity;
+        now.velocity =
+            hit ? rebound_velocity(now.velocity, hit->normal, shots.restitution) : now.velocity;
         left -= free;
       }
       flight = swept_method().stepped(flight, shots.wall, shots.restitution, shots.step);

@@ -13,17 +13,17 @@ namespace cookbook
 ///
 /// Restitution is kept. So is that of walls which the ball would have missed.
 template <class Real>
-FlyingBall<Real> speculative_bounce_step(
-    const FlyingBall<Real>& flight, const Obb<Real>& wall, const Real& restitution,
+MovingSphere<Real> speculative_bounce_step(
+    const MovingSphere<Real>& flight, const Obb<Real>& wall, const Real& restitution,
     const Real& step)
 {
-  const Direction<Real> ahead = gap_to(flight.ball, wall);
-  const Vector3<Real> braked = speculative_velocity<Real>(
-      flight.velocity, ahead.unit, std::max(ahead.length, Real(0)), step);
+  const Direction<Real> gap = direction_to(flight.sphere, wall);
+  const Vector3<Real> braked =
+      speculative_velocity<Real>(flight.velocity, gap.unit, std::max(gap.length, Real(0)), step);
   const bool brakes = braked != flight.velocity;
   return {
-      moved<Real>({flight.ball, braked}, step).ball,
-      brakes ? bounced(flight.velocity, ahead.unit, restitution) : flight.velocity};
+      moved<Real>({flight.sphere, braked}, step).sphere,
+      brakes ? rebound_velocity(flight.velocity, gap.unit, restitution) : flight.velocity};
 }
 
 // [box_sweep_pitfalls]
@@ -35,22 +35,22 @@ std::optional<Real> touch_at_end(const SweptBox<Real>& a, const SweptBox<Real>& 
   return overlap ? std::optional<Real>(Real(1)) : std::nullopt;
 }
 
-/// Halves the way between far and near until the gap is `touching` [m], and takes it for granted
+/// Halves the way between far and near until the gap is `tolerance` [m], and takes it for granted
 /// that there is such a time. Nothing after `most` halvings, where the loop would run on.
 template <class Real>
 std::optional<Real>
-touch_by_halving(const SweptBox<Real>& a, const SweptBox<Real>& b, Real touching, int most)
+touch_by_halving(const SweptBox<Real>& a, const SweptBox<Real>& b, Real tolerance, int most)
 {
   Real clear(0), touches(1);
   for (int i = 0; i < most; ++i)
   {
     const Real middle = (clear + touches) / Real(2);
     const Real gap = box_gap(box_at(a, middle), box_at(b, middle)).length;
-    if (gap >= Real(0) && gap <= touching)
+    if (gap >= Real(0) && gap <= tolerance)
     {
       return middle;
     }
-    (gap > touching ? clear : touches) = middle;
+    (gap > tolerance ? clear : touches) = middle;
   }
   return std::nullopt;
 }
@@ -58,14 +58,14 @@ touch_by_halving(const SweptBox<Real>& a, const SweptBox<Real>& b, Real touching
 /// Advances by the gap and the velocities of the centres: turning is left out of the bound.
 template <class Real>
 std::optional<Real>
-touch_without_turning(const SweptBox<Real>& a, const SweptBox<Real>& b, Real touching)
+touch_without_turning(const SweptBox<Real>& a, const SweptBox<Real>& b, Real tolerance)
 {
   Real time(0);
-  for (int i = 0; i < most_box_advances; ++i)
+  for (int i = 0; i < max_box_advances; ++i)
   {
     const Direction<Real> gap = box_gap(box_at(a, time), box_at(b, time));
     const Real closing = (a.displacement - b.displacement).dot(gap.unit);
-    if (gap.length <= touching)
+    if (gap.length <= tolerance)
     {
       return time;
     }

@@ -19,8 +19,8 @@ namespace cookbook
 struct FlightMethod
 {
   std::string name; ///< as on the page
-  std::function<FlyingBall<double>(
-      const FlyingBall<double>&, const Obb<double>& wall, double restitution, double step)>
+  std::function<MovingSphere<double>(
+      const MovingSphere<double>&, const Obb<double>& wall, double restitution, double step)>
       stepped; ///< the flight a step later
 };
 
@@ -29,7 +29,7 @@ inline FlightMethod speculative_method(const std::string& name, double margin)
 {
   return {
       name,
-      [margin](const FlyingBall<double>& flight, const Obb<double>& wall, double e, double step)
+      [margin](const MovingSphere<double>& flight, const Obb<double>& wall, double e, double step)
       { return speculative_step(flight, wall, e, step, margin); }};
 }
 
@@ -38,7 +38,7 @@ inline FlightMethod substeps_method(const std::string& name, int count)
 {
   return {
       name,
-      [count](const FlyingBall<double>& flight, const Obb<double>& wall, double e, double step)
+      [count](const MovingSphere<double>& flight, const Obb<double>& wall, double e, double step)
       { return substeps(flight, wall, e, step, count); }};
 }
 
@@ -47,7 +47,7 @@ inline FlightMethod swept_method()
 {
   return {
       "swept",
-      [](const FlyingBall<double>& flight, const Obb<double>& wall, double e, double step) {
+      [](const MovingSphere<double>& flight, const Obb<double>& wall, double e, double step) {
         return swept_step<double>(flight, {&wall, 1}, e, step);
       }};
 }
@@ -61,7 +61,7 @@ inline std::vector<FlightMethod> flight_methods()
       speculative_method("speculative, 2 cm", 0.02),
       speculative_method("speculative", std::numeric_limits<double>::infinity()),
       {"speculative, full bounce",
-       [](const FlyingBall<double>& flight, const Obb<double>& wall, double e, double step)
+       [](const MovingSphere<double>& flight, const Obb<double>& wall, double e, double step)
        { return speculative_bounce_step(flight, wall, e, step); }},
       swept_method()};
 }
@@ -78,7 +78,7 @@ struct Shots
   int count = 100;          ///< of balls
 
   /// The i-th ball: one step and a part of the next before its surface is level with the wall's.
-  FlyingBall<double> start(int i) const
+  MovingSphere<double> start(int i) const
   {
     const double steps = 1 + (i + 0.5) / count;
     const double level = -wall.half_extents.x() - radius;
@@ -101,9 +101,9 @@ inline Obb<double> wide_wall(double thickness)
 }
 
 /// The i-th ball after all its steps.
-inline FlyingBall<double> flown(const Shots& shots, const FlightMethod& method, int i)
+inline MovingSphere<double> flown(const Shots& shots, const FlightMethod& method, int i)
 {
-  FlyingBall<double> flight = shots.start(i);
+  MovingSphere<double> flight = shots.start(i);
   for (int step = 0; step < shots.steps(); ++step)
   {
     flight = method.stepped(flight, shots.wall, shots.restitution, shots.step);
@@ -113,7 +113,7 @@ inline FlyingBall<double> flown(const Shots& shots, const FlightMethod& method, 
 
 /// The share of the balls, 0 to 1, of whose last flight something is true.
 template <class Test>
-double share(const Shots& shots, const FlightMethod& method, const Test& test)
+double fraction(const Shots& shots, const FlightMethod& method, const Test& test)
 {
   int found = 0;
   for (int i = 0; i < shots.count; ++i)
@@ -126,8 +126,9 @@ double share(const Shots& shots, const FlightMethod& method, const Test& test)
 /// The share of the balls that come out behind the wall.
 inline double share_passed(const Shots& shots, const FlightMethod& method)
 {
-  return share(
-      shots, method, [](const FlyingBall<double>& flight) { return flight.ball.center.x() > 0; });
+  return fraction(
+      shots, method,
+      [](const MovingSphere<double>& flight) { return flight.sphere.center.x() > 0; });
 }
 
 /// The most that any of the balls changes its velocity by, as a share of its speed.

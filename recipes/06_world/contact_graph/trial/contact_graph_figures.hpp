@@ -29,7 +29,7 @@ inline plot::Figure2d colored_wall(const std::string& title, int shown)
   plot::Figure2d figure("contact_graph", title, {{-2.3, -0.25}, {2.3, 1.2}, 330});
   figure.half_plane({0, 1}, 0);
   const auto middle = [&](int body) -> Eigen::Vector2d
-  { return wall.scene.bodies[place_of(body)].position.head<2>(); };
+  { return wall.scene.bodies[index_of(body)].position.head<2>(); };
   for (std::size_t i = 1; i < wall.scene.bodies.size(); ++i)
   {
     figure.box(middle(static_cast<int>(i)), 0, {0.49, 0.24}, plot::Ink::muted, plot::Fill::none);

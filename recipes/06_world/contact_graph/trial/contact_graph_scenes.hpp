@@ -36,7 +36,7 @@ struct TouchingBodies
   ContactGraph colored() const
   {
     ContactGraph graph;
-    graph.color(moves.size(), pairs, [this](int i) { return bool(moves[place_of(i)]); });
+    graph.color(moves.size(), pairs, [this](int i) { return bool(moves[index_of(i)]); });
     return graph;
   }
 
@@ -46,8 +46,8 @@ struct TouchingBodies
     std::vector<int> counts(moves.size(), 0);
     for (const auto& [a, b] : pairs)
     {
-      counts[place_of(a)] += moves[place_of(a)] ? 1 : 0;
-      counts[place_of(b)] += moves[place_of(b)] ? 1 : 0;
+      counts[index_of(a)] += moves[index_of(a)] ? 1 : 0;
+      counts[index_of(b)] += moves[index_of(b)] ? 1 : 0;
     }
     return *std::max_element(counts.begin(), counts.end());
   }

@@ -31,13 +31,13 @@ inline std::vector<double> loads(const Scene& tower)
 }
 
 /// The largest error of what the bodies of a tower carry, as a share of the load.
-inline double load_error(const Scene& tower, const std::vector<double>& carried)
+inline double load_error(const Scene& tower, const std::vector<double>& warm_start_impulse)
 {
   const std::vector<double> right = loads(tower);
   double worst = 0;
   for (std::size_t i = 1; i < right.size(); ++i)
   {
-    worst = std::max(worst, std::abs(carried[i] / right[i] - 1));
+    worst = std::max(worst, std::abs(warm_start_impulse[i] / right[i] - 1));
   }
   return worst;
 }
@@ -45,7 +45,7 @@ inline double load_error(const Scene& tower, const std::vector<double>& carried)
 /// The same, of what a solver has them carry after so many steps.
 inline double statics_error(const Scene& tower, const std::string& solver, int steps)
 {
-  return load_error(tower, carried(tower, solver, steps));
+  return load_error(tower, warm_start_impulse(tower, solver, steps));
 }
 // [statics]
 

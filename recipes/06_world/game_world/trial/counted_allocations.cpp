@@ -12,27 +12,27 @@ namespace
 long count = 0;
 long bytes = 0;
 
-long size_of(void* room)
+long size_of(void* point_scratch)
 {
-  return room == nullptr ? 0 : static_cast<long>(malloc_usable_size(room));
+  return point_scratch == nullptr ? 0 : static_cast<long>(malloc_usable_size(point_scratch));
 }
 
 void* counted(std::size_t size, std::size_t alignment)
 {
   ++count;
   const std::size_t blocks = (std::max(size, std::size_t(1)) + alignment - 1) / alignment;
-  if (void* const room = std::aligned_alloc(alignment, blocks * alignment))
+  if (void* const point_scratch = std::aligned_alloc(alignment, blocks * alignment))
   {
-    bytes += size_of(room);
-    return room;
+    bytes += size_of(point_scratch);
+    return point_scratch;
   }
   throw std::bad_alloc();
 }
 
-void released(void* room)
+void released(void* point_scratch)
 {
-  bytes -= size_of(room);
-  std::free(room);
+  bytes -= size_of(point_scratch);
+  std::free(point_scratch);
 }
 
 constexpr std::size_t usual = __STDCPP_DEFAULT_NEW_ALIGNMENT__;
@@ -60,22 +60,22 @@ void* operator new(std::size_t size, std::align_val_t alignment)
   return counted(size, std::max(usual, static_cast<std::size_t>(alignment)));
 }
 
-void operator delete(void* room) noexcept
+void operator delete(void* point_scratch) noexcept
 {
-  released(room);
+  released(point_scratch);
 }
 
-void operator delete(void* room, std::size_t) noexcept
+void operator delete(void* point_scratch, std::size_t) noexcept
 {
-  released(room);
+  released(point_scratch);
 }
 
-void operator delete(void* room, std::align_val_t) noexcept
+void operator delete(void* point_scratch, std::align_val_t) noexcept
 {
-  released(room);
+  released(point_scratch);
 }
 
-void operator delete(void* room, std::size_t, std::align_val_t) noexcept
+void operator delete(void* point_scratch, std::size_t, std::align_val_t) noexcept
 {
-  released(room);
+  released(point_scratch);
 }

@@ -47,14 +47,14 @@ inline plot::Figure2d foreseen_panel()
 {
   plot::Figure2d figure = above_ground("1. predicted");
   const DrawnSquare now{{0, 0.132}, 0}, end{{0, 0.132 - 5.0 / 60}, 0};
-  const Eigen::Vector2d left = end.corner(-1, -1), right = end.corner(1, -1);
+  const Eigen::Vector2d slots_to_free = end.corner(-1, -1), right = end.corner(1, -1);
   now.draw(figure, plot::Fill::wash, plot::Stroke::solid);
-  figure.region({{left.x(), 0}, left, right, {right.x(), 0}});
+  figure.region({{slots_to_free.x(), 0}, slots_to_free, right, {right.x(), 0}});
   end.draw(figure, plot::Fill::none, plot::Stroke::dashed);
   figure.arrow(now.center, end.center, plot::Ink::ink, "v h", plot::Side::right)
-      .point({left.x(), 0})
+      .point({slots_to_free.x(), 0})
       .point({right.x(), 0})
-      .label({0, left.y()}, "made a contact", plot::Side::below);
+      .label({0, slots_to_free.y()}, "made a contact", plot::Side::below);
   return figure;
 }
 
@@ -68,10 +68,10 @@ inline plot::Figure2d too_deep_panel()
   plot::Figure2d figure = above_ground("2. checked again");
   const DrawnSquare end = DrawnSquare::on_corner(first_corner, -0.25);
   const Eigen::Vector2d deep = end.corner(1, -1), right = end.corner(1, 1);
-  const double share = deep.y() / (deep.y() - right.y());
+  const double fraction = deep.y() / (deep.y() - right.y());
   at_first_touch.draw(figure, plot::Fill::none, plot::Stroke::dashed);
   end.draw(figure, plot::Fill::wash, plot::Stroke::solid);
-  figure.region({first_corner, deep, deep + share * (right - deep)})
+  figure.region({first_corner, deep, deep + fraction * (right - deep)})
       .point(first_corner, plot::Ink::ink, "a contact", plot::Side::below)
       .label(deep, "too deep", plot::Side::below, plot::Ink::overlap);
   return figure;

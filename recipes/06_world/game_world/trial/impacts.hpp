@@ -19,12 +19,12 @@ namespace cookbook
 
 /// The deepest [m] that a cube of an edge [m] is in the ground in 10 steps, if it comes down flat
 /// at a speed [m/s] and would reach the ground after a share of the first step.
-inline double impact_depth(double edge, double speed, double share, const std::string& solver)
+inline double impact_depth(double edge, double speed, double fraction, const std::string& solver)
 {
   Scene scene{.bodies = {ground()}};
   const Vector3<double> half = Vector3<double>::Constant(edge / 2);
-  const double gap = share * speed * scene.step;
-  scene.bodies.push_back(box_body("cube", half, {0, edge / 2 + gap, 0}));
+  const double separation = fraction * speed * scene.step;
+  scene.bodies.push_back(box_body("cube", half, {0, edge / 2 + separation, 0}));
   scene.bodies.back().velocity.y() = -speed;
   const WorldRun run =
       run_world(scene, {.solver = solver, .duration = 10 * scene.step, .keeps_frames = true});

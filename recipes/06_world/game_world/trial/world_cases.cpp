@@ -118,10 +118,10 @@ Verdict parts_gently(const std::string& solver)
 }
 
 /// S22: what slides or rolls over flush tiles keeps its speed and does not hop.
-Verdict slides_on(const std::string& solver, bool ball)
+Verdict slides_on(const std::string& solver, bool sphere)
 {
   Scene scene = scenes::tiles();
-  if (ball)
+  if (sphere)
   {
     scene.bodies.back().shape = SphereShape{0.5};
   }
@@ -211,8 +211,8 @@ std::vector<WorldCase> world_cases()
 {
   const auto within = [](const Scene& scene, double duration, double limit)
   { return [=](const std::string& solver) { return stays(scene, solver, duration, limit); }; };
-  const auto over_tiles = [](bool ball)
-  { return [ball](const std::string& solver) { return slides_on(solver, ball); }; };
+  const auto over_tiles = [](bool sphere)
+  { return [sphere](const std::string& solver) { return slides_on(solver, sphere); }; };
   return {
       {"S3", "15 cubes dropped 10 cm apart, μ = 0.3, 20 s", stands_dropped},
       {"S6", "1,000,000 kg on 1 kg, 5 s: 2 cm", within(scenes::heavy_on_light(1'000'000), 5, 0.02)},

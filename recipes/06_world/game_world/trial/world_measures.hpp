@@ -66,7 +66,7 @@ inline double deepest_overlap(const GameWorld& world)
     const RigidBody& b = world.bodies()[static_cast<std::size_t>(contact.b)];
     for (const WorldPoint& point : contact.points)
     {
-      most = std::max(most, -gap(a, b, contact.normal, point));
+      most = std::max(most, -separation_of(a, b, contact.normal, point));
     }
   }
   return most;
@@ -79,7 +79,8 @@ inline double residual(const GameWorld& world)
   double most = 0;
   const auto axes = [&](int i) -> Matrix3<double>
   {
-    return as_it_was(world.bodies()[place_of(i)], start_of(world.scene().bodies[place_of(i)])).axes;
+    return with_state(world.bodies()[index_of(i)], start_state(world.scene().bodies[index_of(i)]))
+        .axes;
   };
   for (const WorldContact& contact : world.contacts())
   {
@@ -87,9 +88,9 @@ inline double residual(const GameWorld& world)
     const RigidBody& b = world.bodies()[static_cast<std::size_t>(contact.b)];
     for (const WorldPoint& point : contact.points)
     {
-      const Arms<double> arms{axes(contact.a) * point.on_a, axes(contact.b) * point.on_b};
+      const Arms<double> arms{axes(contact.a) * point.anchor_a, axes(contact.b) * point.anchor_b};
       const double speed = separating_velocity<double>(a, b, contact.normal, arms);
-      const bool touches = gap(a, b, contact.normal, point) <= 0;
+      const bool touches = separation_of(a, b, contact.normal, point) <= 0;
       const double wrong = point.impulse > 0 ? std::abs(speed) : touches ? -speed : 0;
       most = std::max(most, wrong);
     }
@@ -131,10 +132,10 @@ inline FarthestMove farthest_move(const Scene& scene, const GameWorld& world)
   FarthestMove most;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
   {
-    const Vector3<double> way = world.bodies()[i].motion.center - scene.bodies[i].position;
-    const double height = way.dot(up);
+    const Vector3<double> displacement = world.bodies()[i].motion.center - scene.bodies[i].position;
+    const double height = displacement.dot(up);
     most.along = std::max(most.along, std::abs(height));
-    most.sideways = std::max(most.sideways, (way - height * up).norm());
+    most.sideways = std::max(most.sideways, (displacement - height * up).norm());
   }
   return most;
 }

@@ -20,7 +20,8 @@ std::size_t steps_of(const Scene& scene, double duration)
 }
 
 WorldRun run_world(
-    const Scene& scene, const RunSettings& settings, const std::function<void(std::size_t)>& watch)
+    const Scene& scene, const RunSettings& settings,
+    const std::function<void(std::size_t)>& observer)
 {
   GameWorld world(scene, solver_named(settings.solver, settings.substeps), settings.may_sleep);
   const Vector3<double>& gravity = scene.gravity;
@@ -44,9 +45,9 @@ WorldRun run_world(
     {
       run.frames.push_back(frame_of(world));
     }
-    if (watch)
+    if (observer)
     {
-      watch(i);
+      observer(i);
     }
   }
   run.overlap = deepest_overlap(world);
@@ -58,12 +59,12 @@ WorldRun run_world(
   run.residual = residual(world);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
   {
-    run.asleep += world.has(i) && world.sleeps(i) ? 1 : 0;
+    run.asleep += world.has(i) && world.is_asleep(i) ? 1 : 0;
   }
   return run;
 }
 
-std::vector<double> carried(const Scene& scene, const std::string& solver, int steps)
+std::vector<double> warm_start_impulse(const Scene& scene, const std::string& solver, int steps)
 {
   GameWorld world(scene, solver_named(solver));
   for (int i = 0; i < steps; ++i)
@@ -105,7 +106,7 @@ double SteppedWorld::deepest_overlap() const
   return cookbook::deepest_overlap(*world_);
 }
 
-std::vector<double> SteppedWorld::carried() const
+std::vector<double> SteppedWorld::warm_start_impulse() const
 {
   return carried_in(*world_);
 }

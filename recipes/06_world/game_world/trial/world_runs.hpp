@@ -48,12 +48,12 @@ struct WorldRun
   double longest_step = 0;   ///< [s], of the clock, a body
 };
 
-/// Runs a scene; `watch`, if given, hears after each step how many are done.
+/// Runs a scene; `observer`, if given, hears after each step how many are done.
 ///
 /// Throws InvalidScene, TooManyContacts, or std::invalid_argument for a solver that there is not.
 WorldRun run_world(
     const Scene& scene, const RunSettings& settings = {},
-    const std::function<void(std::size_t)>& watch = {});
+    const std::function<void(std::size_t)>& observer = {});
 
 /// A world under wide steps by these passes, in registers of their width; compiled with the
 /// solvers.
@@ -61,7 +61,7 @@ GameWorld wide_world(const Scene& scene, const WidePasses& passes, const SoftSet
 
 /// The impulses [N s] that each body gets from all contacts with bodies before it in the scene,
 /// along gravity, at the end of a run of so many steps: what carries it.
-std::vector<double> carried(const Scene& scene, const std::string& solver, int steps);
+std::vector<double> warm_start_impulse(const Scene& scene, const std::string& solver, int steps);
 
 /// How many steps a scene has.
 std::size_t steps_of(const Scene& scene, double duration);
@@ -76,10 +76,10 @@ public:
   /// A scene under a solver by name, with so many substeps, or its own number of them, 0.
   SteppedWorld(const Scene& scene, const std::string& solver, int substeps);
 
-  void step();                         ///< goes on by a step
-  Frame frame() const;                 ///< as it is now
-  double deepest_overlap() const;      ///< [m]
-  std::vector<double> carried() const; ///< [N s], as above
+  void step();                                    ///< goes on by a step
+  Frame frame() const;                            ///< as it is now
+  double deepest_overlap() const;                 ///< [m]
+  std::vector<double> warm_start_impulse() const; ///< [N s], as above
 
 private:
   std::shared_ptr<GameWorld> world_;

@@ -90,7 +90,7 @@ Rung load()
       "",
       "load of a tower of 5",
       verdict(impulse / (step / 4)),
-      verdict(carried(scenes::tower(5), "direct", 1200)[1] / step),
+      verdict(warm_start_impulse(scenes::tower(5), "direct", 1200)[1] / step),
       rounded(right) + " N"};
 }
 
@@ -197,7 +197,7 @@ std::size_t pairs_of_tree(const Scene& scene)
   }
   BoundsTree tree;
   tree.build(bounds);
-  std::size_t count = tree.endless().size() * tree.leaves().size();
+  std::size_t count = tree.unbounded().size() * tree.leaves().size();
   overlaps_below(tree, 0, [&count](const Bounds&, const Bounds&) { ++count; });
   return count;
 }
@@ -267,7 +267,8 @@ Agreement agreement(const std::string& what, const Scene& scene, double time, bo
     if (body.mass > 0)
     {
       both.moved = std::max(both.moved, (game[i].position - body.position).norm());
-      both.apart = std::max(both.apart, (game[i].position - small[i].motion.center).norm());
+      both.separation =
+          std::max(both.separation, (game[i].position - small[i].motion.center).norm());
     }
   }
   return both;

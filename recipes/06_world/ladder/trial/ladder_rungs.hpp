@@ -23,7 +23,7 @@ struct Agreement
   double time;       ///< [s], after which the two are compared
   bool rests;        ///< whether its bodies lie still by then
   double moved;      ///< [m], the farthest that a body is from where it began, in GameWorld
-  double apart;      ///< [m], the farthest that a body of one world is from the same of the other
+  double separation; ///< [m], the farthest that a body of one world is from the same of the other
 };
 
 /// Ten scenes in both worlds.
@@ -64,7 +64,7 @@ inline std::vector<SharedFunction> shared_functions()
       {"dynamic_body", body, rigid},
       {"solid_box", body, rigid},
       {"world_inverse_inertia", body, rigid},
-      {"rotation_by", body, "06_world/contacts/moved_body.hpp"}};
+      {"rotation_by", body, "06_world/contacts/integrate_body.hpp"}};
 }
 
 /// Whether a header, under recipes/, calls a function.
@@ -101,7 +101,7 @@ inline std::vector<LinesTaken> lines_taken()
       {"queries",
        13100,
        {world, soft, "06_world/game_world/world_queries.hpp",
-        "06_world/contact_watch/contact_watch.hpp"}}};
+        "06_world/contact_events/contact_events.hpp"}}};
 }
 
 /// How many lines a game takes with these headers, each file of the book once.

@@ -31,9 +31,10 @@ PositionColumn<Real> position_column(const std::vector<Real>& masses, const Real
 
 /// One pass of corrections, from below, with what each contact has got so far; R15.
 template <class Real>
-void correct_column(PositionColumn<Real>& column, std::vector<Real>& pressed, const Real& small)
+void correct_column(
+    PositionColumn<Real>& column, std::vector<Real>& normal_lambda, const Real& substep)
 {
-  const Real compliance = column.compliance / (small * small);
+  const Real compliance = column.compliance / (substep * substep);
   for (std::size_t i = 0; i < column.masses.size(); ++i)
   {
     const bool ground = i == 0;
@@ -41,9 +42,9 @@ void correct_column(PositionColumn<Real>& column, std::vector<Real>& pressed, co
     const Real below = ground ? Real(0) : Real(Real(1) / column.masses[i - 1]);
     const Real error = (ground ? Real(0) : column.sinks[i - 1]) - column.sinks[i];
     const Real change = std::max(
-        Real(-pressed[i]),
-        compliant_change<Real>(error, Real(inverse + below), compliance, pressed[i]));
-    pressed[i] += change;
+        Real(-normal_lambda[i]),
+        xpbd_change<Real>(error, Real(inverse + below), compliance, normal_lambda[i]));
+    normal_lambda[i] += change;
     column.sinks[i] -= change * inverse;
     if (!ground)
     {
@@ -56,28 +57,28 @@ void correct_column(PositionColumn<Real>& column, std::vector<Real>& pressed, co
 ///
 /// What comes to rest does so where this does not move it any more.
 template <class Real>
-void small_step(PositionColumn<Real>& column, const Real& gravity, const Real& small, int passes)
+void small_step(PositionColumn<Real>& column, const Real& gravity, const Real& substep, int passes)
 {
   for (Real& sink : column.sinks)
   {
-    sink += gravity * small * small;
+    sink += gravity * substep * substep;
   }
-  std::vector<Real> pressed(column.masses.size(), Real(0));
+  std::vector<Real> normal_lambda(column.masses.size(), Real(0));
   for (int pass = 0; pass < passes; ++pass)
   {
-    correct_column(column, pressed, small);
+    correct_column(column, normal_lambda, substep);
   }
 }
 
 /// How far [m] the top of a column sinks until it rests, in frames of 1/60 s.
 inline double resting_sink(PositionColumn<double> column, int substeps, int passes)
 {
-  const double small = 1.0 / 60 / substeps;
+  const double substep = 1.0 / 60 / substeps;
   double before = -1;
   while (std::abs(column.sinks.back() - before) > 1e-13 * column.sinks.back())
   {
     before = column.sinks.back();
-    small_step(column, 9.81, small, passes);
+    small_step(column, 9.81, substep, passes);
   }
   return column.sinks.back();
 }

@@ -25,39 +25,39 @@ namespace cookbook
 /// A way to solve many contacts.
 struct ContactMethod
 {
-  std::string name;                            ///< such as "warm, 8 passes"
-  int passes;                                  ///< over all points, in a frame or a small step
-  std::function<IslandSolver(int passes)> way; ///< the solver, with some number of passes
-  std::string no_factor{};                     ///< why its error a pass is not asked, if it is not
+  std::string name;                                ///< such as "warm, 8 passes"
+  int passes;                                      ///< over all points, in a frame or a small step
+  std::function<IslandSolver(int passes)> slipped; ///< the solver, with some number of passes
+  std::string no_factor{}; ///< why its error a pass is not asked, if it is not
 
   /// The solver as it is named.
-  IslandSolver solver() const { return way(passes); }
+  IslandSolver solver() const { return slipped(passes); }
 };
 
 /// Sequential impulses, cold or warm.
 inline ContactMethod impulse_method(bool warm, int passes)
 {
-  const auto way = [warm](int count) -> IslandSolver
+  const auto slipped = [warm](int count) -> IslandSolver
   {
-    const SequentialSettings how{.iterations = count, .warm = warm};
+    const SequentialSettings how{.iterations = count, .warm_starting = warm};
     return [how](IslandView world, const Island& island, double step)
     { sequential_impulses(world, island, step, how); };
   };
   const std::string name = warm ? "warm, " : "cold, ";
-  return {name + std::to_string(passes) + " passes", passes, way};
+  return {name + std::to_string(passes) + " passes", passes, slipped};
 }
 
 /// Corrected positions.
 inline ContactMethod position_method(int substeps, int passes)
 {
-  const auto way = [substeps](int count) -> IslandSolver
+  const auto slipped = [substeps](int count) -> IslandSolver
   {
     const PositionSettings how{.substeps = substeps, .iterations = count};
     return [how](IslandView world, const Island& island, double step)
     { position_based(world, island, step, how); };
   };
   const std::string name = "positions, " + std::to_string(substeps) + " × ";
-  return {name + std::to_string(passes), passes, way, substeps == 1 ? "" : "20 steps"};
+  return {name + std::to_string(passes), passes, slipped, substeps == 1 ? "" : "20 steps"};
 }
 
 /// The published frame, whatever the passes.
@@ -143,7 +143,7 @@ inline double order_spread(const IslandSolver& solver, unsigned orders)
 }
 
 /// A ball on a ball of 1 kg, touching.
-inline Scene balls(double ratio)
+inline Scene spheres(double ratio)
 {
   Scene scene = scenes::standing();
   scene.bodies.push_back(ball_body("light", 0.5, {0, 0.5, 0}));
@@ -154,8 +154,8 @@ inline Scene balls(double ratio)
 /// The error [N s] of the impulse between the two after one frame from a cold start.
 inline double impulse_missing(const ContactMethod& method, double ratio, int passes)
 {
-  const Scene scene = balls(ratio);
-  GameWorld world(scene, method.way(passes));
+  const Scene scene = spheres(ratio);
+  GameWorld world(scene, method.slipped(passes));
   world.step();
   return ratio * 9.81 * scene.step - world.contacts().back().points[0].impulse;
 }

@@ -19,11 +19,11 @@ inline void published_frame(IslandView world, const Island& island, double step)
 {
   const std::span<IslandPoint> all = points_of(world, island);
   std::vector<IslandPoint> points(all.begin(), all.end());
-  std::erase_if(points, [](const IslandPoint& point) { return gap(point) > 0; });
+  std::erase_if(points, [](const IslandPoint& point) { return separation_of(point) > 0; });
   std::vector<double> stale;
   for (IslandPoint& point : points)
   {
-    stale.push_back(-gap(point));
+    stale.push_back(-separation_of(point));
     point.friction.setZero();
   }
   for (int pass = 0; pass < 5; ++pass)
@@ -42,7 +42,7 @@ inline void published_frame(IslandView world, const Island& island, double step)
     RigidBody& body = world.bodies[static_cast<std::size_t>(number)];
     body.motion.velocity = 0.98 * (body.motion.velocity + step * world.gravity);
     body.motion.angular_velocity *= 0.98;
-    move(body, step);
+    integrate_position(body, step);
   }
   for (std::size_t i = 0; i < points.size(); ++i)
   {

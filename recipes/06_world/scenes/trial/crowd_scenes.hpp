@@ -11,12 +11,12 @@ namespace cookbook::scenes
 
 /// Courses of bricks of 1 m by 50 cm by 50 cm in bond: twice as many bricks as courses in the
 /// lowest, each second course shifted by half a brick and one brick shorter.
-inline Scene wall(int courses)
+inline Scene wall(int trajectories)
 {
   Scene scene = standing(10);
-  for (int course = 0; course < courses; ++course)
+  for (int course = 0; course < trajectories; ++course)
   {
-    const int bricks = 2 * courses - course % 2;
+    const int bricks = 2 * trajectories - course % 2;
     for (int i = 0; i < bricks; ++i)
     {
       const Vector3<double> middle(i - 0.5 * (bricks - 1), 0.5 * course + 0.25, 0);
@@ -28,12 +28,12 @@ inline Scene wall(int courses)
 }
 
 /// The wall, and a ball of 50 kg that comes at the middle of it at 20 m/s.
-inline Scene wall_hit(int courses)
+inline Scene wall_hit(int trajectories)
 {
-  Scene scene = wall(courses);
-  SceneBody ball = ball_body("ball", 0.5, {0, 0.25 * courses, 5}, 50);
-  ball.velocity = {0, 0, -20};
-  scene.bodies.push_back(ball);
+  Scene scene = wall(trajectories);
+  SceneBody sphere = ball_body("ball", 0.5, {0, 0.25 * trajectories, 5}, 50);
+  sphere.velocity = {0, 0, -20};
+  scene.bodies.push_back(sphere);
   return scene;
 }
 
@@ -108,10 +108,10 @@ inline Scene pit(int count)
   Scene scene = standing(10);
   const int side = cells_along(count);
   const double half = 0.3 * side + 0.05;
-  for (const double way : {-1.0, 1.0})
+  for (const double displacement : {-1.0, 1.0})
   {
-    const double middle = way * (half + 0.25);
-    const std::string name = way < 0 ? "low" : "high";
+    const double middle = displacement * (half + 0.25);
+    const std::string name = displacement < 0 ? "low" : "high";
     scene.bodies.push_back(
         box_body(name + "_x", {0.25, 2.0 * half, half + 0.5}, {middle, 2.0 * half, 0}, 0));
     scene.bodies.push_back(
@@ -137,12 +137,12 @@ inline Scene swarm(int count)
   Mixer mixer;
   for (int i = 0; i < count; ++i)
   {
-    SceneBody ball = ball_body(numbered("ball", i + 1), 0.25, 2.0 * cell(i, side));
+    SceneBody sphere = ball_body(numbered("ball", i + 1), 0.25, 2.0 * cell(i, side));
     const auto speed = [&mixer] { return mixer.between(-20, 20) / 10.0; };
     const double x = speed(), y = speed(), z = speed();
-    ball.velocity = {x, y, z};
-    ball.restitution = 1;
-    scene.bodies.push_back(ball);
+    sphere.velocity = {x, y, z};
+    sphere.restitution = 1;
+    scene.bodies.push_back(sphere);
   }
   return scene;
 }

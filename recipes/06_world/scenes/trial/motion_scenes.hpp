@@ -67,10 +67,11 @@ inline Scene thin_wall(int speed)
   scene.bodies.push_back(box_body("wall", {0.01, 1, 1}, {0, 0, 0}, 0));
   for (const bool hits : {true, false})
   {
-    SceneBody ball = ball_body(hits ? "ball" : "passing_ball", 0.05, {-2.5, hits ? 0.0 : 1.08, 0});
-    ball.velocity.x() = speed;
-    ball.restitution = 1;
-    scene.bodies.push_back(ball);
+    SceneBody sphere =
+        ball_body(hits ? "ball" : "passing_ball", 0.05, {-2.5, hits ? 0.0 : 1.08, 0});
+    sphere.velocity.x() = speed;
+    sphere.restitution = 1;
+    scene.bodies.push_back(sphere);
   }
   return scene;
 }

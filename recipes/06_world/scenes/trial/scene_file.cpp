@@ -135,7 +135,7 @@ SceneBody read_body(JsonObject object, const SceneBody& defaults)
   body.friction = object.number("friction", frictions, defaults.friction);
   body.restitution = object.number("restitution", restitutions, defaults.restitution);
   body.damping = object.number("damping", dampings, defaults.damping);
-  body.spin_damping = object.number("spin_damping", dampings, defaults.spin_damping);
+  body.angular_damping = object.number("spin_damping", dampings, defaults.angular_damping);
   return body;
 }
 

@@ -68,10 +68,10 @@ inline std::string body_json(const SceneBody& body)
   }
   add("friction", round_trip(body.friction));
   add("restitution", round_trip(body.restitution));
-  if (body.damping > 0 || body.spin_damping > 0)
+  if (body.damping > 0 || body.angular_damping > 0)
   {
     add("damping", round_trip(body.damping));
-    add("spin_damping", round_trip(body.spin_damping));
+    add("spin_damping", round_trip(body.angular_damping));
   }
   return text + "}";
 }

@@ -60,7 +60,7 @@ inline std::vector<double> residuals(int cubes, int passes)
   Islands islands;
   islands.find(bodies, contacts);
   std::vector<SequentialPoint> points =
-      sequential_points(view, islands[0], world.scene().step, {.warm = false});
+      sequential_points(view, islands[0], world.scene().step, {.warm_starting = false});
   std::vector<double> all{complementarity_residual(points)};
   for (int pass = 0; pass < passes; ++pass)
   {

@@ -49,9 +49,9 @@ inline std::vector<BouncingCase> bouncing_cases()
 }
 
 /// What became of a rule with a ball: it is to fall asleep on the ground within 6 s.
-inline Verdict bouncing_verdict(const BouncingCase& ball, const SleepRule& rule)
+inline Verdict bouncing_verdict(const BouncingCase& sphere, const SleepRule& rule)
 {
-  const std::optional<Bedtime> asleep = bounces_out(ball.restitution, ball.threshold, rule);
+  const std::optional<Bedtime> asleep = bounces_out(sphere.restitution, sphere.threshold, rule);
   if (!asleep)
   {
     return {false, "never asleep"};
@@ -72,12 +72,12 @@ inline std::vector<VerdictRow> sleep_verdicts()
       rows.back().verdicts.push_back(motion_verdict(motion, rule));
     }
   }
-  for (const BouncingCase& ball : bouncing_cases())
+  for (const BouncingCase& sphere : bouncing_cases())
   {
-    rows.push_back({ball.id, ball.what, {}});
+    rows.push_back({sphere.id, sphere.what, {}});
     for (const SleepRule& rule : sleep_rules())
     {
-      rows.back().verdicts.push_back(bouncing_verdict(ball, rule));
+      rows.back().verdicts.push_back(bouncing_verdict(sphere, rule));
     }
   }
   return rows;

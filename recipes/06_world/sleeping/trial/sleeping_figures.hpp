@@ -42,7 +42,7 @@ inline plot::Chart slope_chart()
 struct Sleeper
 {
   Eigen::Vector2d center; ///< [m]
-  bool is_ball;           ///< whether it is round
+  bool is_sphere;         ///< whether it is round
 };
 
 /// A tower of three, a pyramid of three, and a ball by itself; body 0 is the ground.
@@ -80,8 +80,8 @@ inline plot::Figure2d sleepers_panel(const std::string& title, int removed)
     const plot::Ink ink = gone ? plot::Ink::faint : states[i].asleep ? plot::Ink::a : plot::Ink::b;
     const plot::Fill fill = gone ? plot::Fill::none : plot::Fill::wash;
     const plot::Stroke stroke = gone ? plot::Stroke::dotted : plot::Stroke::solid;
-    all[i].is_ball ? figure.circle(all[i].center, 0.5, ink, fill, stroke)
-                   : figure.box(all[i].center, 0, {0.5, 0.5}, ink, fill, stroke);
+    all[i].is_sphere ? figure.circle(all[i].center, 0.5, ink, fill, stroke)
+                     : figure.box(all[i].center, 0, {0.5, 0.5}, ink, fill, stroke);
     figure.label(all[i].center, gone ? "" : std::to_string(island[i]), plot::Side::centre, ink);
   }
   return figure;

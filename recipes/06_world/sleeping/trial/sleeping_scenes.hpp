@@ -75,7 +75,7 @@ rolling_up(const std::string& id, const std::string& what, double slope, double 
 
 /// A motion that never ends, watched for 20 s.
 inline WatchedMotion
-endless(const std::string& what, bool rests, const std::function<Movement(double)>& at)
+unbounded(const std::string& what, bool rests, const std::function<Movement(double)>& at)
 {
   return {"", what, rests, 20, at};
 }
@@ -92,22 +92,22 @@ inline std::vector<WatchedMotion> watched_motions()
       rolling_up("", "rolls up 1°, and back", 1, 0.3),
       rolling_up("", "rolls up 0.1°, and back", 0.1, 0.1),
       rolling_up("", "rolls up 0.03°, and back", 0.03, 0.1),
-      endless(
+      unbounded(
           "swings by 1 cm on 1 m", false,
           [=](double time) {
             return Movement{0.01 * swing * std::cos(swing * time), 0};
           }),
-      endless(
+      unbounded(
           "crawls at 4 cm/s", false,
           [](double) {
             return Movement{0.04, 0};
           }),
-      endless(
+      unbounded(
           "turns at 0.5 rad/s", false,
           [](double) {
             return Movement{0, 0.5};
           }),
-      endless(
+      unbounded(
           "rests, and trembles by 1 mm/s", true,
           [](double time) {
             return Movement{std::lround(time / sleep_step) % 2 == 0 ? 1e-3 : -1e-3, 0};
@@ -123,10 +123,10 @@ inline std::optional<double> falls_asleep(const WatchedMotion& motion, const Sle
   {
     const double time = i * sleep_step;
     const Movement now = motion.at(time);
-    state = watched<double>(
+    state = update_sleep_state<double>(
         state, {now.velocity, 0, 0}, {0, 0, now.angular_velocity}, rule.radius, sleep_step,
         rule.limits);
-    if (state.still > 0 && may_sleep(state, rule.limits))
+    if (state.time_at_rest > 0 && may_sleep(state, rule.limits))
     {
       return time;
     }
@@ -157,9 +157,9 @@ bounces_out(double restitution, double threshold, const SleepRule& rule)
       height = 0;
       velocity = -velocity > threshold ? -restitution * velocity : 0;
     }
-    state =
-        watched<double>(state, {0, velocity, 0}, {0, 0, 0}, rule.radius, sleep_step, rule.limits);
-    if (state.still > 0 && may_sleep(state, rule.limits))
+    state = update_sleep_state<double>(
+        state, {0, velocity, 0}, {0, 0, 0}, rule.radius, sleep_step, rule.limits);
+    if (state.time_at_rest > 0 && may_sleep(state, rule.limits))
     {
       return Bedtime{i * sleep_step, height};
     }

@@ -34,7 +34,7 @@ inline Tower sleeping_tower(int cubes)
   const std::size_t count = static_cast<std::size_t>(cubes) + 1;
   Tower tower{std::vector<double>(count), std::vector<double>(count), {}};
   SleepState<double> asleep;
-  asleep.still = 100;
+  asleep.time_at_rest = 100;
   asleep.asleep = true;
   tower.states.assign(count, asleep);
   for (std::size_t i = 0; i < count; ++i)

@@ -38,9 +38,9 @@ inline double rests_after(const Scene& cube, const WorldSolver& solver)
 
 /// When [s] a moment μ m g r has stopped it, whose moment of inertia is m / 6; r is a share of the
 /// arm, which is half the diagonal.
-inline double rests_by_formula(double worn_corner)
+inline double rests_by_formula(double torsional_radius)
 {
-  const double radius = worn_corner * std::sqrt(0.75);
+  const double radius = torsional_radius * std::sqrt(0.75);
   return corner_spin / (6 * 0.6 * 9.81 * radius);
 }
 // [corner_spin]

@@ -71,20 +71,21 @@ inline plot::Figure2d frame_figure()
   {
     const double y = -0.2 - 0.7 * static_cast<double>(row);
     figure.label({-0.1, y}, parts[row], plot::Side::left);
-    for (int small = 0; small < 4; ++small)
+    for (int substep = 0; substep < 4; ++substep)
     {
-      const double start = 2.0 * small + 0.1 + 0.36 * static_cast<double>(row);
+      const double start = 2.0 * substep + 0.1 + 0.36 * static_cast<double>(row);
       figure.box({start + 0.18, y}, 0, {0.18, 0.3}, plot::Ink::a);
     }
   }
-  for (int small = 0; small <= 4; ++small)
+  for (int substep = 0; substep <= 4; ++substep)
   {
-    figure.segment({2.0 * small, -3.5}, {2.0 * small, 1}, plot::Ink::muted, plot::Stroke::dotted);
+    figure.segment(
+        {2.0 * substep, -3.5}, {2.0 * substep, 1}, plot::Ink::muted, plot::Stroke::dotted);
     figure.label(
-        {2.0 * small, -3.5},
-        small == 4   ? "h"
-        : small == 0 ? "0"
-                     : std::to_string(small) + " h/4",
+        {2.0 * substep, -3.5},
+        substep == 4   ? "h"
+        : substep == 0 ? "0"
+                       : std::to_string(substep) + " h/4",
         plot::Side::below, plot::Ink::muted);
   }
   return figure;

@@ -51,7 +51,7 @@ inline double lean(const Scene& scene, const SoftSettings& how)
 inline double lean(int cubes, int substeps)
 {
   const Scene scene = named_scene("tower_" + std::to_string(cubes));
-  return lean(scene, {.substeps = substeps, .kept_turn = 0});
+  return lean(scene, {.substeps = substeps, .anchor_lag = 0});
 }
 // [lean]
 

@@ -36,7 +36,7 @@ inline TwoRuns two_runs(const std::string& scene, int substeps, double duration)
 /// How far apart [m] the two have any body, frame by frame.
 inline std::vector<double> farthest_apart(const TwoRuns& runs)
 {
-  std::vector<double> apart;
+  std::vector<double> separation;
   for (std::size_t i = 0; i < runs.wide.frames.size(); ++i)
   {
     const std::vector<BodyState>&a = runs.one_by_one.frames[i].bodies,
@@ -46,9 +46,9 @@ inline std::vector<double> farthest_apart(const TwoRuns& runs)
     {
       most = std::max(most, (a[k].position - b[k].position).norm());
     }
-    apart.push_back(most);
+    separation.push_back(most);
   }
-  return apart;
+  return separation;
 }
 
 /// The scenes that are compared.
@@ -63,11 +63,11 @@ inline plot::Chart apart_chart(double duration)
   chart.describe("How far one contact at a time and many at a time have a body apart, over time.");
   for (const std::string& scene : compared_scenes)
   {
-    const std::vector<double> apart = farthest_apart(two_runs(scene, 8, duration));
+    const std::vector<double> separation = farthest_apart(two_runs(scene, 8, duration));
     std::vector<Eigen::Vector2d> line;
-    for (std::size_t i = 6; i < apart.size(); i += 6)
+    for (std::size_t i = 6; i < separation.size(); i += 6)
     {
-      line.emplace_back(static_cast<double>(i) / 60, std::max(1e-12, apart[i]));
+      line.emplace_back(static_cast<double>(i) / 60, std::max(1e-12, separation[i]));
     }
     chart.line(scene, line);
   }

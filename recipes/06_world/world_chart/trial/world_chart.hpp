@@ -92,7 +92,7 @@ counted_step(const std::shared_ptr<AnyWorld>& world, const Scene& scene, Charted
     {
       run.end = {
           farthest(scene, world->frame()), world->deepest_overlap(),
-          load_error(scene, world->carried())};
+          load_error(scene, world->warm_start_impulse())};
     }
   };
 }
@@ -152,10 +152,10 @@ inline std::vector<std::string> charted_row(const ChartedRun& run, bool tower, d
   {
     name.append(", ").append(std::to_string(run.solver.substeps));
   }
-  const std::string share = share_of_bullet(run.seconds, bullet);
+  const std::string fraction = share_of_bullet(run.seconds, bullet);
   if (run.end.moved > 0.5)
   {
-    return {name, number(run.seconds * 1e6), "falls", "–", "–", share};
+    return {name, number(run.seconds * 1e6), "falls", "–", "–", fraction};
   }
   return {
       name,
@@ -163,7 +163,7 @@ inline std::vector<std::string> charted_row(const ChartedRun& run, bool tower, d
       number(run.end.moved * 1e3),
       number(run.end.overlap * 1e3),
       tower ? number(run.end.load_error) : "–",
-      share};
+      fraction};
 }
 
 } // namespace cookbook

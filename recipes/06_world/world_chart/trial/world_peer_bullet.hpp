@@ -84,7 +84,7 @@ public:
   }
 
   /// The impulses [N s] that each body gets, upwards and along normals, from bodies before it.
-  std::vector<double> carried()
+  std::vector<double> warm_start_impulse()
   {
     std::vector<double> sums(bodies_.size(), 0.0);
     each_point(

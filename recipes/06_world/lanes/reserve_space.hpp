@@ -13,7 +13,7 @@ namespace cookbook
 /// Room for so many, and for a sixteenth more, eight at least, where there has to be more than
 /// there was.
 template <class List>
-void make_room(List& all, std::size_t count)
+void reserve_space(List& all, std::size_t count)
 {
   if (all.capacity() < count)
   {
@@ -23,9 +23,9 @@ void make_room(List& all, std::size_t count)
 
 /// Adds one at the end of a list, in such room.
 template <class List, class One>
-void add_in_room(List& all, One&& one)
+void append(List& all, One&& one)
 {
-  make_room(all, all.size() + 1);
+  reserve_space(all, all.size() + 1);
   all.push_back(std::forward<One>(one));
 }
 

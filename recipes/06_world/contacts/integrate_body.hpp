@@ -15,7 +15,7 @@
 namespace cookbook
 {
 
-// [moved_body]
+// [integrate_body]
 /// How a body is turned once it has turned about a vector, world, by its length [rad].
 template <class SomeBody>
 Quaternion<double> turned_by(const SomeBody& body, const Vector3<double>& turn)
@@ -31,23 +31,23 @@ inline void turn_by(RigidBody& body, const Vector3<double>& turn)
 }
 
 /// The largest turn [rad] taken in one go, and into how many pieces a larger one is cut at most.
-inline constexpr double largest_piece = 0.5;
-inline constexpr double most_pieces = 100;
+inline constexpr double max_turn_step = 0.5;
+inline constexpr double max_turn_steps = 100;
 
 /// Whether a body's moments are all the same, as a ball's and a cube's: it spins on as it does.
-inline bool is_even(const RigidBody& body)
+inline bool has_equal_moments(const RigidBody& body)
 {
   return (body.moments.array() == body.moments.x()).all();
 }
 
 /// How a body is turned, and how it spins.
-inline Spinning<double> spinning(const RigidBody& body)
+inline Spinning<double> rotation_of(const RigidBody& body)
 {
   return {body.orientation, body.motion.angular_velocity};
 }
 
 /// Turns a body, and has it spin, like another.
-inline void take_spin(const Spinning<double>& from, RigidBody& to)
+inline void set_rotation(const Spinning<double>& from, RigidBody& to)
 {
   to.orientation = from.orientation;
   to.motion.angular_velocity = from.angular_velocity;
@@ -57,28 +57,28 @@ inline void take_spin(const Spinning<double>& from, RigidBody& to)
 /// Its matrices are left for update_axes().
 ///
 /// Where even the pieces of a turn are too large, it loses some spin, and never gains energy.
-inline void spin_pose(RigidBody& body, double time)
+inline void integrate_free_rotation(RigidBody& body, double time)
 {
-  if (is_even(body))
+  if (has_equal_moments(body))
   {
     body.orientation = turned_by(body, time * body.motion.angular_velocity);
     return;
   }
   const double turn = time * body.motion.angular_velocity.norm();
-  const bool too_fast = turn > largest_piece * most_pieces;
+  const bool too_fast = turn > max_turn_step * max_turn_steps;
   const auto energy = [&]
   {
     update_axes(body);
     return kinetic_energy(body);
   };
   const double before = too_fast ? energy() : 0;
-  const double pieces = std::clamp(std::ceil(turn / largest_piece), 1.0, most_pieces);
-  Spinning<double> spun = spinning(body);
+  const double pieces = std::clamp(std::ceil(turn / max_turn_step), 1.0, max_turn_steps);
+  Spinning<double> spun = rotation_of(body);
   for (double piece = 0; piece < pieces; ++piece)
   {
     spun = turned_with_energy<double>(spun, body.moments, time / pieces);
   }
-  take_spin(spun, body);
+  set_rotation(spun, body);
   if (too_fast && energy() > before)
   {
     body.motion.angular_velocity *= std::sqrt(before / kinetic_energy(body));
@@ -86,9 +86,9 @@ inline void spin_pose(RigidBody& body, double time)
 }
 
 /// Turns a body freely for a time [s], and its matrices with it.
-inline void spin(RigidBody& body, double time)
+inline void rotate_freely(RigidBody& body, double time)
 {
-  spin_pose(body, time);
+  integrate_free_rotation(body, time);
   update_axes(body);
 }
 
@@ -99,35 +99,35 @@ inline bool turns_little(const RigidBody& body, double time)
 }
 
 /// Turns a body that is touched for a time [s]; its matrices are left for update_axes().
-inline void turn_pose(RigidBody& body, double time)
+inline void integrate_rotation(RigidBody& body, double time)
 {
-  if (is_even(body) || !turns_little(body, time))
+  if (has_equal_moments(body) || !turns_little(body, time))
   {
-    spin_pose(body, time);
+    integrate_free_rotation(body, time);
   }
   else
   {
-    take_spin(turned_about_mean<double>(spinning(body), body.moments, time), body);
+    set_rotation(turned_about_mean<double>(rotation_of(body), body.moments, time), body);
   }
 }
 
 /// Has a body's velocity and spin wear off for a time [s], at the rates of a scene; R32.
-inline void wear_off(RigidBody& body, const SceneBody& of, double time)
+inline void apply_damping(RigidBody& body, const SceneBody& of, double time)
 {
-  if (of.damping > 0 || of.spin_damping > 0)
+  if (of.damping > 0 || of.angular_damping > 0)
   {
     body.motion.velocity *= damping_factor(of.damping, time);
-    body.motion.angular_velocity *= damping_factor(of.spin_damping, time);
+    body.motion.angular_velocity *= damping_factor(of.angular_damping, time);
   }
 }
 
 /// Moves a body that is touched with its velocities for a time [s], and its matrices with it.
-inline void move(RigidBody& body, double time)
+inline void integrate_position(RigidBody& body, double time)
 {
   body.motion.center += time * body.motion.velocity;
-  turn_pose(body, time);
+  integrate_rotation(body, time);
   update_axes(body);
 }
-// [moved_body]
+// [integrate_body]
 
 } // namespace cookbook

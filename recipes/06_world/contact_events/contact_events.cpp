@@ -1,7 +1,7 @@
 /// \file
 /// \brief Crates that fall on a table: how a game uses a world.
 
-#include "06_world/contact_watch/contact_watch.hpp"
+#include "06_world/contact_events/contact_events.hpp"
 #include "06_world/game_world/solvers.hpp"
 #include "06_world/game_world/world_inputs.hpp"
 #include "06_world/game_world/world_queries.hpp"
@@ -39,13 +39,13 @@ Table game(int crates)
   scene.bodies.push_back({.name = "floor", .shape = PlaneShape{{0, 1, 0}, 0}});
   scene.bodies.push_back({.name = "table", .shape = BoxShape{{1, 0.05, 1}}, .position = {0, 1, 0}});
   GameWorld world(scene, solver_named("soft_steps"), true);
-  ContactWatch watch;
+  ContactEvents watch;
   Table told({"time [s]", "what happens"});
   const auto tell = [&](const std::string& what) { told.row({number(world.time()), what}); };
-  const auto name = [&](BodyId id) { return world.scene().bodies[world.place(id)].name; };
+  const auto name = [&](BodyId id) { return world.scene().bodies[world.index(id)].name; };
   const int second = 60;
   std::vector<BodyId> fallen;
-  std::map<ContactWatch::Pair, double> parted; // [s]
+  std::map<ContactEvents::Pair, double> parted; // [s]
   for (int frame = 0; frame < (crates + 6) * second; ++frame)
   {
     if (frame % second == 0 && frame / second < crates)
@@ -64,7 +64,7 @@ Table game(int crates)
       tell("the table is taken away");
     }
     world.step();
-    watch.look(world.contacts(), world.bodies());
+    watch.update(world.contacts(), world.bodies());
     for (const auto& [a, b] : watch.begun())
     {
       if (!parted.count({a, b}) || world.time() - parted[{a, b}] > 0.5) // more than a hop
@@ -78,7 +78,7 @@ Table game(int crates)
     }
   }
   const auto asleep =
-      std::count_if(fallen.begin(), fallen.end(), [&](BodyId id) { return world.sleeps(id); });
+      std::count_if(fallen.begin(), fallen.end(), [&](BodyId id) { return world.is_asleep(id); });
   tell(std::to_string(asleep) + " of " + std::to_string(crates) + " crates sleep");
   return told;
 }
@@ -89,7 +89,7 @@ Table game(int crates)
 int main(int argc, char** argv)
 {
   const Arguments arguments{
-      .name = "contact_watch",
+      .name = "contact_events",
       .summary = "Drops crates on a table, shoots at them, and takes the table away.",
       .options = {{"crates", "how many, 1 to 20", "4", {}}}};
   return run_program(

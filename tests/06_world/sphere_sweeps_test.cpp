@@ -4,9 +4,9 @@
 
 #include "06_world/game_world/solvers.hpp"
 #include "06_world/game_world/trial/world_measures.hpp"
-#include "06_world/impacts/going_on.hpp"
+#include "06_world/impacts/toi_substeps.hpp"
 #include "06_world/scenes/trial/scene_bodies.hpp"
-#include "06_world/sweeps/ball_on_course.hpp"
+#include "06_world/sweeps/sphere_toi.hpp"
 
 #include "tests/06_world/evenly.hpp"
 #include "tests/catch.hpp"
@@ -62,10 +62,10 @@ Shot shot(BoxDraw& draw, bool rolls, Wall kind)
   const double size = light ? 1 : 3 + speed / 10;
   scene.bodies.push_back(
       draw.whole(2) == 0 ? ground() : box_body("ground", {100, 1, 100}, {0, -1, 0}, 0));
-  SceneBody ball = ball_body("ball", radius, {-start, rolls ? radius : 1.5, 0});
-  ball.velocity = speed * Vector3<double>(1, 0, aslant).normalized();
-  ball.angular_velocity = Vector3<double>(0, 1, 0).cross(ball.velocity) / radius;
-  ball.restitution = draw.whole(2) == 0 ? 0 : draw.between(0, 1);
+  SceneBody sphere = ball_body("ball", radius, {-start, rolls ? radius : 1.5, 0});
+  sphere.velocity = speed * Vector3<double>(1, 0, aslant).normalized();
+  sphere.angular_velocity = Vector3<double>(0, 1, 0).cross(sphere.velocity) / radius;
+  sphere.restitution = draw.whole(2) == 0 ? 0 : draw.between(0, 1);
   SceneBody wall = box_body("wall", {half, size, 2 * size}, {0, size, 0}, 0);
   if (light)
   {
@@ -78,7 +78,7 @@ Shot shot(BoxDraw& draw, bool rolls, Wall kind)
     wall.velocity = {-evenly(draw, 1, 100), 0, 0};
   }
   scene.bodies.push_back(wall);
-  scene.bodies.push_back(ball);
+  scene.bodies.push_back(sphere);
   return {scene, 2 + static_cast<int>(60 * 3 * start / speed)};
 }
 
@@ -99,15 +99,15 @@ bool goes_through(const Shot& shot, const std::string& solver)
   {
     const std::vector<RigidBody> before = world.bodies();
     world.step();
-    const auto seen = [&](double share) -> Vector3<double>
+    const auto seen = [&](double fraction) -> Vector3<double>
     {
       const auto place = [&](std::size_t body) -> Vector3<double>
       {
         const Vector3<double>& from = before[body].motion.center;
-        return from + share * (world.bodies()[body].motion.center - from);
+        return from + fraction * (world.bodies()[body].motion.center - from);
       };
       const RigidBody &was = before[1], &is = world.bodies()[1];
-      return was.orientation.slerp(share, is.orientation).conjugate() * (place(2) - place(1));
+      return was.orientation.slerp(fraction, is.orientation).conjugate() * (place(2) - place(1));
     };
     if (seen(0).x() < 0 && seen(1).x() >= 0)
     {
@@ -134,9 +134,9 @@ TEST_CASE("balls at rest that are pulled together by 10 m/s² each close 5 m in 
   const Vector3<double> none = Vector3<double>::Zero();
   const RigidBody left_ball = rigid_body(ball_body("left", 0.5, {0, 0, 0}));
   const RigidBody right_ball = rigid_body(ball_body("right", 0.5, {6, 0, 0}));
-  const Course left{&left_ball, past_of(left_ball), 0, none, {{10, 0, 0}}, none};
-  const Course right{&right_ball, past_of(right_ball), 0, none, {{-10, 0, 0}}, none};
-  const auto hit = BallOnCourse{left, right, 0, 1, 0}(SphereShape{0.5}, SphereShape{0.5});
+  const Trajectory left{&left_ball, state_of(left_ball), 0, none, {{10, 0, 0}}, none};
+  const Trajectory right{&right_ball, state_of(right_ball), 0, none, {{-10, 0, 0}}, none};
+  const auto hit = SphereToi{left, right, 0, 1, 0}(SphereShape{0.5}, SphereShape{0.5});
   REQUIRE(hit);
   CHECK(hit->time == Catch::Approx(std::sqrt(0.5)).epsilon(1e-9));
   CHECK(hit->normal.isApprox(Vector3<double>(1, 0, 0)));
@@ -148,18 +148,18 @@ TEST_CASE("what is held goes on along its course without turning, what is frozen
   box.motion.velocity = {1, 2, 3};
   box.motion.angular_velocity = {4, 5, 6};
   const Vector3<double> none = Vector3<double>::Zero();
-  Course course{&box, past_of(box), 0.25, box.motion.velocity, {{0, -10, 0}}, none};
-  const RigidBody end = gone_on(course, 0.75, Onward::held);
+  Trajectory trajectory{&box, state_of(box), 0.25, box.motion.velocity, {{0, -10, 0}}, none};
+  const RigidBody end = end_of_trajectory(trajectory, 0.75, ToiResponse::no_rotation);
   CHECK((end.motion.center - Vector3<double>(0.5, 5 + 1 - 1.25, 1.5)).norm() <= 1e-14);
   CHECK((end.motion.velocity - Vector3<double>(1, 2 - 5, 3)).norm() <= 1e-14);
   CHECK(end.motion.angular_velocity == box.motion.angular_velocity);
   CHECK(end.orientation.coeffs() == box.orientation.coeffs());
-  CHECK(course.spin == none);
-  const RigidBody free = gone_on(course, 0.75, Onward::free);
+  CHECK(trajectory.spin == none);
+  const RigidBody free = end_of_trajectory(trajectory, 0.75, ToiResponse::free);
   CHECK((free.motion.center - end.motion.center).norm() <= 1e-14);
   CHECK((free.motion.velocity - end.motion.velocity).norm() <= 1e-14);
   CHECK(free.orientation.angularDistance(box.orientation) > 1);
-  CHECK((course.spin - spin_between(past_of(box), free, 0.5)).norm() <= 1e-14);
+  CHECK((trajectory.spin - spin_between(state_of(box), free, 0.5)).norm() <= 1e-14);
 }
 
 // [P23]
@@ -170,11 +170,11 @@ TEST_CASE(
   {
     const double gravity = 9.81, step = 1;
     int looks = 0;
-    const auto look = [&](double share)
+    const auto look = [&](double fraction)
     {
       ++looks;
-      const double fallen = down * share + gravity / 2 * share * share;
-      return Outlook<double>{{{0, -1, 0}, 1 - fallen}, down + gravity * share, gravity};
+      const double fallen = down * fraction + gravity / 2 * fraction * fraction;
+      return Approach<double>{{{0, -1, 0}, 1 - fallen}, down + gravity * fraction, gravity};
     };
     const auto hit = first_touch<double>(0, gravity * step * step, 1e-14, look);
     REQUIRE(hit);
@@ -191,12 +191,12 @@ TEST_CASE(
 {
   // Seen along the axis of the turn: a bar of half height 0.1, a ball of 0.1 m at (0.8, 0.6).
   RigidBody bar = rigid_body(box_body("bar", {1, 0.1, 1}, {0, 0, 0}));
-  RigidBody ball = rigid_body(ball_body("ball", 0.1, {0.8, 0.6, 0}));
+  RigidBody sphere = rigid_body(ball_body("ball", 0.1, {0.8, 0.6, 0}));
   RigidBody turned = bar;
   turned.orientation = rotation_by<double>({0, 0, 1});
-  const Course of_bar = pushed_course(past_of(bar), turned, 1, {});
-  const Course of_ball = pushed_course(past_of(ball), ball, 1, {});
-  const BallOnCourse touch{of_ball, of_bar, 0, 1, 0};
+  const Trajectory of_bar = pushed_trajectory(state_of(bar), turned, 1, {});
+  const Trajectory of_ball = pushed_trajectory(state_of(sphere), sphere, 1, {});
+  const SphereToi touch{of_ball, of_bar, 0, 1, 0};
   const auto hit = touch(SphereShape{0.1}, BoxShape{{1, 0.1, 1}});
   REQUIRE(hit);
   // The ball is 1 m from the middle at an angle of atan(3/4); its surface meets the bar's upper
@@ -246,24 +246,24 @@ TEST_CASE("24,000 pairs of balls that fly at each other do not pass each other",
   {
     Scene scene;
     scene.gravity.setZero();
-    double reach = 0;
+    double bounding_radius = 0;
     for (const double side : {-1.0, 1.0})
     {
       const double radius = evenly(draw, 0.002, 0.2);
-      reach += radius;
-      SceneBody ball = ball_body(side < 0 ? "left" : "right", radius, {side * 1.5, 0, 0});
-      ball.mass = evenly(draw, 0.01, 100);
-      ball.velocity = {-side * evenly(draw, 1, 1000), 0, 0};
+      bounding_radius += radius;
+      SceneBody sphere = ball_body(side < 0 ? "left" : "right", radius, {side * 1.5, 0, 0});
+      sphere.mass = evenly(draw, 0.01, 100);
+      sphere.velocity = {-side * evenly(draw, 1, 1000), 0, 0};
       const double restitution = draw.between(0, 1);
-      ball.restitution = i % 4 == 0 ? 0 : restitution;
-      scene.bodies.push_back(ball);
+      sphere.restitution = i % 4 == 0 ? 0 : restitution;
+      scene.bodies.push_back(sphere);
     }
-    const double apart = draw.between(0, 0.9) * reach, turn = draw.between(0, 6.3);
-    scene.bodies[0].position += apart * Vector3<double>(0, std::cos(turn), std::sin(turn));
+    const double separation = draw.between(0, 0.9) * bounding_radius, turn = draw.between(0, 6.3);
+    scene.bodies[0].position += separation * Vector3<double>(0, std::cos(turn), std::sin(turn));
     const Vector3<double> before = momentum(GameWorld(scene, solver_named("direct")).bodies());
     // They have met when they are past each other, had they not.
     const double approach = (scene.bodies[0].velocity - scene.bodies[1].velocity).norm();
-    const GameWorld end = after(scene, 3 + static_cast<int>(60 * (3 + reach) / approach));
+    const GameWorld end = after(scene, 3 + static_cast<int>(60 * (3 + bounding_radius) / approach));
     CAPTURE(i);
     // They touch, so they part otherwise than they would have.
     REQUIRE(end.bodies()[0].motion.velocity != scene.bodies[0].velocity);
@@ -271,27 +271,27 @@ TEST_CASE("24,000 pairs of balls that fly at each other do not pass each other",
     const Vector3<double> way = end.bodies()[1].motion.center - end.bodies()[0].motion.center;
     const Vector3<double> parting =
         end.bodies()[1].motion.velocity - end.bodies()[0].motion.velocity;
-    REQUIRE(way.norm() >= reach * (1 - 1e-9));
+    REQUIRE(way.norm() >= bounding_radius * (1 - 1e-9));
     REQUIRE(way.dot(parting) >= -1e-9 * way.norm() * parting.norm());
   }
 }
 
 TEST_CASE("two balls that do not bounce go on together, and stop together at a wall in that step")
 {
-  for (const double gap : {0.05, 0.2, 5.0}) // [m], to the wall
+  for (const double separation : {0.05, 0.2, 5.0}) // [m], to the wall
   {
-    Scene scene{.bodies = {box_body("wall", {0.01, 1, 1}, {0.11 + gap, 0, 0}, 0)}};
+    Scene scene{.bodies = {box_body("wall", {0.01, 1, 1}, {0.11 + separation, 0, 0}, 0)}};
     scene.gravity.setZero();
     scene.bodies.push_back(ball_body("first", 0.1, {-0.3, 0, 0}));
     scene.bodies.push_back(ball_body("second", 0.1, {0, 0, 0}));
     scene.bodies[1].velocity.x() = 100;
     GameWorld world(scene, solver_named("direct"));
     world.step();
-    CAPTURE(gap);
+    CAPTURE(separation);
     const Motion<double>&first = world.bodies()[1].motion, second = world.bodies()[2].motion;
-    const bool at_wall = gap < 1;
+    const bool at_wall = separation < 1;
     // They touch after a millisecond, at 100 m/s, and go on at 50.
-    const double place = at_wall ? gap : 50 * (scene.step - 0.001);
+    const double place = at_wall ? separation : 50 * (scene.step - 0.001);
     CHECK(second.center.x() == Catch::Approx(place).margin(1e-6));
     CHECK(first.center.x() == Catch::Approx(place - 0.2).margin(1e-6));
     CHECK(second.velocity.x() == Catch::Approx(at_wall ? 0 : 50).margin(1e-6));
@@ -299,7 +299,7 @@ TEST_CASE("two balls that do not bounce go on together, and stop together at a w
   }
 }
 
-// [go_on_falling]
+// [resume_falling]
 TEST_CASE("60 swarms of 20 balls that touch in flight fall as one body does", "[R3]")
 {
   for (int seed = 0; seed < inputs(60, 5); ++seed)
@@ -310,11 +310,11 @@ TEST_CASE("60 swarms of 20 balls that touch in flight fall as one body does", "[
     Vector3<double> place(0, 0, 0);
     for (int i = 0; i < 20; ++i)
     {
-      SceneBody ball = ball_body(numbered("ball", i), radius, place);
-      ball.velocity = draw.whole(2) * draw.between(0, 20) * radius * draw.direction();
-      ball.angular_velocity = 10 * draw.vector(-1, 1);
-      ball.restitution = draw.whole(2) * 0.5;
-      scene.bodies.push_back(ball);
+      SceneBody sphere = ball_body(numbered("ball", i), radius, place);
+      sphere.velocity = draw.whole(2) * draw.between(0, 20) * radius * draw.direction();
+      sphere.angular_velocity = 10 * draw.vector(-1, 1);
+      sphere.restitution = draw.whole(2) * 0.5;
+      scene.bodies.push_back(sphere);
       // In a row that touches, as in a falling chain, or heaped together.
       place += 2 * radius * (seed % 2 == 0 ? Vector3<double>(1, 0, 0) : draw.direction());
     }
@@ -345,18 +345,18 @@ TEST_CASE("100 balls let go in a pit are at its bottom after 4 s, none in mid-ai
   for (int i = 0; i < 100; ++i)
   {
     const Vector3<double> place(0.55 * (i % 5 - 2), 0.3 + 0.6 * (i / 25), 0.55 * (i / 5 % 5 - 2));
-    SceneBody ball = ball_body(numbered("ball", i), 0.25, place + draw.vector(0, 0.01));
-    ball.restitution = 0.3;
-    scene.bodies.push_back(ball);
+    SceneBody sphere = ball_body(numbered("ball", i), 0.25, place + draw.vector(0, 0.01));
+    sphere.restitution = 0.3;
+    scene.bodies.push_back(sphere);
   }
   const GameWorld world = after(scene, 240);
   for (std::size_t i = 5; i < scene.bodies.size(); ++i)
   {
-    const RigidBody& ball = world.bodies()[i];
-    CAPTURE(i, ball.motion.center.transpose(), ball.motion.velocity.transpose());
+    const RigidBody& sphere = world.bodies()[i];
+    CAPTURE(i, sphere.motion.center.transpose(), sphere.motion.velocity.transpose());
     // Whoever moves slowly is carried: by the ground, or by somebody below.
-    const bool carried =
-        ball.motion.center.y() < 0.26 ||
+    const bool warm_start_impulse =
+        sphere.motion.center.y() < 0.26 ||
         std::any_of(
             world.contacts().begin(), world.contacts().end(),
             [&](const WorldContact& contact)
@@ -365,10 +365,10 @@ TEST_CASE("100 balls let go in a pit are at its bottom after 4 s, none in mid-ai
               const double down = -contact.normal.y() * (static_cast<std::size_t>(contact.a) == i);
               return up + down > 0.01;
             });
-    CHECK((carried || ball.motion.velocity.norm() > 0.1));
+    CHECK((warm_start_impulse || sphere.motion.velocity.norm() > 0.1));
   }
 }
-// [go_on_falling]
+// [resume_falling]
 
 // [friction_of_bounces]
 TEST_CASE("10,000 thrown balls bounce as friction's closed form says, slipping or not", "[R2][R6]")
@@ -459,21 +459,21 @@ TEST_CASE("two balls that fall bounce at 0.5 m/s: gravity does not press them on
       std::swap(scene.bodies[0], scene.bodies[1]);
     }
     const GameWorld world = after(scene, 1);
-    const double apart =
+    const double separation =
         world.bodies()[0].motion.velocity.y() - world.bodies()[1].motion.velocity.y();
-    CHECK(apart == Catch::Approx(upper_first ? 0.5 : -0.5).epsilon(1e-9));
+    CHECK(separation == Catch::Approx(upper_first ? 0.5 : -0.5).epsilon(1e-9));
   }
 }
 
 TEST_CASE("what is moved aside alike is not parted, what is moved apart is")
 {
   const Vector3<double> none(0, 0, 0), aside(1e-3, 0, 0);
-  CHECK_FALSE(were_parted({none, aside, 1e-9}, {none, aside, 1e-9}));
-  CHECK(were_parted({none, aside, 1e-9}, {none, -aside, 1e-9}));
-  CHECK(were_parted({none, aside, 1e-9}, {none, none, 1e-9}));
+  CHECK_FALSE(were_separated({none, aside, 1e-9}, {none, aside, 1e-9}));
+  CHECK(were_separated({none, aside, 1e-9}, {none, -aside, 1e-9}));
+  CHECK(were_separated({none, aside, 1e-9}, {none, none, 1e-9}));
 }
 
-// [crushed]
+// [over_constrained]
 /// Up to six bodies in a row before a wall, and behind them a ram, which comes at 1 to 1,000 m/s.
 struct Press
 {
@@ -511,9 +511,9 @@ Press press_of_balls(BoxDraw& draw)
   double end = 0;
   for (int left = 1 + draw.whole(6); left > 0; --left)
   {
-    const double radius = evenly(draw, 0.01, 0.1), gap = evenly(draw, 1e-4, 0.05);
+    const double radius = evenly(draw, 0.01, 0.1), separation = evenly(draw, 1e-4, 0.05);
     const double y = draw.between(-0.3, 0.3) * radius, z = draw.between(-0.3, 0.3) * radius;
-    const Vector3<double> place(end + gap + radius, y, z);
+    const Vector3<double> place(end + separation + radius, y, z);
     press.scene.bodies.push_back(ball_body("ball", radius, place, evenly(draw, 0.1, 1)));
     end = place.x() + radius;
   }
@@ -552,31 +552,31 @@ TEST_CASE("balls that a ram crushes pass neither wall nor plane in a second, and
     {
       const Press press = press_of_balls(draw);
       GameWorld world(press.scene, solver_named(solver));
-      const std::size_t balls = world.bodies().size() - 2;
+      const std::size_t spheres = world.bodies().size() - 2;
       const double at_first = energy(world.bodies(), press.scene.gravity);
       double nearest = 1, most = at_first;
-      std::vector<bool> in_ram(balls + 1, false);
+      std::vector<bool> in_ram(spheres + 1, false);
       while (world.time() < 1)
       {
         world.step();
-        for (std::size_t ball = 1; ball <= balls; ++ball)
+        for (std::size_t sphere = 1; sphere <= spheres; ++sphere)
         {
-          nearest = std::min(nearest, press.before(world, ball));
-          in_ram[ball] = in_ram[ball] || is_in_ram(world, ball);
+          nearest = std::min(nearest, press.before(world, sphere));
+          in_ram[sphere] = in_ram[sphere] || is_in_ram(world, sphere);
         }
         most = std::max(most, energy(world.bodies(), press.scene.gravity));
       }
-      CAPTURE(solver, i, balls);
+      CAPTURE(solver, i, spheres);
       REQUIRE(nearest > 0);
       REQUIRE(most - at_first <= 1e-6 * std::abs(at_first));
-      before_boxes += world.bodies().back().round ? 0 : balls;
+      before_boxes += world.bodies().back().is_sphere ? 0 : spheres;
       caught += static_cast<std::size_t>(std::count(in_ram.begin(), in_ram.end(), true));
     }
     CAPTURE(solver, before_boxes, caught);
     CHECK(100 * caught <= before_boxes);
   }
 }
-// [crushed]
+// [over_constrained]
 
 TEST_CASE("a fast ball wakes the tower that it hits")
 {
@@ -594,11 +594,11 @@ TEST_CASE("a fast ball wakes the tower that it hits")
   {
     world.step();
   }
-  CHECK(world.sleeps(3));
+  CHECK(world.is_asleep(3));
   for (int i = 0; i < 20; ++i)
   {
     world.step();
   }
-  CHECK_FALSE(world.sleeps(3));
+  CHECK_FALSE(world.is_asleep(3));
   CHECK(world.bodies()[3].motion.velocity.x() > 1);
 }

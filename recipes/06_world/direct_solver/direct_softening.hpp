@@ -11,25 +11,25 @@
 namespace cookbook
 {
 
-// [direct_give]
+// [direct_softening]
 /// How soft contacts are at first, where no exact answer was found.
-struct GiveSettings
+struct SofteningSettings
 {
-  double push = 0.03;       ///< [1], of the inverse masses: no contact is softer
-  double grip = 0.9;        ///< [1], the same of friction
-  double push_speed = 0.01; ///< [m/s], at which a contact gives way to what pushed there last
-  double grip_speed = 0.3;  ///< [m/s], the same of friction
-  double kept = 0.9;        ///< [1], share of the friction that stays from frame to frame
-  double tolerance = 1e-8;  ///< [1], of the largest impulse: what may be missing meanwhile
-  double stiffer = 0.95;    ///< [1], how soft contacts are after a frame, of what they were
-  double least = 1e-7;      ///< [1], from here on contacts are stiff
+  double push = 0.03;          ///< [1], of the inverse masses: no contact is softer
+  double friction_state = 0.9; ///< [1], the same of friction
+  double normal_speed = 0.01;  ///< [m/s], at which a contact gives way to what pushed there last
+  double tangent_speed = 0.3;  ///< [m/s], the same of friction
+  double kept = 0.9;           ///< [1], share of the friction that stays from frame to frame
+  double tolerance = 1e-8;     ///< [1], of the largest impulse: what may be missing meanwhile
+  double decay = 0.95;         ///< [1], how soft contacts are after a frame, of what they were
+  double smallest = 1e-7;      ///< [1], from here on contacts are stiff
 };
 
 /// How stiff the points of a contact are that has these inverse masses [1/kg] together.
 inline DirectStiffness
 stiffness_of(const WorldContact& contact, double inverse_mass, const DirectSettings& settings)
 {
-  const GiveSettings how;
+  const SofteningSettings how;
   double pushed = 0; // [N s], in the step before
   for (const WorldPoint& point : contact.points)
   {
@@ -37,48 +37,48 @@ stiffness_of(const WorldContact& contact, double inverse_mass, const DirectSetti
   }
   const auto soft = [&](double most, double speed)
   {
-    const double wanted =
+    const double unbounded_friction =
         pushed > 0 ? std::min(most * inverse_mass, speed / pushed) : most * inverse_mass;
-    return std::max(settings.compliance * inverse_mass, settings.give * wanted);
+    return std::max(settings.compliance * inverse_mass, settings.softening * unbounded_friction);
   };
-  return {1 / soft(how.push, how.push_speed), 1 / soft(how.grip, how.grip_speed)};
+  return {1 / soft(how.push, how.normal_speed), 1 / soft(how.friction_state, how.tangent_speed)};
 }
 
 /// The friction [N s] that a soft point keeps from the frame before: no more than its overlap
 /// alone, which pushes by so much [N s], would bear. Stiff points need none; of a strain none is
 /// kept, for what held it in balance may be gone.
 inline Vector3<double>
-held_friction(const WorldContact& contact, const WorldPoint& point, double push, double give)
+kept_friction(const WorldContact& contact, const WorldPoint& point, double push, double softening)
 {
-  if (give == 0 || point.strained)
+  if (softening == 0 || point.over_constrained)
   {
     return Vector3<double>::Zero();
   }
   const Vector3<double> across = along_surface(point.friction, contact.normal);
   return within_cone<double, 3>(
-      GiveSettings().kept * across, contact.friction * std::max(0.0, push));
+      SofteningSettings().kept * across, contact.friction * std::max(0.0, push));
 }
 
 /// How the direct solver is run where contacts are so soft; where they are, friction keeps to the
 /// bounds that the frame before has left; at new points, to one of its own, stays().
-inline DirectSettings settings_at(double give)
+inline DirectSettings settings_at(double softening)
 {
-  DirectSettings settings{.give = give};
-  if (give > 0)
+  DirectSettings settings{.softening = softening};
+  if (softening > 0)
   {
-    settings.tolerance = GiveSettings().tolerance;
+    settings.tolerance = SofteningSettings().tolerance;
     settings.bounds_move = false;
   }
   return settings;
 }
 
 /// How soft an island is in the next frame, by how soft it was and whether it was solved.
-inline double next_give(double give, bool solved)
+inline double next_softening(double softening, bool solved)
 {
-  const GiveSettings how;
-  const double next = solved ? how.stiffer * give : 1;
-  return next < how.least ? 0 : next;
+  const SofteningSettings how;
+  const double next = solved ? how.decay * softening : 1;
+  return next < how.smallest ? 0 : next;
 }
-// [direct_give]
+// [direct_softening]
 
 } // namespace cookbook

@@ -8,28 +8,28 @@
 namespace cookbook
 {
 
-// [past_body]
+// [previous_state]
 /// What a step changes of a body.
-struct PastBody
+struct PreviousState
 {
   Motion<double> motion;
   Quaternion<double> orientation; ///< unit, body to world
 };
 
 /// How a body is now.
-inline PastBody past_of(const RigidBody& body)
+inline PreviousState state_of(const RigidBody& body)
 {
   return {body.motion, body.orientation};
 }
 
 /// How a body of a scene starts; its orientation is unit.
-inline PastBody start_of(const SceneBody& body)
+inline PreviousState start_state(const SceneBody& body)
 {
   return {{body.position, body.velocity, body.angular_velocity}, body.orientation};
 }
 
 /// Has a body of a scene start as it is now.
-inline void set_start(SceneBody& start, const RigidBody& now)
+inline void set_start_state(SceneBody& start, const RigidBody& now)
 {
   start.position = now.motion.center;
   start.velocity = now.motion.velocity;
@@ -38,13 +38,13 @@ inline void set_start(SceneBody& start, const RigidBody& now)
 }
 
 /// A body as it was then.
-inline RigidBody as_it_was(RigidBody body, const PastBody& then)
+inline RigidBody with_state(RigidBody body, const PreviousState& then)
 {
   body.motion = then.motion;
-  body.orientation = body.arms_at = then.orientation;
+  body.orientation = body.lagged_orientation = then.orientation;
   update_axes(body);
   return body;
 }
-// [past_body]
+// [previous_state]
 
 } // namespace cookbook

@@ -3,7 +3,7 @@
 /// \file
 /// \brief Bodies of a world that move on, as many at a time as a register has doubles.
 
-#include "06_world/contacts/moved_body.hpp"
+#include "06_world/contacts/integrate_body.hpp"
 #include "06_world/lanes/turn_in_lanes.hpp"
 #include "06_world/wide_solver/islands_together.hpp"
 #include "06_world/wide_solver/wide_view.hpp"
@@ -16,14 +16,16 @@
 namespace cookbook
 {
 
-// [wide_turns]
+// [wide_rotations]
 /// Moves bodies on as move() does; those that turn little, many at a time, balls and cubes among
 /// them: these by the right angle to a ten-millionth.
-class WideTurns
+class WideRotations
 {
 public:
   /// Turns them by these passes.
-  explicit WideTurns(const WidePasses& passes) : turn_(passes.turn), lanes_(passes.lanes / 2) {}
+  explicit WideRotations(const WidePasses& passes) : rotate_(passes.turn), lanes_(passes.lanes / 2)
+  {
+  }
 
   /// Moves the bodies of islands with their velocities, which `take(number, body)` may give them
   /// first, for a time [s]; their matrices are left for update_axes().
@@ -36,7 +38,7 @@ public:
     islands.for_each_body(
         [&](int i)
         {
-          RigidBody& body = bodies[place_of(i)];
+          RigidBody& body = bodies[index_of(i)];
           take(i, body);
           body.motion.center += time * body.motion.velocity;
           if (turns_little(body, time))
@@ -45,7 +47,7 @@ public:
           }
           else
           {
-            turn_pose(body, time);
+            integrate_rotation(body, time);
           }
         });
     for (std::size_t first = 0; first < little_.size(); first += lanes_)
@@ -65,25 +67,25 @@ private:
     alignas(64) double numbers[turning_numbers * most_lanes];
     for (std::size_t lane = 0; lane < lanes_; ++lane)
     {
-      TurningLane<double> put{spinning(body(lane)), body(lane).moments};
+      TurningLane<double> put{rotation_of(body(lane)), body(lane).moments};
       WriteLane<double> write{numbers + lane, lanes_};
       each_turned(put, write);
-      each_given(put, write);
+      each_stored(put, write);
     }
-    turn_(numbers, time);
+    rotate_(numbers, time);
     for (std::size_t lane = 0; lane < lanes_; ++lane)
     {
       TurningLane<double> taken;
       ReadLane<double> read{numbers + lane, lanes_};
       each_turned(taken, read);
-      take_spin(taken.now, body(lane));
+      set_rotation(taken.now, body(lane));
     }
   }
 
-  void (*turn_)(double* numbers, double time);
+  void (*rotate_)(double* numbers, double time);
   std::size_t lanes_;
   std::vector<RigidBody*> little_;
 };
-// [wide_turns]
+// [wide_rotations]
 
 } // namespace cookbook

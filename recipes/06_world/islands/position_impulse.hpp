@@ -10,11 +10,11 @@
 namespace cookbook
 {
 
-// [body_shift]
+// [position_impulse]
 /// Turns a body by a small rotation vector [rad], world.
 ///
 /// The half of a small angle stands for its sine: an angle of 0.1 comes out as 0.0999.
-inline void turn(RigidBody& body, const Vector3<double>& rotation)
+inline void rotate(RigidBody& body, const Vector3<double>& rotation)
 {
   const Vector3<double> half = rotation / 2;
   const Quaternion<double> by(1, half.x(), half.y(), half.z());
@@ -23,41 +23,42 @@ inline void turn(RigidBody& body, const Vector3<double>& rotation)
 }
 
 /// Gives a body the velocities that lead from where it was to where it is, in a time [s].
-inline void velocities_from(const RigidBody& before, RigidBody& now, double time)
+inline void derive_velocities(const RigidBody& before, RigidBody& now, double time)
 {
   now.motion.velocity = (now.motion.center - before.motion.center) / time;
   now.motion.angular_velocity = turn_between<double>(before.orientation, now.orientation) / time;
 }
 
 /// Shifts a body by a push [kg m], world, at an arm [m], world, from its centre of mass.
-inline void shift(RigidBody& body, const Vector3<double>& arm, const Vector3<double>& push)
+inline void
+apply_position_impulse(RigidBody& body, const Vector3<double>& arm, const Vector3<double>& push)
 {
   if (!is_fixed(body))
   {
     body.motion.center += body.inverse_mass * push;
-    turn(body, body.inverse_inertia * arm.cross(push));
+    rotate(body, body.inverse_inertia * arm.cross(push));
   }
 }
 
 /// The arms [m], world, of a contact point as its bodies are turned now.
-inline Arms<double> arms_now(const IslandPoint& point)
+inline Arms<double> current_arms(const IslandPoint& point)
 {
-  return arms_of(*point.a, *point.b, *point.known);
+  return arms_of(*point.a, *point.b, *point.cached);
 }
 
 /// The inverse mass [1/kg] at a point along a unit direction, as the bodies are now; R1.
-inline double shift_inverse_mass(const IslandPoint& point, const Vector3<double>& direction)
+inline double current_inverse_mass(const IslandPoint& point, const Vector3<double>& direction)
 {
-  return inverse_mass_at<double>(*point.a, *point.b, direction, arms_now(point));
+  return inverse_mass_at<double>(*point.a, *point.b, direction, current_arms(point));
 }
 
 /// Shifts B by a push [kg m], world, at a point, and A by its opposite.
-inline void shift_apart(IslandPoint& point, const Vector3<double>& push)
+inline void apply_position_impulse(IslandPoint& point, const Vector3<double>& push)
 {
-  const Arms<double> arms = arms_now(point);
-  shift(*point.a, arms.a, -push);
-  shift(*point.b, arms.b, push);
+  const Arms<double> arms = current_arms(point);
+  apply_position_impulse(*point.a, arms.a, -push);
+  apply_position_impulse(*point.b, arms.b, push);
 }
-// [body_shift]
+// [position_impulse]
 
 } // namespace cookbook

@@ -30,7 +30,7 @@ void on(GameWorld& world, double time)
 
 } // namespace
 
-// [put_elsewhere]
+// [teleport]
 TEST_CASE("a cube that is put on a tower stands there as if it had from the start")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
@@ -82,18 +82,18 @@ TEST_CASE("who leaned on it falls, whoever sleeps where it is put wakes, and oth
     scene.bodies.push_back(cube_body("far", {20, 0.5, 0}));
     GameWorld world(scene, solver_named("direct"), true);
     on(world, 3);
-    REQUIRE(world.sleeps(2));
+    REQUIRE(world.is_asleep(2));
     world.set_pose(1, {10.9, 0.5, 0}, straight); // .1 m deep
-    CHECK_FALSE(world.sleeps(1));
-    CHECK_FALSE(world.sleeps(2));
-    CHECK_FALSE(world.sleeps(3));
-    CHECK(world.sleeps(4));
+    CHECK_FALSE(world.is_asleep(1));
+    CHECK_FALSE(world.is_asleep(2));
+    CHECK_FALSE(world.is_asleep(3));
+    CHECK(world.is_asleep(4));
     world.set_pose(4, {20, 2.5, 0}, straight); // alone
     on(world, 3);
     CHECK(world.body(4).motion.center.y() == Catch::Approx(0.5).margin(1e-3));
     CHECK(world.body(2).motion.center.y() == Catch::Approx(0.5).margin(1e-3));
-    const double apart = world.body(1).motion.center.x() - world.body(3).motion.center.x();
-    CHECK(apart == Catch::Approx(1).margin(2e-3));
+    const double separation = world.body(1).motion.center.x() - world.body(3).motion.center.x();
+    CHECK(separation == Catch::Approx(1).margin(2e-3));
   }
 }
 
@@ -112,8 +112,8 @@ TEST_CASE("a scene that is moved by a kilometre goes on as it would have, a kilo
   on(left, 1);
   for (std::size_t i = 1; i < moved.bodies().size(); ++i)
   {
-    const Vector3<double> apart = moved.body(i).motion.center - left.body(i).motion.center;
-    CHECK((apart - shift).norm() <= 1e-6);
+    const Vector3<double> separation = moved.body(i).motion.center - left.body(i).motion.center;
+    CHECK((separation - shift).norm() <= 1e-6);
   }
 }
 
@@ -141,7 +141,7 @@ TEST_CASE("who is put to no place, or turned by nothing, is told so by name, and
     CHECK(world.bodies()[i].motion.center == before.bodies()[i].motion.center);
   }
 }
-// [put_elsewhere]
+// [teleport]
 
 TEST_CASE("put where it is in every step, a cube in a tower changes nothing")
 {

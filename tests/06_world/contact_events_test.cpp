@@ -2,7 +2,7 @@
 /// Who presses on whom in a game, from when to when; and a game that was saved by copying its
 /// world.
 
-#include "06_world/contact_watch/contact_watch.hpp"
+#include "06_world/contact_events/contact_events.hpp"
 #include "06_world/game_world/solvers.hpp"
 #include "06_world/game_world/world_inputs.hpp"
 #include "06_world/scenes/trial/scene_bodies.hpp"
@@ -63,21 +63,21 @@ TEST_CASE("a game saved while crates fall goes on to the bit: put in, shot at, t
 }
 // [saved]
 
-// [contact_watch]
+// [contact_events]
 TEST_CASE("a cube that falls on another begins to press on it once, and ends when it is taken away")
 {
   Scene scene = named_scene("tower_1");
   scene.bodies.push_back(cube_body("late", {0, 2.5, 0}));
   GameWorld world(scene, solver_named("direct"), true);
-  ContactWatch watch;
-  using Pairs = std::vector<ContactWatch::Pair>;
+  ContactEvents watch;
+  using Pairs = std::vector<ContactEvents::Pair>;
   Pairs begun, ended;
   const auto watched_until = [&](double time)
   {
     while (world.time() < time)
     {
       world.step();
-      watch.look(world.contacts(), world.bodies());
+      watch.update(world.contacts(), world.bodies());
       begun.insert(begun.end(), watch.begun().begin(), watch.begun().end());
       ended.insert(ended.end(), watch.ended().begin(), watch.ended().end());
     }
@@ -85,35 +85,35 @@ TEST_CASE("a cube that falls on another begins to press on it once, and ends whe
   watched_until(4);
   CHECK(begun == Pairs{{0, 1}, {1, 2}});
   CHECK(ended.empty());
-  CHECK(watch.pressing() == begun);
-  REQUIRE(world.sleeps(2));
+  CHECK(watch.active() == begun);
+  REQUIRE(world.is_asleep(2));
   world.set_velocity(2, {0, 5, 0}, {0, 0, 0});
   watched_until(4.5);
   CHECK(ended == Pairs{{1, 2}});
-  CHECK(watch.pressing() == Pairs{{0, 1}});
+  CHECK(watch.active() == Pairs{{0, 1}});
 }
 
 TEST_CASE("who is put in at the place of another has not parted from whom that has touched")
 {
   GameWorld world(
       {.bodies = {ground(), ball_body("ball", 0.5, {0, 0.5, 0})}}, solver_named("direct"));
-  ContactWatch watch;
-  const auto look = [&] { watch.look(world.contacts(), world.bodies()); };
+  ContactEvents watch;
+  const auto look = [&] { watch.update(world.contacts(), world.bodies()); };
   world.step();
   world.step();
   look();
-  CHECK(watch.pressing() == std::vector<ContactWatch::Pair>{{0, 1}});
+  CHECK(watch.active() == std::vector<ContactEvents::Pair>{{0, 1}});
   world.remove(1);
   world.step();
   const BodyId next = world.add(ball_body("next", 0.5, {5, 0.5, 0}));
-  REQUIRE(world.place(next) == 1);
+  REQUIRE(world.index(next) == 1);
   world.step();
   world.step();
   look();
-  CHECK(watch.ended() == std::vector<ContactWatch::Pair>{{0, 1}});
-  CHECK(watch.begun() == std::vector<ContactWatch::Pair>{{0, next}});
+  CHECK(watch.ended() == std::vector<ContactEvents::Pair>{{0, 1}});
+  CHECK(watch.begun() == std::vector<ContactEvents::Pair>{{0, next}});
 }
-// [contact_watch]
+// [contact_events]
 
 namespace
 {
@@ -133,7 +133,7 @@ std::vector<Impact> impacts_until(double time, const Scene& scene, const std::st
 
 } // namespace
 
-// [impacts_heard]
+// [hit_events]
 TEST_CASE("a ball is heard each time it bounces, at half the speed of the time before")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
@@ -149,7 +149,7 @@ TEST_CASE("a ball is heard each time it bounces, at half the speed of the time b
       CHECK((impact.a == 0 && impact.b == 1));
       CHECK(impact.speed == Catch::Approx(speed).epsilon(0.002));
       CHECK(impact.normal.isApprox(Vector3<double>(0, 1, 0)));
-      CHECK((impact.place - Vector3<double>(3, 0, 4)).norm() <= 0.001);
+      CHECK((impact.point - Vector3<double>(3, 0, 4)).norm() <= 0.001);
       speed /= 2;
     }
   }
@@ -170,7 +170,7 @@ TEST_CASE(
       CHECK(heard[0].a == 2);
       CHECK(heard[0].b == 3);
       CHECK(heard[0].speed == Catch::Approx(std::sqrt(2 * 9.81 * high)).epsilon(0.01));
-      CHECK(std::abs(heard[0].place.y() - 2) <= 0.01);
+      CHECK(std::abs(heard[0].point.y() - 2) <= 0.01);
       for (std::size_t i = 1; i < heard.size() && high < 50; ++i) // from 50 m the tower falls
       {
         CHECK(heard[i].speed < 0.7);
@@ -191,7 +191,7 @@ TEST_CASE("two balls that meet in flight are heard once, the smaller number firs
   CHECK(heard[0].speed == Catch::Approx(40));
   CHECK(heard[0].normal.isApprox(Vector3<double>(-1, 0, 0)));
   // They touch after (10 − 0.75) / 40 s, where the left one has come to −5 + 10 t.
-  CHECK(heard[0].place.x() == Catch::Approx(-5 + 9.25 / 4 + 0.25));
+  CHECK(heard[0].point.x() == Catch::Approx(-5 + 9.25 / 4 + 0.25));
 }
 
 TEST_CASE("without gravity rounding is not heard, and a pair is heard once in a step")
@@ -260,4 +260,4 @@ TEST_CASE("what stands, rolls or slides is not heard")
     CHECK(impacts_until(3, named_scene("tiles"), solver).empty());
   }
 }
-// [impacts_heard]
+// [hit_events]

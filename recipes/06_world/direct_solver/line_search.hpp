@@ -1,0 +1,78 @@
+#pragma once
+
+/// \file
+/// \brief How far to go along a change of velocities that Newton's method asks for.
+
+#include "06_world/direct_solver/direct_residual.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace cookbook
+{
+
+// [line_search]
+/// How fast the energy falls along a change of velocities.
+inline double residual_along(const DirectSystem& system, const std::vector<Vector6>& change)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < change.size(); ++i)
+  {
+    sum += system.residual[i].dot(change[i]);
+  }
+  return sum;
+}
+
+/// True if all points push in the way that they did before, and none slips.
+inline bool
+has_same_active_set(const std::vector<DirectPoint>& now, const std::vector<ContactState>& before)
+{
+  return std::equal(
+      now.begin(), now.end(), before.begin(),
+      [](const DirectPoint& one, const ContactState& then)
+      { return one == then && one.friction_state != FrictionState::slip; });
+}
+
+/// How far a change of velocities was followed.
+struct LineSearch
+{
+  double fraction; ///< [1], of the way
+  bool exact;      ///< all of it, and no point pushes in another way than before
+  bool stuck;      ///< nowhere did the energy stop falling, as at a point without a bound
+};
+
+/// Goes along a change of velocities to where the energy stops falling.
+inline LineSearch line_search(DirectSystem& system, const std::vector<Vector6>& change)
+{
+  system.states_before.assign(system.points.begin(), system.points.end());
+  system.velocities_before = system.velocities;
+  const double slope = residual_along(system, change);
+  double low = 0, high = 1, at_low = slope, at_high = 0, fraction = 1;
+  for (int iteration = 0; iteration < 20; ++iteration)
+  {
+    for (std::size_t i = 0; i < change.size(); ++i)
+    {
+      system.velocities[i] = system.velocities_before[i] + fraction * change[i];
+    }
+    find_residual(system);
+    if (fraction == 1 && has_same_active_set(system.points, system.states_before))
+    {
+      return {fraction, true, false};
+    }
+    const double now = residual_along(system, change);
+    if (std::abs(now) <= 0.2 * std::abs(slope) || (fraction == 1 && now > 0))
+    {
+      return {fraction, false, false};
+    }
+    (now > 0 ? low : high) = fraction;
+    (now > 0 ? at_low : at_high) = now;
+    const double secant = at_low / (at_low - at_high);
+    fraction = low + (high - low) * (iteration % 3 == 2 ? 0.5 : std::clamp(secant, 0.01, 0.99));
+  }
+  return {fraction, false, true};
+}
+// [line_search]
+
+} // namespace cookbook

@@ -1,0 +1,200 @@
+#pragma once
+
+/// \file
+/// \brief Speculative contacts of boxes, which solvers know of before they are deep.
+
+#include "04_obb_manifolds/box_box/box_box_in_registers.hpp"
+#include "04_obb_manifolds/feature_memory/feature_memory.hpp"
+#include "06_world/contacts/broad_phase.hpp"
+#include "06_world/contacts/integrate_body.hpp"
+#include "06_world/contacts/narrow_phase.hpp"
+#include "06_world/sweeps/box_toi.hpp"
+#include "06_world/sweeps/step_trajectories.hpp"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <variant>
+
+namespace cookbook
+{
+
+// [depth_between]
+/// The depth [m] of two bodies; some negative number if they are separated.
+struct DepthBetween
+{
+  const RigidBody &a, &b;
+
+  double operator()(const BoxShape& box, const BoxShape& other) const
+  {
+    const auto found = box_axis_in<RowInRegisters<double>>(placed(a, box), placed(b, other));
+    return found ? found->second : -1;
+  }
+  template <class Shape, class Other>
+  double operator()(const Shape& shape, const Other& other) const
+  {
+    return -direction_between(placed(a, shape), placed(b, other)).length;
+  }
+  template <class Shape>
+  double operator()(const PlaneShape& plane, const Shape& other) const
+  {
+    return DepthBetween{b, a}(other, plane);
+  }
+  double operator()(const PlaneShape&, const PlaneShape&) const { return 0; }
+};
+
+/// The same of two bodies of a scene, in any poses.
+inline double depth_between(
+    const Scene& scene, const std::pair<int, int>& pair, const RigidBody& a, const RigidBody& b)
+{
+  return std::visit(
+      DepthBetween{a, b}, scene.bodies[index_of(pair.first)].shape,
+      scene.bodies[index_of(pair.second)].shape);
+}
+// [depth_between]
+
+// [predicted_contacts]
+/// The predicted displacement [m] of a body in a step, without gravity, with a fraction of what its
+/// forces add.
+inline Vector3<double> predicted_displacement(const PredictedStep& step, int i, double fraction)
+{
+  const RigidBody& body = step.bodies[index_of(i)];
+  const double time = step.scene.step;
+  const Vector3<double> gained = fraction * time * force_on(step.forces, index_of(i)).acceleration;
+  return is_fixed(body) ? Vector3<double>::Zero()
+                        : Vector3<double>(time * (body.motion.velocity + gained));
+}
+inline constexpr double held_fraction = 0, flying_fraction = 0.5,
+                        pushed_fraction = 1; // for way_on()
+
+/// The predicted angular velocity [rad/s].
+inline Vector3<double> predicted_spin(const PredictedStep& step, int i)
+{
+  return step.bodies[index_of(i)].motion.angular_velocity +
+         step.scene.step * force_on(step.forces, index_of(i)).angular_acceleration;
+}
+
+/// How far [m] that moves any of its points; zero for a sphere.
+inline double predicted_rotation(const PredictedStep& step, int i)
+{
+  const RigidBody& body = step.bodies[index_of(i)];
+  const bool turns = !body.is_sphere && !is_fixed(body);
+  return turns ? rotation_displacement(step.scene, i, predicted_spin(step, i), step.scene.step) : 0;
+}
+
+/// Whether a displacement [m] is clearly more than half of a body's smallest size.
+inline bool is_far(const Scene& scene, int i, double displacement)
+{
+  return displacement > 1.25 * inner_radius(scene, i);
+}
+
+/// Predicts the step of a body that nothing pushes.
+inline Prediction predict(const PredictedStep& step, int i)
+{
+  Prediction prediction;
+  prediction.displacement = predicted_displacement(step, i, flying_fraction);
+  prediction.rotation = predicted_rotation(step, i);
+  prediction.allowed_penetration = allowed_penetration(inner_radius(step.scene, i));
+  return prediction;
+}
+
+/// Whether a body is left to the sweep: a box that goes far, a sphere sooner.
+inline bool is_left_to_sweep(const PredictedStep& step, int i)
+{
+  const Prediction& prediction = step.prediction[index_of(i)];
+  const double displacement = prediction.max_displacement();
+  return step.bodies[index_of(i)].is_sphere ? displacement > prediction.allowed_penetration
+                                            : is_far(step.scene, i, displacement);
+}
+
+/// A body in its predicted pose after a step; its inertia is still that of the present pose.
+inline RigidBody predicted_body(const PredictedStep& step, int i, double fraction)
+{
+  RigidBody body = step.bodies[index_of(i)];
+  body.motion.center += predicted_displacement(step, i, fraction);
+  if (!body.is_sphere && !is_fixed(body))
+  {
+    body.orientation = turned_by(body, step.scene.step * predicted_spin(step, i));
+    body.axes = body.orientation.toRotationMatrix();
+  }
+  return body;
+}
+
+/// The AABB of a body, wider by half the contact margin [m], swept to its predicted pose unless
+/// that is far: then the sweep finds what it meets.
+inline Eigen::AlignedBox<double, 3>
+predicted_bounds(const PredictedStep& step, int i, double margin)
+{
+  const RigidBody& body = step.bodies[index_of(i)];
+  const Prediction& prediction = step.prediction[index_of(i)];
+  const auto& shape = step.scene.bodies[index_of(i)].shape;
+  const double max_displacement = prediction.max_displacement();
+  if (is_far(step.scene, i, max_displacement))
+  {
+    return bounds_of(body, shape, margin / 2);
+  }
+  const double rounding = 1e-9 * max_displacement;
+  const Eigen::AlignedBox<double, 3> here =
+      bounds_of(body, shape, margin / 2 + prediction.rotation + rounding);
+  return here.merged(here.translated(prediction.displacement))
+      .merged(here.translated(predicted_displacement(step, i, pushed_fraction)));
+}
+
+/// How much closer [m] any points of two bodies may come in a step.
+inline double max_approach(const PredictedStep& step, int i, int j)
+{
+  const Prediction &of_a = step.prediction[index_of(i)], &of_b = step.prediction[index_of(j)];
+  double displacement = (of_b.displacement - of_a.displacement).norm();
+  if (are_forced(step, i, j))
+  {
+    const Vector3<double> pushed = predicted_displacement(step, j, pushed_fraction) -
+                                   predicted_displacement(step, i, pushed_fraction);
+    displacement = std::max(displacement, pushed.norm());
+  }
+  return displacement + of_a.rotation + of_b.rotation;
+}
+
+/// An overlap of so many margins is taken away with a speed that gravity takes back in a few steps.
+inline constexpr double margins_taken_back = 20;
+
+/// The margins of two bodies: the contact margin [m]; wider by the displacement by forces that push
+/// them together, or by all they may come closer if they would end too deep (speculative contacts).
+///
+/// Where gravity is weak, boxes may overlap only by a tenth of their displacement: it would not
+/// take back the speed with which they are separated.
+inline ContactMargins predicted_margins(const PredictedStep& step, int i, int j, double margin)
+{
+  const Prediction &of_a = step.prediction[index_of(i)], &of_b = step.prediction[index_of(j)];
+  const RigidBody &a = step.bodies[index_of(i)], &b = step.bodies[index_of(j)];
+  const double small = std::min(of_a.allowed_penetration, of_b.allowed_penetration);
+  const double allowed_penetration =
+      a.is_sphere || b.is_sphere ? small : std::min(small, margins_taken_back * margin);
+  const bool forced = are_forced(step, i, j);
+  const double closing = max_approach(step, i, j);
+  const bool penetrates =
+      closing > allowed_penetration && !is_left_to_sweep(step, i) && !is_left_to_sweep(step, j);
+  if (!penetrates && !forced)
+  {
+    return {margin, margin};
+  }
+  const auto depth = [&](const RigidBody& one, const RigidBody& other) {
+    return depth_between(step.scene, {i, j}, one, other);
+  };
+  const auto end_of = [&](double share_of_a, double share_of_b)
+  { return depth(predicted_body(step, i, share_of_a), predicted_body(step, j, share_of_b)); };
+  const double flown = end_of(flying_fraction, flying_fraction);
+  const double end = forced ? std::max(flown, end_of(pushed_fraction, pushed_fraction)) : flown;
+  const double by_forces = forced ? displacement_by_forces(step.scene, step.forces, i, j) : 0;
+  const double ghost = ghost_margin(margin, by_forces, small);
+  const double smallest = std::max(allowed_penetration, std::min(small, closing / 10));
+  if (penetrates && end > smallest && end > depth(a, b) + allowed_penetration / 10)
+  {
+    return {margin + closing, ghost};
+  }
+  const bool pressed_together = forced && (end > 0 || end_of(pushed_fraction, held_fraction) > 0 ||
+                                           end_of(held_fraction, pushed_fraction) > 0);
+  return {pressed_together ? margin + by_forces : margin, ghost};
+}
+// [predicted_contacts]
+
+} // namespace cookbook
