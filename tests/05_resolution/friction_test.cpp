@@ -530,8 +530,9 @@ TEST_CASE("as published, 7 cm/s or 0.005 N s of friction pass for zero", "[case:
   CHECK(slides_on(0.08, 1) == Catch::Approx(0.08 * 5 / 7).epsilon(1e-14));
   CHECK(slides_on(0.08, 5) == 0.08);
   // Without an impulse there is nothing to do at all.
-  const BodyPair<double> parting = over_ground({3, 1, 0});
-  const BodyPair<double> after = answered_as_published<double>(parting, up, {0, 0, 0}, 1, 0, 0.6);
+  const BodyPair<double> separating = over_ground({3, 1, 0});
+  const BodyPair<double> after =
+      answered_as_published<double>(separating, up, {0, 0, 0}, 1, 0, 0.6);
   CHECK(after.b.motion.velocity == V(3, 1, 0));
 }
 

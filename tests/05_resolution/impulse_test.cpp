@@ -155,7 +155,7 @@ TEST_CASE("200 random bounces lose exactly (1 - e²) v² / 2K of energy", "[R4]"
   {
     const RandomMeeting meeting = random.next();
     const Rational e = Rational(i % 5) / 4;
-    const Rational v = meeting.parting_speed_of(meeting.bodies);
+    const Rational v = meeting.separating_velocity_of(meeting.bodies);
     const Rational k = meeting.inverse_mass();
     const BodyPair<Rational> after =
         resolve_collision(meeting.bodies, meeting.normal, meeting.point, e);
@@ -183,10 +183,10 @@ TEST_CASE("200 random bounces part at e times the speed of approach, exactly", "
   {
     const RandomMeeting meeting = random.next();
     const Rational e = Rational(i % 5) / 4;
-    const Rational v = meeting.parting_speed_of(meeting.bodies);
+    const Rational v = meeting.separating_velocity_of(meeting.bodies);
     const BodyPair<Rational> after =
         resolve_collision(meeting.bodies, meeting.normal, meeting.point, e);
-    CHECK(meeting.parting_speed_of(after) == -e * v);
+    CHECK(meeting.separating_velocity_of(after) == -e * v);
   }
 }
 

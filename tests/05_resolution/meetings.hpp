@@ -54,7 +54,7 @@ struct RandomMeeting
   Vector3<Rational> normal, point;
 
   /// [m/s], of these bodies as they move now.
-  Rational parting_speed_of(const BodyPair<Rational>& moving) const
+  Rational separating_velocity_of(const BodyPair<Rational>& moving) const
   {
     return separating_velocity(moving.a, moving.b, normal, arms_to(moving, point));
   }
@@ -81,7 +81,7 @@ public:
     std::tie(meeting.bodies.b, meeting.mass_b, meeting.inertia_b) = body();
     meeting.normal = rotation().col(0);
     meeting.point = vector();
-    if (meeting.parting_speed_of(meeting.bodies) > 0)
+    if (meeting.separating_velocity_of(meeting.bodies) > 0)
     {
       meeting.normal = -meeting.normal;
     }

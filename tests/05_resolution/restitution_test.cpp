@@ -123,7 +123,7 @@ TEST_CASE("50 exact pairs part at 3/2 m/s after one push, and keep their momenta
     const Rational target = Rational(3) / 2;
     const BodyPair<Rational> after =
         with_separating_velocity<Rational>(meeting.bodies, meeting.normal, meeting.point, target);
-    CHECK(meeting.parting_speed_of(after) == target);
+    CHECK(meeting.separating_velocity_of(after) == target);
     CHECK(meeting.sums(after).momentum == meeting.sums(meeting.bodies).momentum);
     CHECK(meeting.sums(after).angular_momentum == meeting.sums(meeting.bodies).angular_momentum);
     const BodyPair<Rational> same =

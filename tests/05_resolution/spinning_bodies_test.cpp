@@ -245,7 +245,7 @@ TEST_CASE("a step back undoes a step, for 100 bodies", "[R24]")
 // [R24]
 
 // [mean_spin]
-/// A body that turns by a share of what is little, about a direction, in a step of one.
+/// A body that turns by a fraction of what is little, about a direction, in a step of one.
 Spinning<double>
 little_turning(const Vector3<double>& moments, const Vector3<double>& way, double share)
 {

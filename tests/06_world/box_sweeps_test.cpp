@@ -492,8 +492,7 @@ TEST_CASE("300 needles, 30 to 160 times as long as thick, gain no energy in that
 }
 // [needles]
 
-TEST_CASE(
-    "100 boxes that lean on a wall are hit from behind at 1 to 1,000 m/s, and nobody passes it")
+TEST_CASE("100 boxes that lean on a wall are hit from behind at 1 to 1,000 m/s, and none passes it")
 {
   BoxDraw draw(8);
   for (int i = 0; i < inputs(100, 5); ++i)

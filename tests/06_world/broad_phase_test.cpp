@@ -173,7 +173,8 @@ TEST_CASE(
   CHECK(meet(2, 20, 0, 2));      // pulled, the other comes down by 1 m
 }
 
-TEST_CASE("a ball is in danger if it fell, is too deep, or if two went by more than its radius")
+TEST_CASE(
+    "a sphere is a CCD candidate if it fell, is too deep, or if two went by more than its radius")
 {
   const Scene scene{.bodies = {ball_body("ball", 0.5, {0, 0, 0}), cube_body("cube", {2, 0, 0})}};
   const auto danger =
@@ -282,7 +283,7 @@ TEST_CASE("a tree of 4,096 bodies side by side finds one of them by asking at mo
   }
 }
 
-TEST_CASE("a tree whose leaves are widened is asked as a list of them is, and loses nobody")
+TEST_CASE("a tree whose leaves are widened is asked as a list of them is, and loses none")
 {
   BoxDraw draw(13);
   for (int i = 0; i < inputs(1'000, 100); ++i)
@@ -391,10 +392,10 @@ TEST_CASE("of bodies that move, all that may have met are found, where one goes 
       CHECK(met.missed == 0);
       CHECK(met.twice == 0);
       CHECK(met.lost == 0);
-      // Nobody goes astray who moves on as foreseen; both ways of asking are taken.
-      const bool as_foreseen = speed < 1 && one_in > 20;
+      // No body leaves its bounds that moves as predicted; both ways of asking are taken.
+      const bool as_predicted = speed < 1 && one_in > 20;
       const double fraction = double(met.strays_asked) / double(met.bodies_asked);
-      CHECK((met.strays_asked == 0) == as_foreseen);
+      CHECK((met.strays_asked == 0) == as_predicted);
       CHECK((fraction > 0.3) == (speed > 100 || one_in == 2));
     }
   }

@@ -1,5 +1,5 @@
 /// \file
-/// Who presses on whom in a game, from when to when; and a game that was saved by copying its
+/// Which bodies touch in a game, from when to when; and a game that was saved by copying its
 /// world.
 
 #include "06_world/contact_events/contact_events.hpp"
@@ -93,7 +93,7 @@ TEST_CASE("a cube that falls on another begins to press on it once, and ends whe
   CHECK(watch.active() == Pairs{{0, 1}});
 }
 
-TEST_CASE("who is put in at the place of another has not parted from whom that has touched")
+TEST_CASE("a body in a reused slot ends no contact of the body before it")
 {
   GameWorld world(
       {.bodies = {ground(), ball_body("ball", 0.5, {0, 0.5, 0})}}, solver_named("direct"));

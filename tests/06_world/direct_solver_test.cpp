@@ -869,7 +869,7 @@ TEST_CASE("a factor is at hand if the same points push, in the same way, where t
   factored.take(two);
   CHECK(factored.are_those_of(two));
   CHECK(factored.are_those_of(
-      std::vector{idle, stored_friction, stored_friction, idle})); // who pushes nobody is not in it
+      std::vector{idle, stored_friction, stored_friction, idle})); // an inactive point is not in it
   CHECK_FALSE(factored.are_those_of(std::vector{stored_friction}));
   CHECK_FALSE(
       factored.are_those_of(std::vector{stored_friction, stored_friction, stored_friction}));

@@ -84,7 +84,7 @@ TEST_CASE("the side of a tile laid flush is a ghost, that of a step of 1 cm is n
 }
 
 TEST_CASE(
-    "a turned box whose edge meets a face 2 mm beside the face's end is no ghost", "[case:S22]")
+    "a oriented box whose edge meets a face 2 mm beside the face's end is no ghost", "[case:S22]")
 {
   // Along its own axis, 45° off the normal, it overlaps by next to nothing; along the face by much.
   const Obb<double> diamond{

@@ -33,7 +33,7 @@ namespace
 const Quaternion<double> flat = Quaternion<double>::Identity();
 const Quaternion<double> slanted = rotation_by<double>(0.4 * Vector3<double>(3, 1, 7).normalized());
 
-/// How deep a body of a world is in those before it, as a share of the smallest size of both.
+/// How deep a body of a world is in those before it, as a fraction of the smallest size of both.
 double deepest_of(const GameWorld& world, int body)
 {
   const Scene& scene = world.scene();
@@ -675,8 +675,8 @@ struct Row
     scene.bodies[0].velocity.x() = speed;
   }
 
-  /// Has them bounce at a time [s] of the step; whether each of the two that touch is tossed.
-  void bounce(double time = 0, bool first_tossed = false, bool second_tossed = false)
+  /// Has them bounce at a time [s] of the step; whether each of the two that touch is reversed.
+  void bounce(double time = 0, bool first_reversed = false, bool second_reversed = false)
   {
     std::vector<RigidBody> bodies;
     std::vector<Bounds> bounds;
@@ -693,8 +693,8 @@ struct Row
     std::vector<double> displacements;
     StepTrajectories step{scene, {}, {}, all, none, {}, trajectories, displacements, deep, &tree};
     set_trajectories(step, bodies);
-    trajectories[0].reversed = first_tossed;
-    trajectories[1].reversed = second_tossed;
+    trajectories[0].reversed = first_reversed;
+    trajectories[1].reversed = second_reversed;
     const ToiEvent touch{time, 0, 1, {1, 0, 0}, {}};
     RigidBody a = bodies[0], b = bodies[1];
     const ToiManifold manifold = toi_manifold(scene, touch, a, b);

@@ -67,7 +67,7 @@ TEST_CASE("two soft boxes rest 3 α m g lower: 8 to 200 passes, 1 to 20 small st
   }
 }
 
-TEST_CASE("a share of each overlap is no stiffness: 4 passes make it 15 times as stiff", "[R15]")
+TEST_CASE("a fraction of each overlap is no stiffness: 4 passes make it 15 times as stiff", "[R15]")
 {
   // One box: what is left of sink and fall is half of it after one pass, a sixteenth after four.
   const auto one = position_column<double>({1}, 0);
@@ -203,7 +203,7 @@ TEST_CASE(
     "a cube that lands flat with e = 0.5 leaves with a spin; by impulses it does not", "[R16]")
 {
   Scene scene = scenes::bounce();
-  scene.bodies[2].position.y() = 0.8; // so slow that no impact is foreseen
+  scene.bodies[2].position.y() = 0.8; // so slow that no impact is predicted
   const auto spin_of = [&](const IslandSolver& solver)
   {
     GameWorld world(scene, solver);

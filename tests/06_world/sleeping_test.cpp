@@ -268,7 +268,7 @@ TEST_CASE("a ball with e = 0.39 or 0.8 sleeps within 6 s, if bounces of 2 g dt e
 }
 // [L4]
 
-TEST_CASE("which rule puts whom to sleep", "[case:L1][case:L4]")
+TEST_CASE("which rule puts which bodies to sleep", "[case:L1][case:L4]")
 {
   check_verdicts(
       sleep_verdicts(), names_of(sleep_rules()),

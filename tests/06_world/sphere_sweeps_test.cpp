@@ -142,7 +142,7 @@ TEST_CASE("balls at rest that are pulled together by 10 m/s² each close 5 m in 
   CHECK(hit->normal.isApprox(Vector3<double>(1, 0, 0)));
 }
 
-TEST_CASE("what is held goes on along its course without turning, what is frozen stays")
+TEST_CASE("a body that may not rotate follows its trajectory, a clamped one stays")
 {
   RigidBody box = rigid_body(box_body("box", {0.1, 0.2, 0.3}, {0, 5, 0}));
   box.motion.velocity = {1, 2, 3};
@@ -269,10 +269,10 @@ TEST_CASE("24,000 pairs of balls that fly at each other do not pass each other",
     REQUIRE(end.bodies()[0].motion.velocity != scene.bodies[0].velocity);
     REQUIRE((momentum(end.bodies()) - before).norm() <= 1e-12 * momentum_of_each(scene));
     const Vector3<double> way = end.bodies()[1].motion.center - end.bodies()[0].motion.center;
-    const Vector3<double> parting =
+    const Vector3<double> separating =
         end.bodies()[1].motion.velocity - end.bodies()[0].motion.velocity;
     REQUIRE(way.norm() >= bounding_radius * (1 - 1e-9));
-    REQUIRE(way.dot(parting) >= -1e-9 * way.norm() * parting.norm());
+    REQUIRE(way.dot(separating) >= -1e-9 * way.norm() * separating.norm());
   }
 }
 
@@ -354,7 +354,7 @@ TEST_CASE("100 balls let go in a pit are at its bottom after 4 s, none in mid-ai
   {
     const RigidBody& sphere = world.bodies()[i];
     CAPTURE(i, sphere.motion.center.transpose(), sphere.motion.velocity.transpose());
-    // Whoever moves slowly is carried: by the ground, or by somebody below.
+    // A slow body is carried: by the ground, or by a body below.
     const bool warm_start_impulse =
         sphere.motion.center.y() < 0.26 ||
         std::any_of(

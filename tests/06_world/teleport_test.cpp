@@ -51,7 +51,7 @@ TEST_CASE("a cube that is put on a tower stands there as if it had from the star
   }
 }
 
-TEST_CASE("a ball that is put behind a wall keeps its velocity, and hits nobody on the way")
+TEST_CASE("a ball that is put behind a wall keeps its velocity, and hits nothing on the way")
 {
   Scene scene{.gravity = {0, 0, 0}};
   scene.bodies = {box_body("wall", {0.1, 5, 5}, {0, 0, 0}, 0), ball_body("ball", 0.1, {-2, 0, 0})};

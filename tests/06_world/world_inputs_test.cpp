@@ -53,7 +53,7 @@ TEST_CASE(
   CHECK(world.bodies()[0].motion.center == Vector3<double>(x, 0, 0.5));
 }
 
-TEST_CASE("a body that is put in while others sleep wakes whom it hits only, and keeps its number")
+TEST_CASE("a body that is put in while others sleep wakes only what it hits, and keeps its number")
 {
   Scene scene = named_scene("tower_3");
   scene.bodies.push_back(cube_body("far", {50, 0.5, 0}));
@@ -231,7 +231,7 @@ TEST_CASE("a shelf lets fall through what ignores it, and holds it again when it
 }
 // [ignore]
 
-TEST_CASE("the same gravity once more wakes nobody")
+TEST_CASE("the same gravity once more wakes no body")
 {
   GameWorld world(named_scene("tower_2"), solver_named("direct"), true);
   while (!world.is_asleep(2))
@@ -323,7 +323,8 @@ Released release(const std::string& solver, double deep, bool cube, bool loaded)
   return fastest;
 }
 
-TEST_CASE("what is jammed between two walls, from a hair to 5 cm deep, is not shot out of them")
+TEST_CASE(
+    "what is jammed between two walls, from a micrometre to 5 cm deep, is not shot out of them")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
   {
@@ -782,7 +783,7 @@ TEST_CASE("a ball that is pressed on a wall without gravity rests there, whateve
   }
 }
 
-TEST_CASE("a force beyond floats moves whom it pulls, and leaves the neighbour a body that moves")
+TEST_CASE("a force beyond floats moves what it pulls, and leaves the neighbour a body that moves")
 {
   for (const double force : {1e17, 1e25, 1e300})
   {
@@ -931,7 +932,8 @@ TEST_CASE("what falls through thick air for long does so at g/c, to the square o
 }
 
 TEST_CASE(
-    "a velocity of 8 m/s wears off at 2/s to 8/e after half a second; a spin by itself", "[R32]")
+    "damping at 2/s takes a velocity of 8 m/s to 8/e after half a second; a spin by itself",
+    "[R32]")
 {
   Scene scene{.gravity = {0, 0, 0}};
   scene.bodies.push_back(ball_body("ball", 1, {0, 0, 0}));

@@ -1,5 +1,5 @@
 /// \file
-/// Bodies that come and go: who is put in where another was taken out is somebody else, in the same
+/// Bodies that come and go: a body in a reused slot is another one, in the same
 /// room.
 
 #include "06_world/game_world/solvers.hpp"

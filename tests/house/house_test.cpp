@@ -489,7 +489,7 @@ TEST_CASE("a header, a type or a function without its sentence is found", "[hous
       headers_are_documented({{"recipes/a.hpp", "/// A body.\nstruct Body\n{\n};\n"}}).size() == 1);
 }
 
-TEST_CASE("chapters 1 to 4, common, tools and docs speak the words of the field", "[house]")
+TEST_CASE("chapters 1 to 6, common, tools and docs speak the words of the field", "[house]")
 {
   const std::vector<std::string> kinds{".hpp", ".cpp", ".md", ".expected"};
   std::vector<TextFile> files;
@@ -501,7 +501,7 @@ TEST_CASE("chapters 1 to 4, common, tools and docs speak the words of the field"
       files,
       [](const TextFile& file)
       {
-        return cookbook::book::chapter_of(file.path) > "04" ||
+        return cookbook::book::chapter_of(file.path) > "06" ||
                file.path.rfind("tests/house/", 0) == 0 || file.path.rfind("tests/take/", 0) == 0;
       });
   expect_none(words_are_of_the_field(

@@ -37,8 +37,7 @@ void run(const Arguments& given)
   save_figure(given, "damping_error.svg", error_figure().svg());
   save_figure(
       given, "damping_cases.html",
-      verdict_table(
-          "Ways to wear off a velocity.", names_of(damping_methods()), damping_verdicts()));
+      verdict_table("Ways to damp a velocity.", names_of(damping_methods()), damping_verdicts()));
 }
 
 } // namespace
@@ -48,6 +47,6 @@ int main(int argc, char** argv)
   const Arguments arguments{
       .name = "damping",
       .summary = "Lets a stone fall for 20 s, damped in several ways, at 30, 60 and 240 Hz.",
-      .options = {{"damping", "the rate at which velocity wears off [1/s], 0 to 50", "0.1", {}}}};
+      .options = {{"damping", "the damping rate of the velocity [1/s], 0 to 50", "0.1", {}}}};
   return run_program(argc, argv, arguments, run);
 }

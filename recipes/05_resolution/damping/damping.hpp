@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief Velocity that wears off at a rate: the same motion whatever the step.
+/// \brief Damping of a velocity at a rate: the same motion whatever the step.
 
 #include "05_resolution/integrators/integrators.hpp"
 
@@ -11,7 +11,7 @@ namespace cookbook
 {
 
 // [damping]
-/// The share of a velocity that is left after a time [s], wearing off at a rate [1/s]; R32.
+/// The fraction of a velocity that is left after a time [s], wearing off at a rate [1/s]; R32.
 ///
 /// Both zero or more. Two steps leave what one of their length together leaves.
 template <class Real>
@@ -31,7 +31,7 @@ Real implicit_damping_factor(const Real& rate, const Real& step)
 }
 
 /// A velocity [m/s] after a step [s] under an acceleration [m/s²], of which half acts before the
-/// velocity wears off and half after.
+/// velocity is damped and half after.
 ///
 /// `factor` is what damping leaves in that step.
 template <class Place, class Real>

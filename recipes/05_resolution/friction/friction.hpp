@@ -87,7 +87,7 @@ Real coupling_at(
   return body.inverse_mass * along.dot(other) + arm.cross(along).dot(turn);
 }
 
-/// A direction whose K is less than this share of the largest is not told from one that nothing
+/// A direction whose K is less than this fraction of the largest is not told from one that nothing
 /// moves.
 inline constexpr float singular_fraction = 1e-6f;
 
@@ -112,7 +112,7 @@ SlidingMass<Real> sliding_mass(
   const Real uw = coupling_at(a, u, w, arms.a) + coupling_at(b, u, w, arms.b);
   const Real apart = half * (uu - ww);
   const Real least = effective_mass<Real>(half * (uu + ww) + sqrt(apart * apart + uw * uw));
-  const Real alone = least * (uu + ww) - Real(1); // the lesser K, as a share of the largest
+  const Real alone = least * (uu + ww) - Real(1); // the lesser K, as a fraction of the largest
   const auto one_alone = alone <= Real(singular_fraction);
   const Real share = either(one_alone, least, [&] { return least / alone; });
   const auto entry = [&](const Real& if_alone, const Real& of)

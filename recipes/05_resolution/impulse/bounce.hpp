@@ -33,7 +33,7 @@ struct BouncePoint
 {
   Arms<Real> arms; ///< [m], world
   Real mass;       ///< [kg], that a push along the normal feels
-  Real target;     ///< [m/s], the parting speed it is to have, zero or more
+  Real target;     ///< [m/s], the separating velocity it is to have, zero or more
   Real impulse;    ///< [N s], the sum of its pushes, zero or more
 };
 

@@ -15,8 +15,8 @@ template <class Real>
 struct Softness
 {
   Real bias_rate;     ///< [1/s], speed of the push out for each metre of depth
-  Real mass_scale;    ///< [1], share of the rigid impulse that is given
-  Real impulse_scale; ///< [1], share of the impulse so far that is taken back
+  Real mass_scale;    ///< [1], fraction of the rigid impulse that is given
+  Real impulse_scale; ///< [1], fraction of the impulse so far that is taken back
 };
 
 /// The contact that is no spring: all of the impulse, nothing taken back, no push out.

@@ -15,18 +15,19 @@ namespace cookbook
 template <class Real>
 struct ContactStep
 {
-  Real acceleration; ///< [m/s²], of the parting speed by what pulls; negative where it presses
-  Real duration;     ///< [s]
-  Real depth;        ///< [m], at the start of the step; negative: a gap
+  Real
+      acceleration; ///< [m/s²], of the separating velocity by what pulls; negative where it presses
+  Real duration;    ///< [s]
+  Real depth;       ///< [m], at the start of the step; negative: a gap
 };
 // [contact_step]
 
 // [impact_speed]
 /// The speed [m/s] of approach at the moment of touch, zero or more; R19.
 ///
-/// `speed` is the parting speed once the step's gravity is in it. Half of that gravity is taken out
-/// again, and what was fallen since the touch. Zero for surfaces that part, and where the fall does
-/// not reach from touch to depth at all.
+/// `speed` is the separating velocity once the step's gravity is in it. Half of that gravity is
+/// taken out again, and what was fallen since the touch. Zero for surfaces that part, and where the
+/// fall does not reach from touch to depth at all.
 template <class Real>
 Real impact_speed(Real speed, const ContactStep<Real>& step)
 {
@@ -46,7 +47,7 @@ Real restitution_threshold(Real gravity, Real duration)
   return Real(2) * gravity * duration;
 }
 
-/// The parting speed [m/s], zero or more, that a contact is to leave a step with; R19.
+/// The separating velocity [m/s], zero or more, that a contact is to leave a step with; R19.
 ///
 /// It takes the surfaces back to the touch, where they part by the restitution [1] times
 /// `impact_speed`. Zero where that is no more than a threshold [m/s]. Whatever else undoes the

@@ -184,7 +184,7 @@ Spinning<Real> turned(const Spinning<Real>& body, const Vector3<Real>& moments, 
 // [turned]
 
 // [turned_finely]
-/// As turned(), in five shares of the step, the third of them backwards: of fourth order.
+/// As turned(), in five fractions of the step, the third of them backwards: of fourth order.
 template <class Real>
 Spinning<Real> turned_finely(Spinning<Real> body, const Vector3<Real>& moments, Real step)
 {

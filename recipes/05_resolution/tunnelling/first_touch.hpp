@@ -15,7 +15,7 @@ namespace cookbook
 template <class Real>
 struct SweptHit
 {
-  Real time;            ///< [1], the share of the displacement that is free, 0 to 1
+  Real time;            ///< [1], the fraction of the displacement that is free, 0 to 1
   Vector3<Real> normal; ///< [1], unit, world, from the sphere to what it touches
 };
 

@@ -77,7 +77,7 @@ public:
     return true;
   }
 
-  /// Gives all that is finite new bounds; who lies beside whom in the tree stays.
+  /// Gives all that is finite new bounds; the structure of the tree stays.
   template <class BoundsOf>
   void refit(const BoundsOf& bounds)
   {

@@ -17,8 +17,8 @@ namespace cookbook
 
 // [integrate_body]
 /// How a body is turned once it has turned about a vector, world, by its length [rad].
-template <class SomeBody>
-Quaternion<double> turned_by(const SomeBody& body, const Vector3<double>& turn)
+template <class AnyBody>
+Quaternion<double> turned_by(const AnyBody& body, const Vector3<double>& turn)
 {
   return (rotation_by<double>(turn) * body.orientation).normalized();
 }
@@ -111,7 +111,7 @@ inline void integrate_rotation(RigidBody& body, double time)
   }
 }
 
-/// Has a body's velocity and spin wear off for a time [s], at the rates of a scene; R32.
+/// Damps a body's velocity and angular velocity for a time [s], at the rates of a scene; R32.
 inline void apply_damping(RigidBody& body, const SceneBody& of, double time)
 {
   if (of.damping > 0 || of.angular_damping > 0)

@@ -28,7 +28,7 @@ std::optional<Manifold<double>> steady_manifold(int, const A& a, const B& b, dou
   return manifold_within(a, b, margin);
 }
 
-/// Edges of two boxes that lie along each other to within this share of all their half extents
+/// Edges of two boxes that lie along each other to within this fraction of all their half extents
 /// together do not cross: where they did would be chance, and another place in every step.
 inline constexpr double parallel_tolerance = 1e-10;
 

@@ -30,7 +30,7 @@ struct RigidBody : Body<double>
   std::uint32_t generation;       ///< how many had its place in the world before
   Quaternion<double> orientation; ///< unit, body to world
   Quaternion<double>
-      lagged_orientation;  ///< as it was turned when a solver took its arms, kept_axes()
+      lagged_orientation;  ///< as it was turned when a solver took its arms, lagged_axes()
   Vector3<double> moments; ///< [kg m²], along the body's axes; 0 where it is fixed
   Matrix3<double> axes;    ///< [1], the orientation as a matrix; a ball's stay the world's
 };

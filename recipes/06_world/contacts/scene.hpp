@@ -46,8 +46,8 @@ struct SceneBody
   Vector3<double> angular_velocity = Vector3<double>::Zero(); ///< [rad/s], world
   double friction = 0.6;                                      ///< [1], of its surface
   double restitution = 0;                                     ///< [1], of its surface, 0 to 1
-  double damping = 0;         ///< [1/s], at which its velocity wears off, zero or more
-  double angular_damping = 0; ///< [1/s], at which its spin wears off, zero or more
+  double damping = 0;         ///< [1/s], damping of its velocity, zero or more
+  double angular_damping = 0; ///< [1/s], damping of its angular velocity, zero or more
 };
 
 /// Bodies and the world they are in.

@@ -13,7 +13,7 @@
 namespace cookbook
 {
 
-/// A box wider by a share of its smallest size on all sides.
+/// A box wider by a fraction of its smallest size on all sides.
 inline Eigen::AlignedBox<double, 3>
 fattened(const Eigen::AlignedBox<double, 3>& box, double fraction)
 {

@@ -33,7 +33,7 @@ struct WorldPoint
   double warm_start_impulse = 0; ///< [N s], along it, with which the next step begins
   std::uint32_t feature = 0;     ///< which features of the shapes meet here
   bool solved = false;           ///< whether the impulse is more than a guess
-  bool over_constrained = false; ///< whether it is more than any load, is_strained()
+  bool over_constrained = false; ///< whether it is more than any load, is_over_constrained()
 };
 
 /// Two bodies of a world that touch, or may in this step.

@@ -18,7 +18,7 @@ namespace cookbook
 struct DirectSettings
 {
   double compliance = 1e-7;         ///< [1], of the inverse masses that meet at a contact
-  double correction = 0.2;          ///< [1], share of an overlap that a step takes away
+  double correction = 0.2;          ///< [1], fraction of an overlap that a step takes away
   double correction_speed = 0.5;    ///< [m/s], no overlap is taken away faster
   double tolerance = 1e-9;          ///< [1], of the largest impulse: what may be missing
   double friction_tolerance = 1e-6; ///< [1], of the same: how far friction may be off its cone
@@ -109,7 +109,8 @@ inline void update_point(
 }
 
 /// A bound of friction so many times what the push at a point bears, and above it by more than this
-/// share of the largest impulse, was set too early, by impulses that were still far from an answer.
+/// fraction of the largest impulse, was set too early, by impulses that were still far from an
+/// answer.
 inline constexpr double early_bound = 2, early_fraction = 0.1;
 
 /// Whether the bound of friction stays where bounds do not move: what the frame before has left

@@ -19,7 +19,7 @@ struct SofteningSettings
   double friction_state = 0.9; ///< [1], the same of friction
   double normal_speed = 0.01;  ///< [m/s], at which a contact gives way to what pushed there last
   double tangent_speed = 0.3;  ///< [m/s], the same of friction
-  double kept = 0.9;           ///< [1], share of the friction that stays from frame to frame
+  double kept = 0.9;           ///< [1], fraction of the friction that stays from frame to frame
   double tolerance = 1e-8;     ///< [1], of the largest impulse: what may be missing meanwhile
   double decay = 0.95;         ///< [1], how soft contacts are after a frame, of what they were
   double smallest = 1e-7;      ///< [1], from here on contacts are stiff

@@ -35,7 +35,7 @@ struct DirectContact
   const WorldContact* of;    ///< where it comes from
   std::size_t first, end;    ///< its points
   DirectStiffness stiffness; ///< of each
-  double mass;               ///< [kg], that parting the two feels: 1 / (1/m_A + 1/m_B)
+  double mass;               ///< [kg], reduced mass of the two: 1 / (1/m_A + 1/m_B)
 };
 
 /// All of an island.

@@ -19,7 +19,7 @@ public:
   /// Forgets all.
   void clear() { points_.clear(); }
 
-  /// Takes down who pushes; nobody if any point slips, since then the matrix depends on by how
+  /// Stores the active points; none if any point slips, since then the matrix depends on by how
   /// much.
   void take(std::span<const DirectPoint> all)
   {

@@ -17,8 +17,8 @@ namespace cookbook
 // [open_overlaps]
 /// Solves an island, of which these are the motions before a step [s], once more, without the speed
 /// that opens overlaps, friction bounded by what pushed in the first answer. The island moves on by
-/// the first and keeps the velocities of the second, if there is one, so that nobody is shot out of
-/// where he was too deep.
+/// the first and keeps the velocities of the second, if there is one, so that no body is shot out
+/// of an overlap.
 inline void open_overlaps(
     DirectSolver& solver, IslandView world, const Island& island, double step,
     std::vector<Motion<double>>& motions)

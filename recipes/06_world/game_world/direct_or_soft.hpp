@@ -18,8 +18,9 @@
 namespace cookbook
 {
 
-/// Forgets what the points of an island were given in the frame before if any is strained: what
-/// held it in balance may be gone. Stiff contacts do without it, small steps would begin with it.
+/// Forgets what the points of an island were given in the frame before if any is over-constrained:
+/// what held it in balance may be gone. Stiff contacts do without it, small steps would begin with
+/// it.
 inline void forget_over_constrained(IslandView world, const Island& island)
 {
   const auto any_over_constrained = [&](int i)

@@ -86,8 +86,7 @@ public:
     return cookbook::is_asleep(state_, static_cast<int>(index(body)));
   }
 
-  /// How far apart [m] two bodies may be and still be in contact, but for impacts that are
-  /// foreseen.
+  /// How far apart [m] two bodies may be and still be in contact, speculative contacts excepted.
   double margin() const { return contact_margin(scene()); }
 
   /// Adds a body and returns its id; InvalidScene, and nothing changes, if it makes no sense.

@@ -29,16 +29,16 @@ namespace cookbook
 /// What a ray has met.
 struct BodyHit
 {
-  BodyId body;        ///< whom
+  BodyId body;        ///< which it is
   Hit<double, 3> hit; ///< where, as chapter 2's casts say
 };
 
 /// What a ball that is moved has met.
 struct SphereHit
 {
-  BodyId body;          ///< whom
-  SweptHit<double> hit; ///< which share of the way is free, and the normal: out of the ball, into
-                        ///< the body, where that of a ray's hit points out of the body
+  BodyId body;          ///< which it is
+  SweptHit<double> hit; ///< which fraction of the way is free, and the normal: out of the ball,
+                        ///< into the body, where that of a ray's hit points out of the body
 };
 
 /// Bounds of a body that hold it in spite of rounding; infinite for a plane.

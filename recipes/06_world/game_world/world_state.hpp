@@ -44,7 +44,7 @@ struct WorldState
   long steps = 0;                           ///< since the start
   std::vector<RigidBody> bodies;            ///< in the order of the scene
   std::vector<ExternalAcceleration> forces; ///< of the next step; none where nothing pulls
-  std::vector<bool> removed;                ///< where nobody is any more
+  std::vector<bool> removed;                ///< whose body was removed
   std::vector<std::size_t> slots_to_free;   ///< places of those taken out since the last step
   std::vector<std::size_t> free_slots;      ///< places that may be given to others
   std::vector<bool> falls;                  ///< who fell freely in the last step
@@ -61,7 +61,7 @@ struct WorldState
   std::vector<IslandPoint> point_scratch;   ///< for the points of an island
   std::vector<Trajectory> trajectories;     ///< room for those of a sweep
   std::vector<double> displacements;        ///< [m], how far any point of a body went
-  std::vector<bool> needs_sweep;            ///< whom a solver left too deep, or who is swept by now
+  std::vector<bool> needs_sweep;            ///< left too deep by a solver, or swept
 };
 
 /// Whether a body is there: it was put in, and not taken out.

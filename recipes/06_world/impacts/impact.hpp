@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief Who has hit whom in a step, and how fast.
+/// \brief The hit events of a step: which bodies, where, and how fast.
 
 #include "05_resolution/restitution/restitution.hpp"
 #include "06_world/islands/island_points.hpp"
@@ -50,10 +50,10 @@ add_impacts(IslandView world, const Island& island, double step, std::vector<Imp
         continue;
       }
       const Arms<double> arms = arms_of(a, b, point);
-      const double parting = separating_velocity<double>(a, b, contact.normal, arms);
+      const double separating = separating_velocity<double>(a, b, contact.normal, arms);
       const double separation = separation_of(a, b, contact.normal, point);
-      const double speed = impact_speed<double>(parting, {acceleration, 0, -separation});
-      const bool touches = separation + step * (parting + step * acceleration) <= 0;
+      const double speed = impact_speed<double>(separating, {acceleration, 0, -separation});
+      const bool touches = separation + step * (separating + step * acceleration) <= 0;
       if (speed > fastest.speed && touches && is_hit(speed, step, arms.a.norm() + arms.b.norm()))
       {
         const double time = std::max(0.0, separation / speed);

@@ -82,7 +82,7 @@ inline double resting_depth(const Scene& scene, int i, int j)
   return allowed_penetration(scene, {i, j}) / 2;
 }
 
-/// When a body first touches another from a time [s] to the end of the step, as a share of it.
+/// When a body first touches another from a time [s] to the end of the step, as a fraction of it.
 ///
 /// What presses on each other has been kept apart by a solver, more or less, and touches only where
 /// it is deeper than that leaves it: a ball, where it is by `resting_depth` deeper than as the step

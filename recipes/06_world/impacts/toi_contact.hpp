@@ -27,13 +27,13 @@ struct ToiContact
   bool clamped = false;          ///< whether it has so often that it stays where it is
   bool resting = false;          ///< whether they were too slow to bounce
   double approach_speed = 0;     ///< [m/s], at which they met; 0: nothing was pushed
-  std::vector<ToiBody> pushed{}; ///< whom they have driven along
+  std::vector<ToiBody> pushed{}; ///< bodies that they have pushed along
 
   /// The two numbers, the smaller one first.
   std::pair<int, int> pair() const { return std::minmax(event.first, event.other); }
 };
 
-/// Adds who has hit whom, unless that is but rounding.
+/// Adds a hit event, unless its speed is but rounding.
 inline void add_hit(const Scene& scene, const ToiContact& of, std::vector<Impact>& impacts)
 {
   const auto [a, b] = of.pair();
@@ -46,7 +46,7 @@ inline void add_hit(const Scene& scene, const ToiContact& of, std::vector<Impact
 }
 
 /// How the first goes on. What has come to rest leans on what does not give way; a box that touches
-/// and is not pushed is held; who touches on and on is frozen.
+/// and is not pushed does not rotate; a body beyond the sub-step limit is clamped.
 inline ToiResponse response_of(const StepTrajectories& step, const ToiContact& of)
 {
   const bool no_rotation = !of.sphere && (of.over_limit || of.approach_speed == 0);
@@ -58,7 +58,7 @@ inline ToiResponse response_of(const StepTrajectories& step, const ToiContact& o
                        : ToiResponse::free;
 }
 
-/// Whether two that go on like this need not be looked at again: the first is frozen; or it is a
+/// Whether two that go on like this need not be looked at again: the first is clamped; or it is a
 /// ball that rests on another, or is not pushed any more; or two balls give nothing back, and go on
 /// together. What they sink by, the next step finds.
 inline bool is_finished(const StepTrajectories& step, const ToiContact& of, ToiResponse response)

@@ -93,10 +93,10 @@ public:
   /// Whether a body's course has changed.
   bool has_changed(int i) const { return versions_[index_of(i)] > 0; }
 
-  /// Two bodies that nobody looks at for the rest of the step, or until one of them comes back.
+  /// Drops a pair for the rest of the step, or until one of the two is requeued.
   void drop(const std::pair<int, int>& pair) { dropped_[pair] = hits(pair); }
 
-  /// Looks at a body again with all that it had been left with: somebody has hit it.
+  /// Requeues a body that was hit, with all pairs that were dropped.
   void requeue(int i) { hits_[index_of(i)] = std::min(hits_[index_of(i)] + 1, max_hits); }
 
   /// How often a body has been hit in this step, up to the most that counts.

@@ -20,7 +20,7 @@ namespace cookbook
 class ToiSolver
 {
 public:
-  /// The step, the bodies at its end, and lists that are given all that are hit, and by whom.
+  /// The step, the bodies at its end, and lists for the bodies that are hit, and for hit events.
   ToiSolver(
       StepTrajectories& step, std::span<RigidBody> ends, std::vector<int>& hit,
       std::vector<Impact>& impacts)
@@ -84,8 +84,7 @@ private:
     return passes;
   }
 
-  /// Lets two bodies bounce, with whom they drive along; who is hit is looked at again with all
-  /// others.
+  /// Resolves an event, with the bodies that are pushed along; all that are hit are requeued.
   void solve(ToiContact& one)
   {
     const int first = one.event.first, other = one.event.other;
@@ -129,7 +128,7 @@ private:
     return one.approach_speed == 0;
   }
 
-  /// Has both go on, and whom they have driven along.
+  /// Lets both go on, and the bodies that they have pushed along.
   void resume_both(ToiContact& one)
   {
     const auto& [time, first, other, normal, versions] = one.event;

@@ -21,9 +21,9 @@ inline bool reverses(const Vector3<double>& before, const Vector3<double>& after
   return -after.dot(before) > 0.02 * std::max(before.squaredNorm(), after.squaredNorm());
 }
 
-/// Takes out of the course of one of two bodies that touch a share of the speed at which it leads
-/// into the other, and all of its acceleration that does: at the points where a box touches, at the
-/// centre of a ball, or where there are none.
+/// Takes out of the course of one of two bodies that touch a fraction of the speed at which it
+/// leads into the other, and all of its acceleration that does: at the points where a box touches,
+/// at the centre of a ball, or where there are none.
 inline void remove_approach(
     StepTrajectories& step, const ToiEvent& event, const ToiManifold& manifold, int i,
     const RigidBody& body, double fraction)
@@ -122,7 +122,7 @@ public:
     end(i, response);
   }
 
-  /// Who goes on from a touch at a time [s], the ways of all taken down; then nobody does any more.
+  /// Takes the bodies that go on from an event at a time [s], and updates their displacements.
   std::vector<int> take_changed(double time)
   {
     for (const int i : changed_)

@@ -54,7 +54,7 @@ inline double speed_rounding(const IslandPoint& point)
          (fastest(point.a->motion, point.arms.a) + fastest(point.b->motion, point.arms.b));
 }
 
-/// How accurate a bounce is, as a share of the fastest speed.
+/// How accurate a bounce is, as a fraction of the fastest speed.
 inline constexpr double impact_tolerance = 1e-13;
 
 /// Over-relaxation (SOR) of impacts that are solved roughly; with much friction it may not

@@ -54,7 +54,7 @@ void print_world(int cubes)
 void print_compliance(double compliance)
 {
   const std::vector<double> masses{1, 1};
-  Table table({"passes", "compliance [mm]", "a share of each overlap [mm]"});
+  Table table({"passes", "compliance [mm]", "a fraction of each overlap [mm]"});
   for (const int passes : {1, 4, 16, 64})
   {
     table.row(

@@ -39,7 +39,7 @@ struct PositionPoint
   Vector3<double> anchor_b = Vector3<double>::Zero(); ///< [m], the same in B's
   Vector3<double> stick_offset =
       Vector3<double>::Zero();  ///< [m], from the one to the other, while they stick
-  double separating_before = 0; ///< [m/s], parting speed before the small step
+  double separating_before = 0; ///< [m/s], separating velocity before the small step
   double normal_lambda = 0;     ///< [kg m], along the normal, zero or more
   Vector3<double> friction_lambda = Vector3<double>::Zero(); ///< [kg m], on B, across the normal
 };

@@ -21,7 +21,7 @@ struct SequentialSettings
 {
   int iterations = 8;          ///< passes over the velocities in a frame
   bool warm_starting = true;   ///< whether a frame begins with the impulses of the one before
-  double correction = 0.2;     ///< [1], share of an overlap that a frame pushes out
+  double correction = 0.2;     ///< [1], fraction of an overlap that a frame pushes out
   double slop = 0.005;         ///< [m], of overlap that stays
   double correction_speed = 3; ///< [m/s], no overlap is pushed out faster
   int position_iterations = 0; ///< passes over the positions, which then push out instead
@@ -50,7 +50,7 @@ target_speed(const IslandPoint& point, double step, const SequentialSettings& se
 struct SequentialPoint
 {
   IslandPoint point;
-  double target; ///< [m/s], the least parting speed
+  double target; ///< [m/s], the least separating velocity
 };
 
 /// Corrects every point once: its sum of impulses, never below zero, then its friction; R7.
@@ -79,8 +79,8 @@ inline double complementarity_residual(const std::vector<SequentialPoint>& point
 // [velocity_pass]
 
 // [position_pass]
-/// Takes a share of every overlap beyond the slop away by moving the bodies, not their velocities;
-/// R12.
+/// Takes a fraction of every overlap beyond the slop away by moving the bodies, not their
+/// velocities; R12.
 inline void position_pass(std::vector<SequentialPoint>& points, const SequentialSettings& settings)
 {
   for (SequentialPoint& one : points)

@@ -74,7 +74,7 @@ void print_kept(const Arguments& given)
     table.row({scene, aside(0), aside(SoftSettings{}.anchor_lag)});
   }
   std::cout << "\n" << table.text();
-  save_figure(given, "kept_arms.svg", lever_figure().svg());
+  save_figure(given, "lagged_arms.svg", lever_figure().svg());
 }
 // [print_kept]
 

@@ -39,8 +39,8 @@ inline double inner_radius_of(const PlaneShape&)
   return std::numeric_limits<double>::infinity();
 }
 
-/// How deep [m] bodies may get into each other and nobody minds, of which the thinner one has this
-/// thinness [m]: by a twentieth of its smallest size.
+/// The allowed penetration [m] of bodies of which the thinner one has this inner radius [m]: a
+/// twentieth of its smallest size.
 inline double allowed_penetration(double inner_radius)
 {
   return inner_radius / 10;

@@ -70,8 +70,9 @@ inline BoxApproach<double> box_approach(
 
 // [box_toi]
 /// When a box first touches another shape, from one moment [s] of a step to its end; where they
-/// overlap already, when they are deeper in each other. With a slack [m] they may be as deep as
-/// that, or by a little of it deeper than at first. The time of the answer is a share of the step.
+/// overlap already, when they are deeper in each other. With an allowed overlap [m] they may be as
+/// deep as that, or by a little of it deeper than at first. The time of the answer is a fraction of
+/// the step.
 struct BoxToi
 {
   const Trajectory& box;

@@ -65,7 +65,7 @@ inline Vector3<double> predicted_displacement(const PredictedStep& step, int i, 
                         : Vector3<double>(time * (body.motion.velocity + gained));
 }
 inline constexpr double held_fraction = 0, flying_fraction = 0.5,
-                        pushed_fraction = 1; // for way_on()
+                        pushed_fraction = 1; // for predicted_displacement()
 
 /// The predicted angular velocity [rad/s].
 inline Vector3<double> predicted_spin(const PredictedStep& step, int i)

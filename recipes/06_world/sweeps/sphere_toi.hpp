@@ -54,7 +54,7 @@ inline Plane<double> placed_at(const Trajectory& trajectory, double, const Plane
 
 // [toi_event]
 /// When a ball first gets deeper into another shape than is allowed, from one moment [s] of a step
-/// to its end. The time of the answer is a share of the step.
+/// to its end. The time of the answer is a fraction of the step.
 struct SphereToi
 {
   const Trajectory& sphere;

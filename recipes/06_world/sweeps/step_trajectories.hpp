@@ -30,8 +30,8 @@ struct StepTrajectories
   std::span<const std::pair<int, int>> close_pairs; ///< who were near as it began
   std::vector<Trajectory>& trajectories;            ///< of all bodies
   std::vector<double>& displacements;               ///< [m], how far any point of a body went
-  std::vector<bool>& needs_sweep; ///< whom a solver left too deep, or who is swept by now
-  BoundsTree* tree = nullptr;     ///< of all bodies that are there, once any is swept
+  std::vector<bool>& needs_sweep;                   ///< left too deep by a solver, or swept
+  BoundsTree* tree = nullptr; ///< of all bodies that are there, once any is swept
 };
 
 /// A body as the step began.
@@ -60,7 +60,7 @@ inline double inner_radius(const Scene& scene, int i)
       [](const auto& shape) { return inner_radius_of(shape); }, scene.bodies[index_of(i)].shape);
 }
 
-/// How deep [m] two bodies may get into each other and nobody minds.
+/// The allowed penetration [m] of two bodies.
 inline double allowed_penetration(const Scene& scene, const std::pair<int, int>& pair)
 {
   return allowed_penetration(

@@ -30,7 +30,7 @@ struct PredictedStep
   const Scene& scene;                ///< with the bodies' shapes; where they are, `bodies` says
   std::span<const RigidBody> bodies; ///< as they are
   std::span<const ExternalAcceleration> forces; ///< on them, force_on()
-  std::span<Prediction> prediction; ///< what is known of each, once ahead_of() has said it
+  std::span<Prediction> prediction; ///< what is known of each, once predict() has said it
 };
 
 /// Whether forces pull either of two bodies.

@@ -24,7 +24,7 @@ inline constexpr float infinite_separation = 1e20f;
 class LaneNumbers
 {
 public:
-  /// Room for contacts in groups of so many lanes: all are between nobody and nobody, and have no
+  /// Room for contacts in groups of so many lanes: all are between two null bodies, and have no
   /// points but such as are too far apart to meet.
   void clear(const WideGroups& groups, std::size_t lanes, int null_body)
   {

@@ -18,7 +18,7 @@ namespace cookbook
 
 // [passes_in_lanes]
 /// Lets `look(contacts, at, numbers)` see every point of a view, a group at a time, and where the
-/// point's numbers lie; whom it pushes is pushed if it is said to.
+/// point's numbers lie; its bodies are pushed if it is said to.
 template <class Lanes, class Look>
 void look_at_each(const WideView& all, bool pushes, const Look& look)
 {

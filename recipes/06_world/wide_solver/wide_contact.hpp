@@ -58,7 +58,7 @@ void each_stored(ContactConstraint<Real>& at, Call& call)
   each_number(at.arms.b, call);
 }
 
-inline constexpr std::size_t contact_numbers = 4;    ///< numbers of a contact's each_given()
+inline constexpr std::size_t contact_numbers = 4;    ///< numbers of a contact's each_stored()
 inline constexpr std::size_t separation_numbers = 1; ///< a point's gap
 inline constexpr std::size_t impulse_numbers = 4;    ///< numbers of each_pushed()
 inline constexpr std::size_t point_masses = 5;       ///< numbers of each_mass()

@@ -156,8 +156,8 @@ private:
     }
   }
 
-  /// Bodies have their places in the world; behind them is nobody, of whom all numbers are zero, as
-  /// of what is fixed: nothing moves it.
+  /// Bodies have their places in the world; behind them is the null body, whose numbers are all
+  /// zero, as of what is fixed: nothing moves it.
   void take_bodies(IslandView world)
   {
     bodies_.assign(world.bodies.size() + 1, {});

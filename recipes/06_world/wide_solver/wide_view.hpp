@@ -29,7 +29,7 @@ struct WideView
   const int* b;                      ///< and that of body B
   float* contacts;                   ///< for every group the numbers of a WideContact
   float* points;                     ///< for every place the numbers of a ContactConstraint
-  LaneBody* bodies;                  ///< whom they push
+  LaneBody* bodies;                  ///< which they push
 };
 
 /// What is done to all points of a view, group by group.

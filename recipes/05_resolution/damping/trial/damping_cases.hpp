@@ -15,7 +15,7 @@
 namespace cookbook
 {
 
-/// One step of a point that falls with an acceleration [m/s²] and wears off at a rate [1/s].
+/// One step of a point that falls with an acceleration [m/s²] and is damped at a rate [1/s].
 using DampedStep =
     std::function<PhasePoint<double>(const PhasePoint<double>&, double, double, double)>;
 

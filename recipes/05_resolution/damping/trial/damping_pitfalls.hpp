@@ -11,7 +11,7 @@ namespace cookbook
 {
 
 // [damped_as_published]
-/// A velocity after one step that leaves a fixed share of it, whatever the step's length.
+/// A velocity after one step that leaves a fixed fraction of it, whatever the step's length.
 template <class Place, class Real>
 Place damped_as_published(
     const Place& velocity, const Place& acceleration, const Real& share, const Real& step)

@@ -15,13 +15,13 @@ namespace cookbook
 {
 
 /// One case: the verdict on each way.
-template <class Judge>
-VerdictRow damping_row(const std::string& id, const std::string& what, const Judge& judge)
+template <class Oracle>
+VerdictRow damping_row(const std::string& id, const std::string& what, const Oracle& oracle)
 {
   VerdictRow row{id, what, {}};
   for (const DampingMethod& method : damping_methods())
   {
-    row.verdicts.push_back(judge(method));
+    row.verdicts.push_back(oracle(method));
   }
   return row;
 }

@@ -128,8 +128,8 @@ inline plot::Chart slopes_figure()
   return chart;
 }
 
-/// The error of the way of a block at 5 m/s, as a share of the way that these steps ought to give;
-/// the greatest of those along an axis of a polygon and along a corner.
+/// The error of the way of a block at 5 m/s, as a fraction of the way that these steps ought to
+/// give; the greatest of those along an axis of a polygon and along a corner.
 inline double way_error(const FrictionRule& rule, int axes)
 {
   const OneContactScene still = sliding_block({0, 0, 0});

@@ -18,13 +18,13 @@ inline std::string friction_number(double value)
   return number(std::round(value * 1e4) / 1e4);
 }
 
-/// Whether a value is what it should be, to a share of that.
+/// Whether a value is what it should be, to a fraction of that.
 inline bool is_about(double value, double right, double share)
 {
   return std::abs(value - right) <= share * right;
 }
 
-/// A case of friction and its judge.
+/// A case of friction and its oracle.
 struct FrictionCase
 {
   std::string id;                                     ///< in the book, or empty

@@ -54,25 +54,25 @@ inline AsPublishedAndOurs damper_power()
 }
 
 /// Both judged alike.
-template <class Result, class Judge>
+template <class Result, class Oracle>
 VerdictRow published_row(
     const std::string& id, const std::string& what, const std::array<Result, 2>& results,
-    const Judge& judge)
+    const Oracle& oracle)
 {
-  return {id, what, {judge(results[0]), judge(results[1])}};
+  return {id, what, {oracle(results[0]), oracle(results[1])}};
 }
 
 /// A second's fall of some masses.
 inline std::vector<VerdictRow> fall_rows()
 {
-  const auto judge = [](double y) -> Verdict {
+  const auto oracle = [](double y) -> Verdict {
     return {std::abs(y + falling / 2) <= 0.1, std::string("y = ").append(decimals(y, 1)) + " m"};
   };
   std::vector<VerdictRow> rows;
   for (const double mass : {1.0, 2.0, 100.0})
   {
     const std::string what = number(mass) + " kg falls for 1 s: −4.905 m to 0.1";
-    rows.push_back(published_row(rows.empty() ? "I7" : "", what, fallen(mass), judge));
+    rows.push_back(published_row(rows.empty() ? "I7" : "", what, fallen(mass), oracle));
   }
   return rows;
 }
@@ -80,7 +80,7 @@ inline std::vector<VerdictRow> fall_rows()
 /// A mass on a spring with steps of several lengths.
 inline std::vector<VerdictRow> period_rows()
 {
-  const auto judge = [](double period) -> Verdict
+  const auto oracle = [](double period) -> Verdict
   {
     const bool holds = std::abs(period / spring_period(soft_spring, 1.0) - 1) <= 0.01;
     return {holds, std::string("period ").append(decimals(period, 3)) + " s"};
@@ -92,7 +92,7 @@ inline std::vector<VerdictRow> period_rows()
     const std::string what = "10 N/m, 1 kg, " + number(rate) + " Hz: 1.987 s to 1 %";
     const AsPublishedAndOurs periods{
         published_period(soft_spring, rate), spring_measured(verlet, rate)};
-    rows.push_back(published_row(rows.empty() ? "X43" : "", what, periods, judge));
+    rows.push_back(published_row(rows.empty() ? "X43" : "", what, periods, oracle));
   }
   return rows;
 }

@@ -65,15 +65,15 @@ inline Verdict springs_right(const Integrator<Vector3<double>>& method)
 }
 
 /// One case: the verdict on each integrator.
-template <class Place, class Judge>
+template <class Place, class Oracle>
 VerdictRow case_row(
     const std::string& id, const std::string& what, const std::vector<Integrator<Place>>& methods,
-    const Judge& judge)
+    const Oracle& oracle)
 {
   VerdictRow row{id, what, {}};
   for (const Integrator<Place>& method : methods)
   {
-    row.verdicts.push_back(judge(method));
+    row.verdicts.push_back(oracle(method));
   }
   return row;
 }

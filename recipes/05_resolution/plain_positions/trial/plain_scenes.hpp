@@ -56,7 +56,7 @@ inline double right_slide(double degrees, double friction, double time)
   return 0.5 * std::max(0.0, acceleration) * time * time;
 }
 
-/// Twenty turned boxes and spheres of 0.1 to 1.9 kg that fall onto each other.
+/// Twenty oriented boxes and spheres of 0.1 to 1.9 kg that fall onto each other.
 template <class World>
 World pile(unsigned seed)
 {

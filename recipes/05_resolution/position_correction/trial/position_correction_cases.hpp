@@ -16,7 +16,7 @@
 namespace cookbook
 {
 
-/// What happened on the way out.
+/// What happened until the overlap was gone.
 struct Recovery
 {
   double fastest; ///< [m/s], of the cube's own speed
@@ -27,7 +27,7 @@ struct Recovery
   double left;    ///< [m], depth at the end
 };
 
-/// Measures the rows of a way out.
+/// Measures the frames of a recovery.
 inline Recovery recovery(const std::vector<SunkCube>& rows)
 {
   Recovery found{rows.back().fastest, rows.front().bottom, 0, 0, 0, -rows.back().bottom};
@@ -43,7 +43,7 @@ inline Recovery recovery(const std::vector<SunkCube>& rows)
   return found;
 }
 
-/// A case of the cube in the floor, and its judge.
+/// A case of the cube in the floor, and its oracle.
 struct CorrectionCase
 {
   std::string id;                                 ///< in the book, or empty

@@ -28,7 +28,8 @@ struct SunkCube
 
 inline constexpr double frame_time = 1.0 / 60; ///< [s]
 inline constexpr double earth_gravity = 9.81;  ///< [m/s²]
-inline constexpr double push_limit = 3;   ///< [m/s], the fastest way out where there is a limit
+inline constexpr double push_limit =
+    3; ///< [m/s], the largest correction speed, where it is limited
 inline constexpr double push_share = 0.2; ///< [1], of the depth, taken away in a step or pass
 inline constexpr double no_limit = std::numeric_limits<double>::infinity(); ///< [m/s]
 
@@ -70,14 +71,14 @@ inline void project(SunkCube& cube)
   }
 }
 
-/// A share of the depth, by a speed that the cube keeps; R11.
+/// A fraction of the depth, by a speed that the cube keeps; R11.
 inline void push_with_speed(SunkCube& cube, double limit)
 {
   fall_and_push(cube, bias_velocity(-cube.bottom, 0.0, push_share / frame_time, limit));
   cube.bottom += cube.speed * frame_time;
 }
 
-/// A share of the depth, by a speed of its own that the cube forgets: split impulse.
+/// A fraction of the depth, by a speed of its own that the cube forgets: split impulse.
 inline void push_beside_speed(SunkCube& cube, double limit)
 {
   SunkCube beside = cube;
@@ -88,7 +89,7 @@ inline void push_beside_speed(SunkCube& cube, double limit)
   cube.bottom += (cube.speed + beside.speed) * frame_time;
 }
 
-/// Passes over the positions, each by a share of the depth beyond a millimetre; R12.
+/// Passes over the positions, each by a fraction of the depth beyond a millimetre; R12.
 inline void relax_positions(SunkCube& cube, int passes)
 {
   fall_and_push(cube, 0);
@@ -130,7 +131,7 @@ inline void push_softly(SunkCube& cube, double frequency, double limit, bool rel
 }
 // [ways_out]
 
-/// A way out, a frame at a time.
+/// A method of position correction, a frame at a time.
 struct Correction
 {
   std::string name;                       ///< as on the page

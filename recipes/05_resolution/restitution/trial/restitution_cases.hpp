@@ -18,10 +18,10 @@ namespace cookbook
 /// A drop, and how its flight is judged.
 struct DropCase
 {
-  std::string id;                                                        ///< in the book, or empty
-  std::string what;                                                      ///< in a few words
-  Drop drop;                                                             ///< the scene
-  std::function<Verdict(const Drop&, const std::vector<Flight>&)> judge; ///< of a flight
+  std::string id;                                                         ///< in the book, or empty
+  std::string what;                                                       ///< in a few words
+  Drop drop;                                                              ///< the scene
+  std::function<Verdict(const Drop&, const std::vector<Flight>&)> oracle; ///< of a flight
 };
 
 /// A number for a table: rounding errors below a millionth are none.
@@ -105,7 +105,7 @@ inline std::vector<VerdictRow> drop_verdicts()
     rows.push_back({one.id, one.what, {}});
     for (const BounceRule& rule : bounce_rules())
     {
-      rows.back().verdicts.push_back(one.judge(one.drop, flight(one.drop, rule)));
+      rows.back().verdicts.push_back(one.oracle(one.drop, flight(one.drop, rule)));
     }
   }
   return rows;

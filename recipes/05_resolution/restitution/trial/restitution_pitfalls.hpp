@@ -9,8 +9,8 @@ namespace cookbook
 {
 
 // [restitution_pitfalls]
-/// The parting speed [m/s] of a bounce that gives back the speed as it is once the step's gravity
-/// is in it: too fast, by up to 1 + e halves of a step's gravity.
+/// The separating velocity [m/s] of a bounce that gives back the speed as it is once the step's
+/// gravity is in it: too fast, by up to 1 + e halves of a step's gravity.
 template <class Real>
 Real rebound_after_gravity(Real speed, Real restitution, Real threshold)
 {

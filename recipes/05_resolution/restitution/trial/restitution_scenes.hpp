@@ -47,8 +47,8 @@ inline double energy(const Flight& flight, double gravity)
   return flight.speed * flight.speed / 2 + gravity * flight.height;
 }
 
-/// A rule for a bounce: the parting speed [m/s] it is to have after a step, from the speed with the
-/// step's gravity in it, the step, and the drop.
+/// A rule for a bounce: the separating velocity [m/s] it is to have after a step, from the speed
+/// with the step's gravity in it, the step, and the drop.
 struct BounceRule
 {
   std::string name;                                                             ///< as on the page
@@ -155,7 +155,7 @@ inline double last_move(const std::vector<Flight>& flight)
   return flight[last].time;
 }
 
-/// The greatest change of the ball's energy, as a share of what it had.
+/// The greatest change of the ball's energy, as a fraction of what it had.
 inline double energy_change(const std::vector<Flight>& flight, double gravity)
 {
   const double before = energy(flight.front(), gravity);

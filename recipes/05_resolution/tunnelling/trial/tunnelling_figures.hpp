@@ -88,13 +88,13 @@ inline double mean_looks(const Shots& shots)
   return static_cast<double>(looks) / (shots.count * shots.steps());
 }
 
-/// The share of balls that pass a wall against the number of looks at the gap in a step.
+/// The fraction of balls that pass a wall against the number of looks at the gap in a step.
 inline plot::Chart cost_chart()
 {
   plot::Chart chart(
       "tunnelling_cost", "", {"looks at the gap in a step", plot::Scale::log, 0.7, 2048},
       {"balls answered wrongly [%]", plot::Scale::linear, 0, 100});
-  chart.describe("The share of balls that pass a wall, against substeps, at three speeds.")
+  chart.describe("The fraction of balls that pass a wall, against substeps, at three speeds.")
       .name_failures("stops near misses");
   double looks = 0;
   for (const double speed : {10.0, 100.0, 1000.0})

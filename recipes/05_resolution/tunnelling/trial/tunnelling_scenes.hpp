@@ -111,7 +111,7 @@ inline MovingSphere<double> flown(const Shots& shots, const FlightMethod& method
   return flight;
 }
 
-/// The share of the balls, 0 to 1, of whose last flight something is true.
+/// The fraction of the balls, 0 to 1, of whose last flight something is true.
 template <class Test>
 double fraction(const Shots& shots, const FlightMethod& method, const Test& test)
 {
@@ -123,7 +123,7 @@ double fraction(const Shots& shots, const FlightMethod& method, const Test& test
   return static_cast<double>(found) / shots.count;
 }
 
-/// The share of the balls that come out behind the wall.
+/// The fraction of the balls that come out behind the wall.
 inline double share_passed(const Shots& shots, const FlightMethod& method)
 {
   return fraction(
@@ -131,7 +131,7 @@ inline double share_passed(const Shots& shots, const FlightMethod& method)
       [](const MovingSphere<double>& flight) { return flight.sphere.center.x() > 0; });
 }
 
-/// The most that any of the balls changes its velocity by, as a share of its speed.
+/// The most that any of the balls changes its velocity by, as a fraction of its speed.
 inline double most_velocity_lost(const Shots& shots, const FlightMethod& method)
 {
   double most = 0;
@@ -143,7 +143,8 @@ inline double most_velocity_lost(const Shots& shots, const FlightMethod& method)
   return most;
 }
 
-/// The farthest that any of the balls is from coming back with its restitution, as a share of that.
+/// The farthest that any of the balls is from coming back with its restitution, as a fraction of
+/// that.
 inline double most_bounce_lost(const Shots& shots, const FlightMethod& method)
 {
   double most = 0;

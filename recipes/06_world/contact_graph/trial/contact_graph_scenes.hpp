@@ -1,8 +1,8 @@
 #pragma once
 
 /// \file
-/// \brief Scenes whose contacts are given colours: who touches whom at the start, and what it comes
-/// to.
+/// \brief Scenes whose contacts are given colours: which bodies touch at the start, and what it
+/// comes to.
 
 #include "06_world/contact_graph/contact_graph.hpp"
 #include "06_world/contacts/rigid_body.hpp"
@@ -17,7 +17,7 @@
 namespace cookbook
 {
 
-/// Who touches whom in a scene as it starts.
+/// The pairs of bodies that touch in a scene as it starts.
 struct TouchingBodies
 {
   Scene scene;
@@ -57,7 +57,7 @@ struct TouchingBodies
 struct SideBySide
 {
   int groups;  ///< how many times
-  double used; ///< [1], the share of places that are taken
+  double used; ///< [1], the fraction of places that are taken
 };
 
 /// How well the colours of a graph fill groups of `width`.

@@ -30,7 +30,7 @@ inline std::vector<double> loads(const Scene& tower)
   return sums;
 }
 
-/// The largest error of what the bodies of a tower carry, as a share of the load.
+/// The largest error of what the bodies of a tower carry, as a fraction of the load.
 inline double load_error(const Scene& tower, const std::vector<double>& warm_start_impulse)
 {
   const std::vector<double> right = loads(tower);

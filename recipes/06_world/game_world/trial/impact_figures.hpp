@@ -43,7 +43,7 @@ inline plot::Figure2d above_ground(const std::string& title)
 }
 
 /// A cube at 5 m/s that would end 5 cm deep.
-inline plot::Figure2d foreseen_panel()
+inline plot::Figure2d speculative_panel()
 {
   plot::Figure2d figure = above_ground("1. predicted");
   const DrawnSquare now{{0, 0.132}, 0}, end{{0, 0.132 - 5.0 / 60}, 0};
@@ -115,7 +115,7 @@ inline plot::Grid impact_figure()
           "A cube that would end deep in the ground is a contact before it touches; one that "
           "turns onto another corner is found too deep; it is swept, corner by corner; a heavy "
           "one drives a light one along, down to the ground.")
-      .add(foreseen_panel())
+      .add(speculative_panel())
       .add(too_deep_panel())
       .add(swept_panel())
       .add(driven_panel());

@@ -18,7 +18,7 @@ namespace cookbook
 {
 
 /// The deepest [m] that a cube of an edge [m] is in the ground in 10 steps, if it comes down flat
-/// at a speed [m/s] and would reach the ground after a share of the first step.
+/// at a speed [m/s] and would reach the ground after a fraction of the first step.
 inline double impact_depth(double edge, double speed, double fraction, const std::string& solver)
 {
   Scene scene{.bodies = {ground()}};
@@ -47,7 +47,7 @@ inline double deepest_impact(double edge, double speed, const std::string& solve
   return deepest;
 }
 
-/// The deepest impact over the speed, as a share of the edge, beside the way of a step.
+/// The deepest impact over the speed, as a fraction of the edge, beside the way of a step.
 inline plot::Chart impacts_chart()
 {
   plot::Chart chart(

@@ -25,7 +25,7 @@ struct WorldCase
 {
   std::string id;
   std::string what;
-  std::function<Verdict(const std::string& solver)> judge;
+  std::function<Verdict(const std::string& solver)> oracle;
 };
 
 /// A number in millimetres or millimetres a second, to two digits.
@@ -136,7 +136,7 @@ Verdict slides_on(const std::string& solver, bool sphere)
 }
 
 /// S23: ten balls of 1 kg under one of 100 kg, the mirror image of a chain with 100 kg at its end:
-/// by what share of its length it gives way in 5 s.
+/// by what fraction of its length it gives way in 5 s.
 Verdict holds_as_chain(const std::string& solver)
 {
   Scene scene = scenes::standing();
@@ -238,7 +238,7 @@ std::vector<VerdictRow> world_verdicts()
     rows.push_back({one.id, one.what, {}});
     for (const std::string& solver : solver_names())
     {
-      rows.back().verdicts.push_back(one.judge(solver));
+      rows.back().verdicts.push_back(one.oracle(solver));
     }
   }
   return rows;

@@ -34,7 +34,7 @@ inline std::string measures(const WorldRun& run, const RunSettings& settings)
   table.row({"residual at the end [m/s]", to_a_millionth(run.residual)});
   table.row({"bodies asleep", std::to_string(run.asleep)});
   table.row({"time a body and step [µs]", number(run.time * 1e6)});
-  table.row({"longest step, a body [µs]", number(run.longest_step * 1e6)});
+  table.row({"slowest step, a body [µs]", number(run.longest_step * 1e6)});
   return table.text();
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief Stiffness as a share of each correction, kept to be asserted to fail.
+/// \brief Stiffness as a fraction of each correction, kept to be asserted to fail.
 
 #include "06_world/position_based/trial/position_based_scenes.hpp"
 

@@ -151,7 +151,7 @@ inline Scene spheres(double ratio)
   return scene;
 }
 
-/// The error [N s] of the impulse between the two after one frame from a cold start.
+/// The error [N s] of the impulse between the two after one frame without warm starting.
 inline double impulse_missing(const ContactMethod& method, double ratio, int passes)
 {
   const Scene scene = spheres(ratio);

@@ -11,9 +11,9 @@ namespace cookbook
 /// A stack or a question about one, and how a method is judged.
 struct StackCase
 {
-  std::string id;                                     ///< in the book, or empty
-  std::string what;                                   ///< in a few words
-  std::function<Verdict(const ContactMethod&)> judge; ///< of a method
+  std::string id;                                      ///< in the book, or empty
+  std::string what;                                    ///< in a few words
+  std::function<Verdict(const ContactMethod&)> oracle; ///< of a method
 };
 
 /// The power of ten that a length [m] is below, in millimetres: where a body drifts to hangs on the
@@ -103,7 +103,7 @@ inline std::vector<VerdictRow> stack_verdicts()
     rows.push_back({one.id, one.what, {}});
     for (const ContactMethod& method : contact_methods())
     {
-      rows.back().verdicts.push_back(one.judge(method));
+      rows.back().verdicts.push_back(one.oracle(method));
     }
   }
   return rows;

@@ -27,7 +27,7 @@ inline std::vector<std::size_t> chosen_frames(std::size_t count, std::size_t str
   return indices;
 }
 
-/// Whether nobody would see that a body has moved.
+/// Whether a body has moved too little to be seen.
 inline bool looks_alike(const Outline& p, const Outline& q)
 {
   constexpr long unseen = 3; // tenths of a pixel

@@ -36,8 +36,8 @@ inline double rests_after(const Scene& cube, const WorldSolver& solver)
   return world.time();
 }
 
-/// When [s] a moment μ m g r has stopped it, whose moment of inertia is m / 6; r is a share of the
-/// arm, which is half the diagonal.
+/// When [s] a moment μ m g r has stopped it, whose moment of inertia is m / 6; r is a fraction of
+/// the arm, which is half the diagonal.
 inline double rests_by_formula(double torsional_radius)
 {
   const double radius = torsional_radius * std::sqrt(0.75);

@@ -152,7 +152,7 @@ inline plot::Figure2d joint_figure()
 /// it, or at one that was kept.
 inline plot::Figure2d lever_figure()
 {
-  plot::Figure2d figure("kept_arms", "", {{-1.5, -0.35}, {1.5, 1.95}, 420});
+  plot::Figure2d figure("lagged_arms", "", {{-1.5, -0.35}, {1.5, 1.95}, 420});
   figure.describe("A push at an arm that turns with a leaning cube turns it farther.");
   const double lean = -0.3;
   const Eigen::Rotation2Dd turned(lean);

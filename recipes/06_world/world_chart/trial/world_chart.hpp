@@ -137,14 +137,14 @@ inline std::vector<ChartedRun> charted_runs(
   return runs;
 }
 
-/// A cost as a share of Bullet's; – where Bullet is not there.
+/// A cost as a fraction of Bullet's; – where Bullet is not there.
 inline std::string share_of_bullet(double cost, double bullet)
 {
   return bullet > 0 ? number(cost / bullet) : "–";
 }
 
 /// A row of text: the time of a run [µs], how far its bodies went and overlap [mm], its error of
-/// loads if the scene is a tower, and its time as a share of Bullet's.
+/// loads if the scene is a tower, and its time as a fraction of Bullet's.
 inline std::vector<std::string> charted_row(const ChartedRun& run, bool tower, double bullet)
 {
   std::string name = run.solver.line;
