@@ -113,7 +113,7 @@ inline void check(const SceneBody& body)
   check_range("friction", body.friction, 0, 1e6);
   check_range("restitution", body.restitution, 0, 1);
   check_range("damping", body.damping, 0, 1e6);
-  check_range("spin_damping", body.angular_damping, 0, 1e6);
+  check_range("angular_damping", body.angular_damping, 0, 1e6);
   if (body.mass > 0)
   {
     checked(mass_properties(body));

@@ -96,7 +96,7 @@ public:
       const Filter& filter = every_body) const
   {
     checked(sphere);
-    check_finite("way", displacement);
+    check_finite("displacement", displacement);
     return first_hit<SphereHit>(
         {sphere.center, displacement}, sphere.radius, 1, filter,
         [](const SweptHit<double>& hit) { return hit.time; },

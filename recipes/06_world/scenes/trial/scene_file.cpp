@@ -31,7 +31,7 @@ const std::vector<std::string> scene_members{"gravity",  "step",        "duratio
 std::vector<std::string> body_members(const std::string& shape = "")
 {
   std::vector<std::string> names{"name",        "shape",   "mass",        "friction",
-                                 "restitution", "damping", "spin_damping"};
+                                 "restitution", "damping", "angular_damping"};
   const auto add = [&](bool applies, const std::vector<std::string>& more)
   {
     if (applies || shape.empty())
@@ -135,7 +135,7 @@ SceneBody read_body(JsonObject object, const SceneBody& defaults)
   body.friction = object.number("friction", frictions, defaults.friction);
   body.restitution = object.number("restitution", restitutions, defaults.restitution);
   body.damping = object.number("damping", dampings, defaults.damping);
-  body.angular_damping = object.number("spin_damping", dampings, defaults.angular_damping);
+  body.angular_damping = object.number("angular_damping", dampings, defaults.angular_damping);
   return body;
 }
 

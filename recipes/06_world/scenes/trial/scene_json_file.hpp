@@ -71,7 +71,7 @@ inline std::string body_json(const SceneBody& body)
   if (body.damping > 0 || body.angular_damping > 0)
   {
     add("damping", round_trip(body.damping));
-    add("spin_damping", round_trip(body.angular_damping));
+    add("angular_damping", round_trip(body.angular_damping));
   }
   return text + "}";
 }
