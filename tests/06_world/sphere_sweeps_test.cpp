@@ -174,7 +174,7 @@ TEST_CASE(
     {
       ++looks;
       const double fallen = down * fraction + gravity / 2 * fraction * fraction;
-      return Approach<double>{{{0, -1, 0}, 1 - fallen}, down + gravity * fraction, gravity};
+      return GapState<double>{{{0, -1, 0}, 1 - fallen}, down + gravity * fraction, gravity};
     };
     const auto hit = first_touch<double>(0, gravity * step * step, 1e-14, look);
     REQUIRE(hit);

@@ -363,7 +363,8 @@ int main()
       {
         const std::array<Obb<double>, 2> walls{draw.box<Obb>(), draw.box<Obb>()};
         const MovingSphere<double> from{{3 * draw.unit(), draw.number(0.1, 0.4)}, draw.vector(200)};
-        const MovingSphere<double> aimed{from.sphere, -100 * from.sphere.center + 0.1 * from.velocity};
+        const MovingSphere<double> aimed{
+            from.sphere, -100 * from.sphere.center + 0.1 * from.velocity};
         const double step = 1.0 / 60;
         for (const MovingSphere<double>& to :
              {swept_step<double>(aimed, walls, 0.5, step), substeps(aimed, walls[0], 0.5, step, 4),
@@ -433,7 +434,7 @@ int main()
       "direct_solver", [solver = DirectSolver()](IslandView view, const Island& island) mutable
       { return solver.solve(view, island, 1.0 / 60); });
 #endif
-#ifdef TAKE_contact_watch
+#ifdef TAKE_contact_events
   print(
       "contact_events",
       [events = ContactEvents()](Draw& draw, Bits& bits) mutable

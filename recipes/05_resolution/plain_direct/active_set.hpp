@@ -120,7 +120,7 @@ solve_within(const MatrixXd& A, const VectorXd& b, const Bounds& bounds, std::ve
 {
   for (int round = 0; round < 100; ++round)
   {
-    const VectorXd x = solve_free(A, b, bounds, states);
+    VectorXd x = solve_free(A, b, bounds, states);
     const std::vector<State> better = better_states(A, b, bounds, states, x);
     if (better == states)
     {

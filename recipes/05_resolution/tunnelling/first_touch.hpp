@@ -22,7 +22,7 @@ struct SweptHit
 // [first_touch]
 /// What a moving sphere sees of a convex shape, at one time; rates are those of the whole time.
 template <class Real>
-struct Approach
+struct GapState
 {
   Direction<Real> gap; ///< to the nearest point of the shape's surface, and how far it is [m]
   Real closing;        ///< [m], what the gap loses at the present rate
@@ -63,7 +63,7 @@ std::optional<SweptHit<Real>> first_touch(
   using std::max;
   const bool bends = acceleration_bound > Real(0);
   Real time = start;
-  Approach<Real> now = query(time);
+  GapState<Real> now = query(time);
   for (int i = 0; i < max_advances; ++i)
   {
     const Real closing = now.closing, gap = max(now.gap.length, Real(0));
@@ -99,7 +99,7 @@ first_touch(const Vector3<Real>& displacement, const Real& rounding, const Gap& 
       [&](const Real& time)
       {
         const Direction<Real> direction = gap(Vector3<Real>(time * displacement));
-        return Approach<Real>{direction, displacement.dot(direction.unit)};
+        return GapState<Real>{direction, displacement.dot(direction.unit)};
       });
 }
 // [first_touch]

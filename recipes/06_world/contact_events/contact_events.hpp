@@ -48,9 +48,9 @@ public:
     only(before_, now_, ended_);
   }
 
-  const std::vector<Pair>& active() const { return now_; } ///< in order
-  const std::vector<Pair>& begun() const { return begun_; }  ///< since the last look
-  const std::vector<Pair>& ended() const { return ended_; }  ///< since the last look
+  const std::vector<Pair>& active() const { return now_; }  ///< in order
+  const std::vector<Pair>& begun() const { return begun_; } ///< since the last look
+  const std::vector<Pair>& ended() const { return ended_; } ///< since the last look
 
 private:
   std::vector<Pair> now_, before_, begun_, ended_;

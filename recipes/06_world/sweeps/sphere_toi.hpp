@@ -80,7 +80,7 @@ struct SphereToi
       gap.length += allowed;
       const Vector3<double> closing_velocity =
           sphere.velocity_at(time) - other.velocity_of(sphere.place_at(time), time);
-      return Approach<double>{
+      return GapState<double>{
           gap, step * closing_velocity.dot(gap.unit), step * step * acceleration.dot(gap.unit)};
     };
     // How much the way of the ball bends, seen from the other body: it falls, and that one turns.

@@ -30,7 +30,7 @@ const std::vector<std::string> scene_members{"gravity",  "step",        "duratio
 /// The members that a body of a shape can have; of any shape where that is not known yet.
 std::vector<std::string> body_members(const std::string& shape = "")
 {
-  std::vector<std::string> names{"name",        "shape",   "mass",        "friction",
+  std::vector<std::string> names{"name",        "shape",   "mass",           "friction",
                                  "restitution", "damping", "angular_damping"};
   const auto add = [&](bool applies, const std::vector<std::string>& more)
   {
