@@ -14,7 +14,7 @@ using namespace cookbook::small_world;
 using plain_direct::World;
 
 // [loads]
-TEST_CASE("each cube of a tower of ten carries what is above it, to a billionth", "[R9]")
+TEST_CASE("each cube of a tower of ten carries what is above it, to a billionth", "[R9][long]")
 {
   World world = tower<World>(10);
   run(world, 5);
@@ -126,7 +126,7 @@ TEST_CASE("a cube that starts 40 cm in the ground comes out and does not hop")
   REQUIRE(world.bodies[1].motion.center.y() == Approx(0.5).margin(0.0002));
 }
 
-TEST_CASE("piles under the direct solver stay over the ground and fall alike twice")
+TEST_CASE("piles under the direct solver stay over the ground and fall alike twice", "[long]")
 {
   for (const unsigned seed : {1U, 2U})
   {

@@ -33,7 +33,7 @@ TEST_CASE("two cubes under corrected positions press by their weights within 1 %
 TEST_CASE(
     "corrected positions hold towers; up to eight they sink by N slops and the sink of R16 within "
     "6 %",
-    "[R16]")
+    "[R16][long]")
 {
   const double substep = frame / 20;
   for (int cubes = 1; cubes <= 8; ++cubes)
@@ -48,7 +48,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("corrected positions hold 100 kg on 1 kg, and not 1,000 kg")
+TEST_CASE("corrected positions hold 100 kg on 1 kg, and not 1,000 kg", "[long]")
 {
   REQUIRE(largest_sink(heavy_on_light<World>(100), 10) < 0.003);
   REQUIRE_FALSE(stands(largest_sink(heavy_on_light<World>(1000), 10)));
@@ -68,7 +68,7 @@ TEST_CASE("under corrected positions a cube slides as Coulomb says within 1 %, o
   REQUIRE(distance_gone(slope<World>(16, 0.3), 3) < 0.0005);
 }
 
-TEST_CASE("under corrected positions a cube stops after v² / (2 μ g) within 1 %", "[R29]")
+TEST_CASE("under corrected positions a cube stops after v² / (2 μ g) within 1 %", "[R29][long]")
 {
   for (const double friction : {0.1, 0.3, 0.5})
   {
@@ -110,7 +110,7 @@ TEST_CASE("a cube that starts 40 cm in the ground comes out, and hops by less th
   REQUIRE(world.bodies[1].motion.center.y() == Approx(0.5).margin(0.001));
 }
 
-TEST_CASE("piles under corrected positions stay over the ground and fall alike twice")
+TEST_CASE("piles under corrected positions stay over the ground and fall alike twice", "[long]")
 {
   for (const unsigned seed : {1U, 2U, 3U, 4U, 5U})
   {

@@ -120,7 +120,8 @@ TEST_CASE("spheres that meet head-on at 5 to 300 m/s exchange their velocities w
 }
 // [spheres_at_spheres]
 
-TEST_CASE("thirty spheres that fly about a room at up to 87 m/s stay in it, and gain no energy")
+TEST_CASE(
+    "thirty spheres that fly about a room at up to 87 m/s stay in it, and gain no energy", "[long]")
 {
   for (const unsigned seed : {1U, 2U, 3U})
   {
@@ -286,7 +287,7 @@ TEST_CASE("under a gravity of 0.05 m/s² a body that starts at rest falls, and s
   REQUIRE(sleepers(world) == 1);
 }
 
-TEST_CASE("an hour of sleep changes no bit")
+TEST_CASE("an hour of sleep changes no bit", "[long]")
 {
   World world = tower<World>(5);
   run(world, 5);
@@ -347,7 +348,8 @@ TEST_CASE("a cube rides on a turntable for a turn, and creeps outwards by less t
   REQUIRE(std::hypot(center.x(), center.z()) == Approx(0.3).margin(0.03));
 }
 
-TEST_CASE("fifty boxes that are dropped into a pit all sleep within 20 s, and none leaves it")
+TEST_CASE(
+    "fifty boxes that are dropped into a pit all sleep within 20 s, and none leaves it", "[long]")
 {
   World world = ground<World>();
   for (const Vector3<double>& side : {Vector3<double>(1, 0, 0), Vector3<double>(0, 0, 1)})

@@ -17,7 +17,7 @@ using namespace cookbook;
 using namespace cookbook::small_world;
 
 // [step_1]
-TEST_CASE("step 1 holds a tower of five for 20 s, and neither ten nor a pyramid")
+TEST_CASE("step 1 holds a tower of five for 20 s, and neither ten nor a pyramid", "[long]")
 {
   REQUIRE(largest_sink(tower<step_1::World>(5), 20) < 0.04);
   REQUIRE_FALSE(stands(largest_sink(tower<step_1::World>(10), 20)));
@@ -26,7 +26,7 @@ TEST_CASE("step 1 holds a tower of five for 20 s, and neither ten nor a pyramid"
 // [step_1]
 
 // [step_2]
-TEST_CASE("step 2 holds a pyramid of 55 for 20 s, and no tower of ten for 40 s")
+TEST_CASE("step 2 holds a pyramid of 55 for 20 s, and no tower of ten for 40 s", "[long]")
 {
   REQUIRE(largest_move(pyramid<step_2::World>(10), 20) < 0.04);
   REQUIRE_FALSE(stands(largest_sink(tower<step_2::World>(10), 40)));
@@ -34,7 +34,8 @@ TEST_CASE("step 2 holds a pyramid of 55 for 20 s, and no tower of ten for 40 s")
 // [step_2]
 
 // [step_3]
-TEST_CASE("step 3 holds towers of ten for 40 s and of fourteen for 20 s, but not of sixteen")
+TEST_CASE(
+    "step 3 holds towers of ten for 40 s and of fourteen for 20 s, but not of sixteen", "[long]")
 {
   REQUIRE(largest_sink(tower<step_3::World>(10), 40) < 0.04);
   REQUIRE(stands(largest_sink(tower<step_3::World>(14), 20)));
@@ -90,7 +91,8 @@ bool same_bodies(const One& one, const Other& other)
 } // namespace
 
 // [step_4]
-TEST_CASE("step 4 finds the contacts of step 3 among a tenth of its pairs, and moves alike")
+TEST_CASE(
+    "step 4 finds the contacts of step 3 among a tenth of its pairs, and moves alike", "[long]")
 {
   auto every_pair = floor_of_cubes<step_3::World>(20);
   auto swept = floor_of_cubes<step_4::World>(20);
@@ -126,7 +128,8 @@ TEST_CASE("step 4 drops a sphere that step 5 bounces to e² times its height wit
 // [step_5]
 
 // [step_6]
-TEST_CASE("step 6 puts 400 cubes to sleep that step 5 goes on to solve, and a ball wakes four")
+TEST_CASE(
+    "step 6 puts 400 cubes to sleep that step 5 goes on to solve, and a ball wakes four", "[long]")
 {
   auto awake = floor_of_cubes<step_5::World>(20);
   auto world = floor_of_cubes<step_6::World>(20);

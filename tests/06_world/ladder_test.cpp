@@ -19,7 +19,7 @@
 using namespace cookbook;
 
 // [rungs]
-TEST_CASE("each step and each branch holds the scene that the rung below fails")
+TEST_CASE("each step and each branch holds the scene that the rung below fails", "[long]")
 {
   std::vector<Rung> rungs = small_world::step_rungs();
   REQUIRE(rungs.size() == 7);
@@ -49,7 +49,9 @@ TEST_CASE("1,000 kg on 1 kg stand under the direct solver alone, and press as st
 // [direct]
 
 // [both]
-TEST_CASE("eight wide steps hold a tower of 30 and 300 kg on 1 kg; 1,000 kg take the direct solver")
+TEST_CASE(
+    "eight wide steps hold a tower of 30 and 300 kg on 1 kg; 1,000 kg take the direct solver",
+    "[long]")
 {
   const auto sink = [](const Scene& scene, int substeps)
   { return run_world(scene, {.solver = "wide_steps", .substeps = substeps, .duration = 20}).sink; };
@@ -131,7 +133,8 @@ TEST_CASE("a scene becomes a small world: shapes, masses, motions and surfaces s
 }
 
 // [lines]
-TEST_CASE("what the ladder says of lines is within a twentieth of what ./cookbook take prints")
+TEST_CASE(
+    "what the ladder says of lines is within a twentieth of what ./cookbook take prints", "[long]")
 {
   for (const LinesTaken& one : lines_taken())
   {
