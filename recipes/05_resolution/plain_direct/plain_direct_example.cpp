@@ -17,7 +17,7 @@ int main()
   {
     step(world, 1.0 / 60);
   }
-  for (std::size_t below : {0, 1})
+  for (const std::size_t below : {0U, 1U})
   {
     const double load = 60 * plain_direct::impulse_between(world, below, below + 1);
     std::cout << "load on body " << below << ": " << load << " N\n";

@@ -18,7 +18,7 @@ int main()
   {
     step(world, 1.0 / 60);
   }
-  for (int i = 1; i <= 5; ++i)
+  for (std::size_t i = 1; i <= 5; ++i)
   {
     std::cout << "cube " << i << ": " << std::round(1000 * world.bodies[i].motion.center.y())
               << " mm\n";
