@@ -242,7 +242,7 @@ function(cookbook_example folder name)
       ${PROJECT_SOURCE_DIR}/chapters/figures/${COOKBOOK_CHAPTER}
       ${CMAKE_CURRENT_BINARY_DIR}/${target}.drawn)
     set_tests_properties(${target}.output PROPERTIES
-      LABELS "${COOKBOOK_CHAPTER};${folder}" TIMEOUT 60)
+      LABELS "${COOKBOOK_CHAPTER};${folder}" TIMEOUT 300)
   endif()
 endfunction()
 
