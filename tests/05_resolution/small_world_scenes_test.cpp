@@ -3,7 +3,9 @@
 #include "05_resolution/small_world/step_5.hpp"
 #include "05_resolution/small_world/step_6.hpp"
 #include "05_resolution/small_world/trial/small_scenes.hpp"
+#include "05_resolution/tunnelling/swept_sphere.hpp"
 #include "tests/catch.hpp"
+#include "tests/random_inputs.hpp"
 #include "tests/random_numbers.hpp"
 
 #include <algorithm>
@@ -744,3 +746,34 @@ TEST_CASE("a book that tumbles freely keeps its angular velocity, and not its an
   REQUIRE(farthest > 0.2); // right: 0
 }
 // [spin_is_left_out]
+
+// [plain_sweep]
+TEST_CASE("step 7's first touch with a box is the hardened sweep's, to the thousandth it stops at")
+{
+  Random random(7);
+  int hits = 0;
+  for (int i = 0; i < inputs(20'000, 1'000); ++i)
+  {
+    RigidBody target = box(random.in_cube(0.5), {0.3, 0.5, 0.8}, 0);
+    const Vector3<double> v = random.direction();
+    set_orientation(target, Quaternion<double>(1, v.x(), v.y(), v.z()));
+    const Sphere<double> start{4 * random.direction(), 0.2}, larger{start.center, 0.2002};
+    const Vector3<double> displacement = -2 * start.center + random.in_cube(2);
+    const auto plain = step_7::first_touch(start, displacement, target);
+    const auto touch = swept_sphere_box(start, displacement, box_of(target));
+    const auto early = swept_sphere_box(larger, displacement, box_of(target));
+    if (touch)
+    {
+      REQUIRE(plain.has_value());
+      REQUIRE(plain->time <= touch->time + 1e-12);
+      ++hits;
+    }
+    if (plain)
+    {
+      REQUIRE(early.has_value());
+      REQUIRE(plain->time >= early->time - 1e-12);
+    }
+  }
+  REQUIRE(hits > inputs(5'000, 250));
+}
+// [plain_sweep]

@@ -58,9 +58,9 @@ inline VectorXd solve_free(
     x[i] = state == State::low ? bounds.low[i] : state == State::high ? bounds.high[i] : 0;
   }
   const std::vector<Index> free = free_rows(states);
-  const VectorXd missing = -(A * x + b)(free);
+  const VectorXd residual = -(A * x + b)(free);
   const MatrixXd of_free = A(free, free);
-  const VectorXd found = of_free.llt().solve(missing);
+  const VectorXd found = of_free.llt().solve(residual);
   x(free) = found;
   return x;
 }

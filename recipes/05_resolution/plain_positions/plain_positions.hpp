@@ -61,7 +61,7 @@ shift_apart(World& world, const Contact& contact, const Vector3<double>& impulse
   shift(world.bodies[contact.b], contact.arms.b, impulse, time);
 }
 
-/// Takes the overlap at a contact point back, at 1 m/s at max_friction; R15.
+/// Takes the overlap at a contact point back, at 1 m/s at most; R15.
 inline void correct_overlap(World& world, const Bodies& before, Contact& contact, double time)
 {
   const double moved = relative_displacement(world, before, contact).dot(contact.normal);

@@ -175,8 +175,8 @@ inline std::size_t find_island(std::vector<std::size_t>& parents, std::size_t i)
   return i;
 }
 
-/// Islands: bodies that touch, directly or through others, but not through a fixed one. A contact
-/// with a fixed body that moves keeps an island awake.
+/// Islands, as the parents of all bodies: those that touch, directly or through others, but not
+/// through a fixed one. A contact with a fixed body that moves keeps an island awake.
 inline std::vector<std::size_t> find_islands(World& world)
 {
   std::vector<std::size_t> parents(world.bodies.size());
@@ -196,24 +196,23 @@ inline std::vector<std::size_t> find_islands(World& world)
   };
   std::for_each(world.contacts.begin(), world.contacts.end(), join);
   std::for_each(world.asleep.begin(), world.asleep.end(), join);
-  for (std::size_t i = 0; i < parents.size(); ++i)
-  {
-    parents[i] = find_island(parents, i);
-  }
   return parents;
 }
 
 /// Gives all bodies of an island the shortest rest of any: it is awake, or asleep, as a whole.
-inline void share_rest(World& world, const std::vector<std::size_t>& islands)
+inline void share_rest(World& world)
 {
-  std::vector<double> shortest(islands.size(), time_to_sleep);
-  for (std::size_t i = 0; i < islands.size(); ++i)
+  std::vector<std::size_t> parents = find_islands(world);
+  std::vector<double> shortest(parents.size(), time_to_sleep);
+  for (std::size_t i = 0; i < parents.size(); ++i)
   {
-    shortest[islands[i]] = std::min(shortest[islands[i]], world.rest_times[i]);
+    double& rest = shortest[find_island(parents, i)];
+    rest = std::min(rest, world.rest_times[i]);
   }
-  for (std::size_t i = 0; i < islands.size(); ++i)
+  for (std::size_t i = 0; i < parents.size(); ++i)
   {
-    world.rest_times[i] = world.bodies[i].inverse_mass == 0 ? 0 : shortest[islands[i]];
+    const bool is_fixed = world.bodies[i].inverse_mass == 0;
+    world.rest_times[i] = is_fixed ? 0 : shortest[find_island(parents, i)];
   }
 }
 
@@ -248,7 +247,7 @@ inline void put_to_sleep(World& world, double time)
     const bool rests = touches[i] && speed <= 0.05;
     world.rest_times[i] = rests ? world.rest_times[i] + time : 0;
   }
-  share_rest(world, find_islands(world));
+  share_rest(world);
   for (std::size_t i = 0; i < world.bodies.size(); ++i)
   {
     if (is_asleep(world, i))
@@ -266,7 +265,7 @@ inline void find_contacts(World& world)
   std::vector<Contact> before = std::move(world.contacts);
   world.contacts.clear();
   find_pairs(world);
-  share_rest(world, find_islands(world));
+  share_rest(world);
   const std::size_t awake = before.size();
   move_contacts(world, world.asleep, before, false);
   if (before.size() > awake) // bodies have woken: find their contacts too

@@ -109,34 +109,41 @@ void run(World& world, double time)
   }
 }
 
+/// The largest of what is measured of each body's move [m] since a start.
+inline double largest_of_moves(
+    const std::vector<RigidBody>& start, const std::vector<RigidBody>& now, const auto& measure)
+{
+  double largest = 0;
+  for (std::size_t i = 0; i < start.size(); ++i)
+  {
+    const Vector3<double> move = now[i].motion.center - start[i].motion.center;
+    largest = std::max(largest, measure(move));
+  }
+  return largest;
+}
+
 /// By how much [m] the body that sank most is lower after a time [s].
 template <class World>
 double largest_sink(World world, double time)
 {
   const std::vector<RigidBody> start = world.bodies;
   run(world, time);
-  double largest = 0;
-  for (std::size_t i = 0; i < start.size(); ++i)
-  {
-    const double sink = start[i].motion.center.y() - world.bodies[i].motion.center.y();
-    largest = std::max(largest, sink);
-  }
-  return largest;
+  return largest_of_moves(start, world.bodies, [](const auto& move) { return -move.y(); });
 }
 
-/// How far [m] the body that moved most is from where it was after a time [s].
+/// How far [m] the body that moved most is from where it was at a start.
+inline double farthest_move(const std::vector<RigidBody>& start, const std::vector<RigidBody>& now)
+{
+  return largest_of_moves(start, now, [](const auto& move) { return move.norm(); });
+}
+
+/// The same after a time [s].
 template <class World>
 double largest_move(World world, double time)
 {
   const std::vector<RigidBody> start = world.bodies;
   run(world, time);
-  double largest = 0;
-  for (std::size_t i = 0; i < start.size(); ++i)
-  {
-    const Vector3<double> move = world.bodies[i].motion.center - start[i].motion.center;
-    largest = std::max(largest, move.norm());
-  }
-  return largest;
+  return farthest_move(start, world.bodies);
 }
 
 /// Whether a stack of cubes stands: none has sunk by half its size.

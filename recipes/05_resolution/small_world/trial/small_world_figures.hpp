@@ -99,16 +99,27 @@ inline plot::Chart pairs_figure()
   return chart;
 }
 
-/// The last body's place along an axis over time [s], until a time.
-template <class World>
-std::vector<Eigen::Vector2d> path(World world, int axis, double time, double minus)
+/// What is measured of a world after each frame of a time [s].
+template <class World, class Measure>
+std::vector<Eigen::Vector2d> in_frames(World world, double time, const Measure& measure)
 {
-  std::vector<Eigen::Vector2d> points{{0, world.bodies.back().motion.center[axis] - minus}};
+  std::vector<Eigen::Vector2d> points;
   for (double now = frame; now < time; now += frame)
   {
     step(world, frame);
-    points.emplace_back(now, world.bodies.back().motion.center[axis] - minus);
+    points.emplace_back(now, measure(world));
   }
+  return points;
+}
+
+/// The last body's place along an axis over time [s], until a time.
+template <class World>
+std::vector<Eigen::Vector2d> path(const World& world, int axis, double time, double minus)
+{
+  const auto place = [&](const World& now)
+  { return now.bodies.back().motion.center[axis] - minus; };
+  std::vector<Eigen::Vector2d> points = in_frames(world, time, place);
+  points.insert(points.begin(), {0, place(world)});
   return points;
 }
 
@@ -132,15 +143,10 @@ inline plot::Chart bounces_figure()
 
 /// The contact points that a world solves in each frame of a time [s].
 template <class World>
-std::vector<Eigen::Vector2d> points_in_frames(World world, double time)
+std::vector<Eigen::Vector2d> points_in_frames(const World& world, double time)
 {
-  std::vector<Eigen::Vector2d> points;
-  for (double now = frame; now < time; now += frame)
-  {
-    step(world, frame);
-    points.emplace_back(now, static_cast<double>(world.contacts.size()));
-  }
-  return points;
+  return in_frames(
+      world, time, [](const World& now) { return static_cast<double>(now.contacts.size()); });
 }
 
 /// The contact points of the floor of 400 cubes under steps 5 and 6.

@@ -13,6 +13,7 @@
 #include "05_resolution/small_world/trial/rung.hpp"
 #include "05_resolution/small_world/trial/small_scenes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -21,24 +22,13 @@
 namespace cookbook::small_world
 {
 
-/// What a stack of cubes does in a time [s]: its sink in mm, or that it falls.
-template <class World>
-Verdict sink_of(const World& world, double time)
-{
-  const double sink = largest_sink(world, time);
-  return {stands(sink), stands(sink) ? "sinks " + rounded(1000 * sink) + " mm" : "falls"};
-}
-
 /// How many of five shots, at 10 to 1000 m/s, come back from a wall.
 template <class World>
 Verdict shots_back()
 {
-  int count = 0;
-  for (const double speed : {10.0, 30.0, 100.0, 300.0, 1000.0})
-  {
-    count += comes_back(shot_at_wall<World>(speed)) ? 1 : 0;
-  }
-  return {count == 5, std::to_string(count) + " of 5 come back"};
+  return come_back(static_cast<std::size_t>(std::count_if(
+      shot_speeds.begin(), shot_speeds.end(),
+      [](double speed) { return comes_back(shot_at_wall<World>(speed)); })));
 }
 
 /// How many contact points a world of 400 cubes solves in its 120th frame.
@@ -50,18 +40,10 @@ Verdict points_solved()
   return {world.contacts.empty(), std::to_string(world.contacts.size()) + " points"};
 }
 
-/// How many pairs of 400 cubes and the ground are compared: no more than a tenth of all is right.
-inline Verdict compared(std::size_t pairs)
+/// How many of all pairs are compared: no more than a tenth is right.
+inline Verdict compared(std::size_t pairs, std::size_t all)
 {
-  const std::size_t count = floor_of_cubes<step_4::World>(20).bodies.size();
-  return {20 * pairs <= count * (count - 1), std::to_string(pairs) + " pairs"};
-}
-
-/// All pairs of a world of 400 cubes: every body against every other.
-inline std::size_t all_pairs()
-{
-  const std::size_t count = floor_of_cubes<step_4::World>(20).bodies.size();
-  return count * (count - 1) / 2;
+  return {10 * pairs <= all, std::to_string(pairs) + " pairs"};
 }
 
 /// How high a sphere comes back that is dropped from 1 m with a restitution of 0.5; within 1 % is
@@ -76,15 +58,18 @@ Verdict bounce()
 /// The seven steps.
 inline std::vector<Rung> step_rungs()
 {
-  const std::size_t swept = pairs_compared(floor_of_cubes<step_4::World>(20).bodies);
+  const step_4::World cubes = floor_of_cubes<step_4::World>(20);
+  const std::size_t count = cubes.bodies.size(), all = count * (count - 1) / 2;
   return {
       {"1", "impulses, friction", "tower of 5, 20 s", Verdict{false, ""},
-       sink_of(tower<step_1::World>(5), 20), "stands"},
-      {"2", "warm starting", "pyramid of 55, 20 s", sink_of(pyramid<step_1::World>(10), 20),
-       sink_of(pyramid<step_2::World>(10), 20), "stands"},
-      {"3", "soft steps", "tower of 10, 40 s", sink_of(tower<step_2::World>(10), 40),
-       sink_of(tower<step_3::World>(10), 40), "stands"},
-      {"4", "broad phase", "400 cubes", compared(all_pairs()), compared(swept), "400 touch"},
+       sinks(largest_sink(tower<step_1::World>(5), 20)), "stands"},
+      {"2", "warm starting", "pyramid of 55, 20 s",
+       sinks(largest_sink(pyramid<step_1::World>(10), 20)),
+       sinks(largest_sink(pyramid<step_2::World>(10), 20)), "stands"},
+      {"3", "soft steps", "tower of 10, 40 s", sinks(largest_sink(tower<step_2::World>(10), 40)),
+       sinks(largest_sink(tower<step_3::World>(10), 40)), "stands"},
+      {"4", "broad phase", "400 cubes", compared(all, all),
+       compared(pairs_compared(cubes.bodies), all), "400 touch"},
       {"5", "restitution", "dropped 1 m, e = 0.5", bounce<step_4::World>(), bounce<step_5::World>(),
        "0.25 m"},
       {"6", "sleeping", "400 cubes, after 2 s", points_solved<step_5::World>(),

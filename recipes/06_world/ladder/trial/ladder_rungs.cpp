@@ -31,8 +31,6 @@ namespace
 
 using Small = small_world::World;
 
-const std::array<double, 5> speeds{10, 30, 100, 300, 1000}; // [m/s]
-
 /// The last state of a scene in GameWorld.
 std::vector<BodyState> ends(const Scene& scene, const std::string& solver, double time)
 {
@@ -45,12 +43,6 @@ std::vector<small_world::RigidBody> small_ends(const Scene& scene, double time)
   Small world = small_of<Small>(scene);
   small_world::run(world, time);
   return world.bodies;
-}
-
-Verdict sinks(double sink)
-{
-  const bool stands = small_world::stands(sink);
-  return {stands, stands ? "sinks " + rounded(1000 * sink) + " mm" : "falls"};
 }
 
 /// Stacks of a scene: by how much the body that sank most did in 20 s.
@@ -152,22 +144,19 @@ Rung falling_cube()
 /// How many of five cubes come back from a thin wall.
 Rung shot_cubes()
 {
-  int small = 0, game = 0;
-  for (const double speed : speeds)
+  std::size_t small = 0, game = 0;
+  for (const double speed : shot_speeds)
   {
     const Scene scene = cube_at_wall(speed);
-    small += small_world::comes_back(small_of<Small>(scene)) ? 1 : 0;
-    game += ends(scene, "soft_steps", 2).back().velocity.x() < 0 ? 1 : 0;
+    small += small_world::comes_back(small_of<Small>(scene)) ? 1U : 0U;
+    game += ends(scene, "soft_steps", 2).back().velocity.x() < 0 ? 1U : 0U;
   }
-  const auto verdict = [](int count) {
-    return Verdict{count == 5, std::to_string(count) + " of 5 come back"};
-  };
   return {
       "",
       "swept boxes",
       "cubes at a wall, to 1000 m/s",
-      verdict(small),
-      verdict(game),
+      come_back(small),
+      come_back(game),
       "5 of 5 come back"};
 }
 

@@ -53,14 +53,7 @@ LadderWorld small_ladder_world(const Scene& scene)
 {
   const auto world = std::make_shared<World>(small_of<World>(scene));
   const auto moved = [world, start = world->bodies]
-  {
-    double most = 0;
-    for (std::size_t i = 0; i < start.size(); ++i)
-    {
-      most = std::max(most, (world->bodies[i].motion.center - start[i].motion.center).norm());
-    }
-    return most;
-  };
+  { return small_world::farthest_move(start, world->bodies); };
   const auto step_once = [world, time = scene.step]
   {
     keep_awake(*world);
