@@ -611,7 +611,7 @@ TEST_CASE("of the equal separations of a cube in its own place every one comes o
 }
 // [limits]
 
-TEST_CASE("who holds and who fails at deep, level and random solids", "[gjk][epa][case:K4][long]")
+TEST_CASE("what holds and what fails at deep, level and random solids", "[gjk][epa][case:K4][long]")
 {
   check_verdicts(
       convex_verdicts(), names_of(convex_methods()),

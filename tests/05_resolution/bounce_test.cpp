@@ -171,7 +171,7 @@ TEST_CASE("divided by n, a ball's speed is scaled by (1 - (1+e)/n) n times a pas
 }
 // [X18]
 
-TEST_CASE("who holds and who fails at bounces of several points", "[case:S14][case:X18]")
+TEST_CASE("what holds and what fails at bounces of several points", "[case:S14][case:X18]")
 {
   check_verdicts(
       bounce_verdicts(), names_of(bounce_methods<double>()),
@@ -185,7 +185,7 @@ TEST_CASE("who holds and who fails at bounces of several points", "[case:S14][ca
          "bounce, 4 passes"}}});
 }
 
-TEST_CASE("who holds and who fails at pushes", "[case:X19][case:X20][case:X26]")
+TEST_CASE("what holds and what fails at pushes", "[case:X19][case:X20][case:X26]")
 {
   // The last cube is so large that its determinant is above the threshold.
   check_verdicts(

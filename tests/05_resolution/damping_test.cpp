@@ -213,7 +213,7 @@ TEST_CASE(
 }
 // [I6]
 
-TEST_CASE("who holds and who fails at damping", "[case:I5][case:I6][case:X22]")
+TEST_CASE("what holds and what fails at damping", "[case:I5][case:I6][case:X22]")
 {
   check_verdicts(
       damping_verdicts(), names_of(methods),

@@ -550,7 +550,7 @@ TEST_CASE("as published, a cube creeps down 10° by most of a metre in 10 s", "[
 // [friction_pitfalls]
 
 TEST_CASE(
-    "who holds and who fails at friction",
+    "what holds and what fails at friction",
     "[case:S9][case:S10][case:S11][case:S12][case:S13][case:S28][long]")
 {
   check_verdicts(

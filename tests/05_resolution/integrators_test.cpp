@@ -406,7 +406,7 @@ TEST_CASE(
 // [I11]
 
 TEST_CASE(
-    "who holds and who fails at swinging and falling",
+    "what holds and what fails at swinging and falling",
     "[case:I1][case:I2][case:I3][case:I10][case:I11]")
 {
   check_verdicts(
@@ -424,7 +424,7 @@ TEST_CASE(
          "implicit midpoint"}}});
 }
 
-TEST_CASE("who holds and who fails: particle and spring", "[case:I7][case:X43]")
+TEST_CASE("what holds and what fails: particle and spring", "[case:I7][case:X43]")
 {
   check_verdicts(
       published_verdicts(), {"as published", "here"},

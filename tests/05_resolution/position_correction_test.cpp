@@ -218,7 +218,7 @@ TEST_CASE(
 }
 // [ways_out]
 
-TEST_CASE("who holds and who fails at a cube inside the floor", "[case:S18]")
+TEST_CASE("what holds and what fails at a cube inside the floor", "[case:S18]")
 {
   check_verdicts(
       correction_verdicts(), names_of(corrections()),

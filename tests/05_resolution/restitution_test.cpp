@@ -245,7 +245,7 @@ TEST_CASE("stopped at the floor in time, 10 m/s comes back as 10, unless forgott
 }
 // [J8]
 
-TEST_CASE("who holds and who fails at drops", "[case:S15][case:S16][case:S17][case:J8]")
+TEST_CASE("what holds and what fails at drops", "[case:S15][case:S16][case:S17][case:J8]")
 {
   check_verdicts(
       drop_verdicts(), names_of(bounce_rules()),

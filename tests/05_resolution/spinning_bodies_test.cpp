@@ -111,7 +111,7 @@ TEST_CASE("at 50 rad/s and 60 Hz a quaternion added lags 150° a second, and gro
   CHECK(angle_between(ways[3], right) <= 100 * rounding);
 }
 
-TEST_CASE("who holds and who fails at steady spins", "[case:A5][case:A6][case:X24]")
+TEST_CASE("what holds and what fails at steady spins", "[case:A5][case:A6][case:X24]")
 {
   // One axis alone is no trouble for angles.
   check_verdicts(
@@ -442,7 +442,7 @@ TEST_CASE("the racket, 10 s at 60 Hz: energy × 2.585, × 0.526, or no flip at a
   CHECK(clamped.flips[2] > 1.1 * flip_times({1, 2, 3}, {0.01, 10, 0.01})[2]);
 }
 
-TEST_CASE("who holds and who fails at free spins", "[case:I4][long]")
+TEST_CASE("what holds and what fails at free spins", "[case:I4][long]")
 {
   check_verdicts(
       spin_verdicts(), names_of(spin_methods()),

@@ -311,7 +311,8 @@ TEST_CASE("speculative leaves a ball of 10 m/s and e = 1 the gap over the step",
 // [lost_bounce]
 
 TEST_CASE(
-    "which balls who stops, lets by and lets bounce", "[case:J1][case:J2][case:J4][case:J8][long]")
+    "which method stops, lets by and lets bounce which spheres",
+    "[case:J1][case:J2][case:J4][case:J8][long]")
 {
   check_verdicts(
       flight_verdicts(), names_of(flight_methods()),
@@ -329,7 +330,7 @@ TEST_CASE(
        {"e = 0.8 on a 2 cm wall, 1,000 m/s", {"speculative, full bounce", "swept"}}});
 }
 
-TEST_CASE("who finds when two boxes touch", "[case:J5][case:J6]")
+TEST_CASE("which method finds when two boxes touch", "[case:J5][case:J6]")
 {
   check_verdicts(
       box_sweep_verdicts(), names_of(box_sweep_methods()),

@@ -607,7 +607,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("who has fallen after 8 s, and who has sunk as his springs say", "[case:S2][long]")
+TEST_CASE("what has fallen after 8 s, and what has sunk as its springs say", "[case:S2][long]")
 {
   using Names = std::set<std::string>;
   struct Solver

@@ -493,7 +493,7 @@ TEST_CASE("when the ground is removed, what slept on it wakes and falls", "[case
 
 // [cases]
 TEST_CASE(
-    "who holds and who fails in the world",
+    "what holds and what fails in the world",
     "[case:S3][case:S6][case:S7][case:S8][case:S18][case:S20][case:S21][case:S22]"
     "[case:S23][case:L3][long]")
 {

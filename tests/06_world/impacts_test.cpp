@@ -257,8 +257,8 @@ TEST_CASE("a body is swept that a step leaves deeper than 7.5 %, and not by grav
     fixed,
     moves
   };
-  // A cube or a ball of 20 cm goes from a height over a slab to one, and a way along it: who is too
-  // deep?
+  // A cube or a ball of 20 cm goes from a height over a slab to one, and a distance along it: what
+  // is too deep?
   const auto needs_sweep = [](double from, double to, double along, Slab slab, const auto& shape)
   {
     Scene scene{
@@ -612,7 +612,7 @@ TEST_CASE("cubes that lose no speed hand it on to as many at the end of a row")
   }
 }
 
-TEST_CASE("who sleeps and is driven along wakes, and goes on in the next steps")
+TEST_CASE("a sleeping body that is driven along wakes, and goes on in the next steps")
 {
   Scene scene;
   scene.gravity.setZero(); // so that cubes half a millimetre apart are no contact
@@ -820,7 +820,7 @@ TEST_CASE("what bounces well is driven along once one of the two that touch was 
   }
 }
 
-TEST_CASE("not driven along: a ball, who bounces well, lies apart, passes, is let through, gets "
+TEST_CASE("not driven along: a ball that bounces well, lies apart, passes, is let through, gets "
           "hardly deeper")
 {
   const auto third = [](const auto& change, double time = 0)

@@ -236,7 +236,7 @@ TEST_CASE("as published, five cubes have collapsed after 2.5 s", "[case:S2][case
 }
 
 TEST_CASE(
-    "who holds and who fails at stacks", "[case:S1][case:S2][case:S4][case:S5][case:S19][long]")
+    "what holds and what fails at stacks", "[case:S1][case:S2][case:S4][case:S5][case:S19][long]")
 {
   // As published; cold 8 and 20, warm 8 and 20 passes; positions 1 × 20, 20 × 1.
   check_verdicts(

@@ -1,5 +1,6 @@
 /// \file
-/// Bodies that a game puts elsewhere: what falls there, what wakes, and what is not hit on the way.
+/// Bodies that a game puts elsewhere: what falls there, what wakes, and that nothing in between is
+/// hit.
 
 #include "06_world/game_world/solvers.hpp"
 #include "06_world/game_world/world_queries.hpp"
@@ -51,7 +52,7 @@ TEST_CASE("a cube that is put on a tower stands there as if it had from the star
   }
 }
 
-TEST_CASE("a ball that is put behind a wall keeps its velocity, and hits nothing on the way")
+TEST_CASE("a ball that is put behind a wall keeps its velocity, and hits nothing in between")
 {
   Scene scene{.gravity = {0, 0, 0}};
   scene.bodies = {box_body("wall", {0.1, 5, 5}, {0, 0, 0}, 0), ball_body("ball", 0.1, {-2, 0, 0})};
@@ -70,7 +71,7 @@ TEST_CASE("a ball that is put behind a wall keeps its velocity, and hits nothing
   CHECK(world.body(1).motion.velocity == Vector3<double>(6, 0, 0));
 }
 
-TEST_CASE("who leaned on it falls, whoever sleeps where it is put wakes, and others sleep on")
+TEST_CASE("what leaned on it falls, what sleeps where it is put wakes, and others sleep on")
 {
   for (const bool table : {false, true})
   {
@@ -117,7 +118,7 @@ TEST_CASE("a scene that is moved by a kilometre goes on as it would have, a kilo
   }
 }
 
-TEST_CASE("who is put to no place, or turned by nothing, is told so by name, and stays")
+TEST_CASE("what is put to no place, or turned by nothing, is refused by name, and stays")
 {
   GameWorld world(named_scene("tower_2"), solver_named("direct"));
   world.add(cube_body("gone", {5, 0.5, 0}));

@@ -100,7 +100,7 @@ TEST_CASE("a world whose solver has thrown once goes on, and gives each island o
   CHECK(islands == 4);
 }
 
-TEST_CASE("who uses a world badly is told by name, and nothing changes")
+TEST_CASE("bad input to a world is refused by name, and nothing changes")
 {
   using Catch::Matchers::ContainsSubstring;
   CHECK_THROWS_WITH(GameWorld({}, nullptr), ContainsSubstring("needs a solver"));
@@ -134,8 +134,7 @@ TEST_CASE("who uses a world badly is told by name, and nothing changes")
   CHECK(world.bodies()[0].motion.velocity == zero);
 }
 
-TEST_CASE(
-    "gravity that is turned round wakes who sleeps, and lets him fall up: 4.905 m in a second")
+TEST_CASE("gravity that is turned round wakes a sleeping body, which falls up: 4.905 m in a second")
 {
   GameWorld world(named_scene("tower_1"), solver_named("direct"), true);
   while (world.time() < 2)
@@ -479,7 +478,7 @@ TEST_CASE("what stands under gravity stands where forces pull as gravity does, t
   }
 }
 
-TEST_CASE("who gets out of the way of a cube that a force pulls is not touched")
+TEST_CASE("what moves aside from a cube that a force pulls is not touched")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
   {
@@ -610,7 +609,7 @@ TEST_CASE("8 N pull 1 kg on a floor with μ = .5 by 3.095 m/s², 4 N do not move
   }
 }
 
-TEST_CASE("who is held up by its weight stays where it is; a steady force leads along a parabola")
+TEST_CASE("what is held up by its weight stays where it is; a steady force leads along a parabola")
 {
   for (const std::string& solver : solver_names())
   {

@@ -72,12 +72,12 @@ TEST_CASE("thousands of bodies that come and go, fifty at a time, take the room 
     }
     on(world, 10);
   }
-  CHECK(world.bodies().size() == 52); // with the ground, and who had not left when the next came
+  CHECK(world.bodies().size() == 52); // with the ground, and those not removed when the next came
   CHECK(world.has(there.front()));
   CHECK(world.bodies().size() < there.front());
 }
 
-TEST_CASE("who is put in where another was goes on as at a new place, to the bit")
+TEST_CASE("a body in a slot that was another's goes on as in a new one, to the bit")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
   {
@@ -87,7 +87,7 @@ TEST_CASE("who is put in where another was goes on as at a new place, to the bit
       GameWorld world = one_has_left(solver, may_sleep);
       on(world, 1);
       GameWorld other = world;
-      other.add(box_body("wall", {1, 1, 1}, {-50, 0, 0}, 0)); // has the place of who has left
+      other.add(box_body("wall", {1, 1, 1}, {-50, 0, 0}, 0)); // has the slot of a removed one
       const BodyId at_old = world.add(thrown("next")), at_new = other.add(thrown("next"));
       CHECK(world.index(at_old) == 1);
       CHECK(other.index(at_new) == 3);
@@ -108,7 +108,7 @@ TEST_CASE("who is put in where another was goes on as at a new place, to the bit
   }
 }
 
-TEST_CASE("who is put on a sleeper wakes it, also at the place of another")
+TEST_CASE("a body put on a sleeping one wakes it, also in the slot of another")
 {
   GameWorld world = one_has_left("direct", true);
   on(world, 1);
@@ -145,7 +145,7 @@ TEST_CASE("a place is given on after a step, and its ids differ")
   CHECK(world.add(thrown("third")) == copy.add(thrown("third")));
 }
 
-TEST_CASE("who passed through the ground leaves nothing of that to the next at its place")
+TEST_CASE("a body that passed through the ground leaves nothing of that to the next in its slot")
 {
   GameWorld world({.bodies = {ground(), cube_body("ghost", {0, 3, 0})}}, solver_named("direct"));
   world.ignore(0, 1);
@@ -159,7 +159,7 @@ TEST_CASE("who passed through the ground leaves nothing of that to the next at i
   CHECK(world.body(next).motion.center.y() == Catch::Approx(0.5).margin(1e-3));
 }
 
-TEST_CASE("a solver that found no answer for who has left is as new for the next at its place")
+TEST_CASE("a solver that found no answer for a removed body is as new for the next in its slot")
 {
   const auto slid = [](const std::vector<SceneBody>& bodies)
   {
@@ -183,7 +183,7 @@ TEST_CASE("a solver that found no answer for who has left is as new for the next
   CHECK(slid({ground(), tumbles}) == slid({ground()}));
 }
 
-TEST_CASE("rays, overlaps and contacts say who is at a place now")
+TEST_CASE("rays, overlaps and contacts name the body that is in a slot now")
 {
   GameWorld world = one_has_left("direct", false);
   on(world, 1);

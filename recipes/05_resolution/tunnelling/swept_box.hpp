@@ -81,8 +81,8 @@ inline constexpr int max_box_advances = 50;
 
 /// Advances two boxes by what their gap allows, from a time to 1, to a gap of `tolerance` [m].
 ///
-/// Nothing where they do not touch on the way. After `max_box_advances` they stop short, where
-/// they are.
+/// Nothing where they do not touch within the displacement. After `max_box_advances` they stop
+/// short, where they are.
 template <class Real, class Query>
 std::optional<SweptHit<Real>> advance_boxes(Real time, const Real& tolerance, const Query& query)
 {
@@ -105,8 +105,8 @@ std::optional<SweptHit<Real>> advance_boxes(Real time, const Real& tolerance, co
 // [swept_boxes]
 /// The first touch of two boxes that move and turn, to a gap of `tolerance` [m]; P20.
 ///
-/// Nothing where they do not touch on the way; time 0 where they do at the start. The normal points
-/// from A to B.
+/// Nothing where they do not touch within the displacement; time 0 where they do at the start. The
+/// normal points from A to B.
 template <class Real>
 std::optional<SweptHit<Real>>
 swept_boxes(const SweptBox<Real>& a, const SweptBox<Real>& b, Real tolerance)

@@ -38,8 +38,8 @@ narrowed(const std::optional<SweptHit<Wide<Real>>>& hit, const Matrix3<Wide<Real
 // [swept_sphere_box]
 /// The first touch of a sphere that moves by a displacement [m], as seen from a box.
 ///
-/// Nothing where they do not touch on the way, part from the start, or stand still. All numbers
-/// are finite and their squares too.
+/// Nothing where they do not touch within the displacement, separate from the start, or stand
+/// still. All numbers are finite and their squares too.
 template <class Real>
 std::optional<SweptHit<Real>> swept_sphere_box(
     const Sphere<Real>& sphere, const Vector3<Real>& displacement, const Obb<Real>& box)

@@ -101,7 +101,7 @@ public:
   /// Removes a body, and wakes what touches it; after the next step its slot is free.
   void remove(BodyId body) { remove_body(state_, index(body)); }
 
-  /// Teleports a body to a pose [m], world; it hits nothing on the way and keeps its velocity. It
+  /// Teleports a body to a pose [m], world; it hits nothing in between and keeps its velocity. It
   /// wakes, with what it touched and what it will touch. InvalidShape, and nothing changes, if it
   /// is a plane or if that is no pose.
   void set_pose(BodyId body, const Vector3<double>& position, const Quaternion<double>& orientation)

@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief Bodies that come, go and are put elsewhere, and who wakes of it.
+/// \brief Bodies that are added, removed and teleported, and what wakes of it.
 
 #include "06_world/contacts/bounds.hpp"
 #include "06_world/game_world/world_state.hpp"
@@ -87,7 +87,7 @@ void put_at(List& list, std::size_t place, const Item& item)
   place < list.size() ? list[place] = item : list.emplace_back(item);
 }
 
-/// The place that the next body is given: that of one who was taken out, or a new one.
+/// The slot that the next body is given: a free one, or a new one.
 inline std::size_t next_index(const WorldState& world)
 {
   return world.free_slots.empty() ? world.bodies.size() : world.free_slots.back();
@@ -103,7 +103,7 @@ inline std::size_t add_body(WorldState& world, const SceneBody& body)
   put_at(world.scene.bodies, i, body);
   set_start_state(world.scene.bodies[i], made);
   put_at(world.bodies, i, made);
-  world.sleep.resize(world.may_sleep ? world.bodies.size() : 0); // who has left was woken before
+  world.sleep.resize(world.may_sleep ? world.bodies.size() : 0); // a removed body was woken before
   world.bounds.push_back(bounds_now(world, i));
   world.spheres += made.is_sphere ? 1 : 0;
   put_at(world.removed, i, false);
@@ -129,7 +129,7 @@ inline void remove_body(WorldState& world, std::size_t i)
       [&](const auto& pair) { return index_of(pair.first) == i || index_of(pair.second) == i; });
 }
 
-/// Frees the places of those who had left before a step.
+/// Frees the slots of the bodies that were removed before a step.
 inline void release_slots(WorldState& world)
 {
   world.free_slots.insert(

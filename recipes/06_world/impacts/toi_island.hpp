@@ -167,7 +167,7 @@ private:
   const StepTrajectories& step_;
   const ToiEvent& event_;
   double threshold_;
-  int pushed_count_ = 0; // who can move, beside the two that touch
+  int pushed_count_ = 0; // those that can move, beside the two that touch
   std::deque<ToiBody> bodies_;
   std::deque<Pair> pairs_;
 };

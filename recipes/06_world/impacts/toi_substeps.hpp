@@ -59,7 +59,8 @@ inline void remove_approach(
 /// as many more it stays where it is.
 inline constexpr int max_toi_events = 64;
 
-/// Has bodies go on from touches, and knows who has, and how often each was the first at a touch.
+/// Moves bodies on after touches; knows which have moved on, and how often each was the first to
+/// touch.
 class ToiSubsteps
 {
 public:

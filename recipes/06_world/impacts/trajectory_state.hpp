@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief Where a body is on its way through a step, and how it goes on from a touch.
+/// \brief Where a body is within a step, and how it goes on from a touch.
 
 #include "06_world/islands/free_flight.hpp"
 #include "06_world/sweeps/step_trajectories.hpp"

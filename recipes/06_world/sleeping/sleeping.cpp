@@ -54,7 +54,7 @@ void draw(const Arguments& given)
   save_figure(
       given, "sleeping_cases.html",
       verdict_table(
-          "Balls, watched 60 times a second: who falls asleep when.", names_of(sleep_rules()),
+          "Balls, watched 60 times a second: when each falls asleep.", names_of(sleep_rules()),
           sleep_verdicts()));
   save_figure(
       given, "sleeping_waking.html",

@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief When a box first touches another body on its way through a step.
+/// \brief When a box first touches another body within a step.
 
 #include "02_primitives/shape_bounds/obb_bounds.hpp"
 #include "05_resolution/tunnelling/moving_corners.hpp"

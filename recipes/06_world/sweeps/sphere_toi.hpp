@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief When a ball first touches another body on its way through a step.
+/// \brief When a sphere first touches another body within a step.
 
 #include "05_resolution/tunnelling/swept_sphere.hpp"
 #include "06_world/contacts/near_shapes.hpp"

@@ -27,7 +27,7 @@ struct StepTrajectories
   std::span<const WorldContact> contacts;           ///< of this step
   const std::vector<bool>& falls;                   ///< whether no other body pushed it
   const std::vector<bool>& removed;                 ///< whether it is no more
-  std::span<const std::pair<int, int>> close_pairs; ///< who were near as it began
+  std::span<const std::pair<int, int>> close_pairs; ///< those near each other as it began
   std::vector<Trajectory>& trajectories;            ///< of all bodies
   std::vector<double>& displacements;               ///< [m], how far any point of a body went
   std::vector<bool>& needs_sweep;                   ///< left too deep by a solver, or swept
