@@ -95,10 +95,10 @@ struct Picture
 
 /// A picture of width × height pixels that are shown, each made of samples × samples drawn ones.
 ///
-/// It is black and empty; sizes below zero are zero, samples below one are one.
+/// It is black and empty. Sizes below zero are zero; samples are 1, 2 or 4, others the next below.
 inline Picture make_picture(int width, int height, int samples = 1)
 {
-  const int n = std::max(samples, 1);
+  const int n = samples >= 4 ? 4 : samples >= 2 ? 2 : 1;
   Picture picture{std::max(width, 0) * n, std::max(height, 0) * n, {}, {}, n};
   const auto count =
       static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
@@ -139,43 +139,48 @@ inline void clear(Picture& picture, const Palette& palette)
   clear(picture, palette.sky, palette.horizon);
 }
 
-/// The mean of the drawn pixels of one shown pixel, whose upper left one has number `first`.
-inline std::uint32_t mean_pixel(const Picture& picture, std::size_t first)
+/// The mean of n × n pixels, the upper left of which is `first`, in rows of `width`.
+///
+/// The four bytes are added two at a time, 16 bits for each sum: r and b, then g and a.
+template <int n>
+std::uint32_t mean_pixel(const std::uint32_t* first, std::size_t width)
 {
-  const int n = picture.samples;
-  std::array<int, 3> sum{};
-  for (int i = 0; i < n * n; ++i)
+  constexpr unsigned shift = n == 4 ? 4 : 2; // divides by n²
+  constexpr std::uint32_t half = 0x00010001U << (shift - 1), bytes = 0x00ff00ffU;
+  std::uint32_t red_blue = half, green_alpha = half;
+  for (std::size_t i = 0; i < n * n; ++i)
   {
-    const std::size_t at = first + row_start(picture, i / n) + static_cast<std::size_t>(i % n);
-    const Colour c = to_colour(picture.pixels[at]);
-    sum = {sum[0] + c.r, sum[1] + c.g, sum[2] + c.b};
+    const std::uint32_t pixel = first[i / n * width + i % n];
+    red_blue += pixel & bytes;
+    green_alpha += (pixel >> 8) & bytes;
   }
-  const auto mean = [n](int s) { return static_cast<std::uint8_t>((s + n * n / 2) / (n * n)); };
-  return to_pixel({mean(sum[0]), mean(sum[1]), mean(sum[2])});
+  return ((red_blue >> shift) & bytes) | (((green_alpha >> shift) & bytes) << 8);
 }
 
-/// The picture that is shown: each block of samples × samples pixels becomes their mean.
-///
-/// Its depths are those of the blocks' upper left pixels.
-inline Picture shown(const Picture& picture)
+/// The picture that is shown, of samples n: each block of n × n pixels becomes their mean.
+template <int n>
+Picture averaged(const Picture& picture)
 {
-  if (picture.samples <= 1)
-  {
-    return picture;
-  }
-  const int n = picture.samples;
   Picture small = make_picture(picture.width / n, picture.height / n);
-  std::size_t to = 0;
+  const std::size_t width = static_cast<std::size_t>(picture.width);
   for (int y = 0; y < small.height; ++y)
   {
-    for (int x = 0; x < small.width; ++x, ++to)
+    const std::size_t to = row_start(small, y), from = row_start(picture, y * n);
+    for (std::size_t x = 0; x < static_cast<std::size_t>(small.width); ++x)
     {
-      const std::size_t first = row_start(picture, y * n) + static_cast<std::size_t>(x * n);
-      small.pixels[to] = mean_pixel(picture, first);
-      small.depth[to] = picture.depth[first];
+      small.pixels[to + x] = mean_pixel<n>(&picture.pixels[from + n * x], width);
+      small.depth[to + x] = picture.depth[from + n * x];
     }
   }
   return small;
+}
+
+/// The picture that is shown: the mean of each block of drawn pixels, the depth of its upper left.
+inline Picture shown(const Picture& picture)
+{
+  return picture.samples == 4   ? averaged<4>(picture)
+         : picture.samples == 2 ? averaged<2>(picture)
+                                : picture;
 }
 
 } // namespace cookbook

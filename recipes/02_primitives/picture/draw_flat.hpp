@@ -12,17 +12,18 @@
 namespace cookbook
 {
 
-/// Where the light comes from, and how bright a face is that it does not reach.
+/// Where the light comes from, and how bright it is.
 struct Light
 {
-  Vector3<double> towards{0.36, 0.8, 0.48}; ///< [1] unit, world, from a body to the light
-  double ambient = 0.6;                     ///< [1] from 0 to 1
+  Vector3<double> towards{-0.48, 0.8, 0.36}; ///< [1] unit, world, from a body to the light
+  double ambient = 0.7;                      ///< [1] brightness of a face that the light misses
+  double direct = 0.4;                       ///< [1] what a face adds that looks into the light
 };
 
-/// How bright a surface with this unit normal is: Lambert's cosine.
+/// How bright a surface with this unit normal is: Lambert's cosine law.
 inline double brightness(const Light& light, const Vector3<double>& normal)
 {
-  return light.ambient + (1 - light.ambient) * std::max(0.0, normal.dot(light.towards));
+  return light.ambient + light.direct * std::max(0.0, normal.dot(light.towards));
 }
 
 /// Corners with a fourth coordinate: in the world it is 1, in clip space W.

@@ -159,4 +159,18 @@ inline void draw_shadow(
   lay_shadow(picture, camera, shadow_of(corners_of(disc), floor, light), floor, colour);
 }
 
+/// Draws a capsule's shadow: those of its ends, and of the strip between them across the light.
+inline void draw_shadow(
+    Picture& picture, const Camera<double>& camera, const Obb<double>& floor,
+    const Capsule<double>& capsule, const Colour& colour, const Light& light = {})
+{
+  const auto& [a, b] = capsule.segment;
+  const Vector3<double> beside =
+      capsule.radius * perpendicular_to_both(light.towards, Vector3<double>(b - a));
+  const std::array<Vector3<double>, 4> strip{a - beside, b - beside, b + beside, a + beside};
+  lay_shadow(picture, camera, shadow_of(corners_of(strip), floor, light), floor, colour);
+  draw_shadow(picture, camera, floor, Sphere<double>{a, capsule.radius}, colour, light);
+  draw_shadow(picture, camera, floor, Sphere<double>{b, capsule.radius}, colour, light);
+}
+
 } // namespace cookbook
