@@ -91,13 +91,13 @@ inline Complaints recipes_have_folders(const std::vector<std::string>& paths)
   return complaints;
 }
 
-/// What is exported stands alone: outside a trial, only programs include from one.
+/// What is exported stands alone: outside a trial, only programs and live figures include from one.
 inline Complaints exported_stand_alone(const std::vector<TextFile>& sources)
 {
   std::set<std::string> programs;
   for (const TextFile& source : sources)
   {
-    if (source.text.find("int main(") != std::string::npos)
+    if (source.text.find("int main(") != std::string::npos || source.path.ends_with("/live.cpp"))
     {
       programs.insert(source.path);
     }

@@ -47,7 +47,7 @@ void write_title(Sketch& sketch, const std::string& title, double width)
 
 std::string document(const std::string& name, const Panel& panel)
 {
-  constexpr double margin = 12;
+  constexpr double margin = document_margin;
   const std::string body = svg::element(
       "g", {{"transform", "translate(" + svg::pair({margin, margin}) + ")"}}, "\n" + panel.body);
   return svg::document(

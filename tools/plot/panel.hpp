@@ -40,6 +40,9 @@ double title_height(const std::string& title, double width);
 /// Writes the title into the upper left corner.
 void write_title(Sketch& sketch, const std::string& title, double width);
 
+/// What a document leaves free around its panel [pixels].
+inline constexpr double document_margin = 12;
+
 /// Returns the document of one panel.
 std::string document(const std::string& name, const Panel& panel);
 

@@ -1,8 +1,8 @@
 #include "tools/program/table.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
 namespace cookbook
@@ -10,10 +10,10 @@ namespace cookbook
 
 std::string number(double value)
 {
-  char text[32];
-  const std::to_chars_result result = std::to_chars(
-      text, text + sizeof text, value == 0 ? 0.0 : value, std::chars_format::general, 4);
-  return std::string(text, result.ptr);
+  char text[32]; // std::to_chars brings tables of 110 kB, which a live figure would carry; no
+                 // locale is set
+  return std::string(
+      text, std::size_t(std::snprintf(text, sizeof text, "%.4g", value == 0 ? 0.0 : value)));
 }
 
 std::string rounded(double value)

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
+#include <cstdio>
 
 namespace cookbook::plot
 {
@@ -43,10 +43,8 @@ std::string log_text(int exponent, bool plain)
 std::string significant(double value, int digits)
 {
   std::array<char, 64> buffer{};
-  const auto result = std::to_chars(
-      buffer.data(), buffer.data() + buffer.size(), std::abs(value), std::chars_format::general,
-      digits);
-  std::string text(buffer.data(), result.ptr);
+  std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, std::abs(value));
+  std::string text(buffer.data());
   const std::size_t exponent = text.find('e');
   if (exponent != std::string::npos)
   {

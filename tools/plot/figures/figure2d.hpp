@@ -111,6 +111,9 @@ public:
   /// Draws a faint grid with lines `spacing` apart.
   Figure2d& grid(double spacing);
 
+  /// The part of the world that is shown.
+  const View& view() const { return view_; }
+
   /// Where a point of the world lands, in pixels from the figure's upper left corner.
   Eigen::Vector2d to_pixels(const Eigen::Vector2d& world) const;
 

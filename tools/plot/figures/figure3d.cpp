@@ -356,16 +356,24 @@ Figure3d& Figure3d::axes(const Vector3d& origin, double length)
   return arrow(origin, origin + length * Vector3d::UnitZ(), Ink::muted, "z");
 }
 
+Vector2d Figure3d::to_pixels(const Vector3d& world) const
+{
+  if (!frame_)
+  {
+    throw std::logic_error("plot: " + name_ + ": to_pixels needs a frame");
+  }
+  const double top = title_height(title_, camera_.width);
+  const Vector3d p = camera_.width / frame_->width * to_camera(world - frame_->center);
+  return {camera_.width / 2 + p.x(), top + camera_.height / 2 - p.y()};
+}
+
 Panel Figure3d::panel(const std::string& id) const
 {
   const double top = title_height(title_, camera_.width);
   Projection project = fitted(objects_, notes_, camera_, top);
   if (frame_)
   {
-    project.scale = camera_.width / frame_->width;
-    const Vector3d center = project.scale * to_camera(frame_->center);
-    project.origin = {camera_.width / 2 - center.x(), top + camera_.height / 2 + center.y()};
-    project.height = camera_.height;
+    project = {camera_.width / frame_->width, to_pixels({0, 0, 0}), camera_.height};
   }
   Sketch sketch;
   const std::vector<std::size_t> order = far_to_near(objects_);

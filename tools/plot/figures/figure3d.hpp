@@ -105,6 +105,10 @@ public:
   /// Turns a point of the world into the camera's frame: x right, y up, z towards the viewer.
   Eigen::Vector3d to_camera(const Eigen::Vector3d& world) const;
 
+  /// Where a point of the world lands, in pixels from the figure's upper left corner;
+  /// std::logic_error without a frame, as only the finished scene knows then.
+  Eigen::Vector2d to_pixels(const Eigen::Vector3d& world) const;
+
   Panel panel(const std::string& id) const;
   std::vector<Rect> label_boxes() const;
   std::string svg() const;
