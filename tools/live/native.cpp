@@ -23,7 +23,12 @@ void print_tour(live::Session& session)
   for (const std::string& pose : session.tour())
   {
     session.send(pose);
-    std::cout << "\n> " << pose << session.numbers();
+    std::cout << "\n";
+    for (std::size_t begin = 0; begin < pose.size(); begin = pose.find('\n', begin) + 1)
+    {
+      std::cout << "> " << pose.substr(begin, pose.find('\n', begin) - begin) << "\n";
+    }
+    std::cout << session.numbers();
   }
 }
 
