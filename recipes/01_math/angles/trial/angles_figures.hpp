@@ -57,10 +57,10 @@ inline plot::Grid lengths_figure()
 }
 
 /// What the arc cosine and the arc tangent of floats find for angles up to a thousandth.
-inline plot::Chart steps_chart()
+inline plot::Chart steps_chart(const std::string& name = "angles_steps", double width = 400)
 {
   plot::Chart chart(
-      "angles_steps", "", {"angle between the vectors [0.001 rad]", plot::Scale::linear, 0, 1},
+      name, "", {"angle between the vectors [0.001 rad]", plot::Scale::linear, 0, 1},
       {"angle found [0.001 rad]", plot::Scale::linear, 0, 1.2});
   std::vector<Eigen::Vector2d> by_cosine, by_both;
   for (int i = 0; i <= 400; ++i)
@@ -76,7 +76,7 @@ inline plot::Chart steps_chart()
       .line("acos", by_cosine, plot::series_look(1))
       .line("recommended", by_both, plot::series_look(0))
       .legend(plot::Legend::below)
-      .size(400, 330);
+      .size(width, 330);
   return chart;
 }
 

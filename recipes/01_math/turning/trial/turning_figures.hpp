@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 namespace cookbook
@@ -50,28 +51,40 @@ inline plot::Figure2d tangent_figure()
   return figure;
 }
 
+/// Quaternions of turns about one axis, as points of the plane of w and the part along the axis:
+/// where steps lead that are turned, and where those of another way do.
+inline plot::Figure2d ways_figure(
+    const std::string& name, const std::string& other, const std::vector<Eigen::Vector2d>& turned,
+    const std::vector<Eigen::Vector2d>& way, const plot::View& view)
+{
+  plot::Figure2d figure(name, "", view);
+  figure.circle({0, 0}, 1, plot::Ink::a, plot::Fill::none);
+  for (std::size_t i = 1; i < way.size(); ++i)
+  {
+    figure.dot(turned[i], plot::Ink::a).dot(way[i], plot::Ink::b);
+  }
+  figure.polyline(way, plot::Ink::b)
+      .segment({0, 0}, way.back(), plot::Ink::b, plot::Stroke::dashed)
+      .segment({0, 0}, turned.back(), plot::Ink::a, plot::Stroke::dashed)
+      .point(turned.front(), plot::Ink::ink, "q", plot::Side::right)
+      .point(way.back(), plot::Ink::b, other, plot::Side::below)
+      .point(turned.back(), plot::Ink::a, "turned", plot::Side::right);
+  return figure;
+}
+
 /// Nine steps of half an angle of 0.4 radians, added: the quaternion runs away from the circle.
 inline plot::Figure2d spiral_figure()
 {
-  plot::Figure2d figure("turning_way", "", {{-2.35, -1.2}, {1.45, 1.85}, 400});
-  figure.describe("Nine steps added spiral outwards; the same steps turned stay on the circle.")
-      .circle({0, 0}, 1, plot::Ink::a, plot::Fill::none);
   const double half = 0.4;
-  Eigen::Vector2d added(1, 0);
-  std::vector<Eigen::Vector2d> way{added};
+  std::vector<Eigen::Vector2d> turned{{1, 0}}, added{{1, 0}};
   for (int i = 1; i <= 9; ++i)
   {
-    added += half * Eigen::Vector2d(-added.y(), added.x());
-    way.push_back(added);
-    figure.dot({std::cos(half * i), std::sin(half * i)}, plot::Ink::a).dot(added, plot::Ink::b);
+    turned.emplace_back(std::cos(half * i), std::sin(half * i));
+    added.push_back(added.back() + half * Eigen::Vector2d(-added.back().y(), added.back().x()));
   }
-  const Eigen::Vector2d end(std::cos(9 * half), std::sin(9 * half));
-  figure.polyline(way, plot::Ink::b)
-      .segment({0, 0}, added, plot::Ink::b, plot::Stroke::dashed)
-      .segment({0, 0}, end, plot::Ink::a, plot::Stroke::dashed)
-      .point({1, 0}, plot::Ink::ink, "q", plot::Side::right)
-      .point(added, plot::Ink::b, "added", plot::Side::below)
-      .point(end, plot::Ink::a, "turned", plot::Side::right);
+  plot::Figure2d figure =
+      ways_figure("turning_way", "added", turned, added, {{-2.35, -1.2}, {1.45, 1.85}, 400});
+  figure.describe("Nine steps added spiral outwards; the same steps turned stay on the circle.");
   return figure;
 }
 
