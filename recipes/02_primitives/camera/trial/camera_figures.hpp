@@ -17,39 +17,45 @@
 namespace cookbook
 {
 
-/// The camera of the first figure: it sees less, so that what it sees is large.
-inline Camera<double> figure_camera()
+/// What the first figure shows: a camera, the two things before it, and the pixel that is picked.
+struct ViewScene
+{
+  Camera<double> camera;
+  Eigen::AlignedBox<double, 3> box; ///< [m]
+  Sphere<double> sphere;            ///< [m]
+  Vector<double, 2> pixel;          ///< [pixels]
+};
+
+/// The scene of the first figure; the camera sees less than usual, so that what it sees is large.
+/// `x` is that of the eye [m].
+inline ViewScene view_scene(double x = -0.5)
 {
   const Matrix4<double> lens = *perspective(0.7, 1.5, 1.6, 6.5);
-  return {look_at<double>({-0.5, 2, 4.5}, {0.3, 0.3, 0}, {0, 1, 0}), lens, {480, 320}};
+  return {
+      {look_at<double>({x, 2, 4.5}, {0.3, 0.3, 0}, {0, 1, 0}), lens, {480, 320}},
+      {Vector3<double>(-1, 0, -1), Vector3<double>(0.2, 1, 0.2)},
+      {{1.3, 0.5, 0.3}, 0.5},
+      {190, 165}};
 }
 
-/// The box of the first figure [m].
-inline const Eigen::AlignedBox<double, 3> figure_box =
-    Eigen::AlignedBox<double, 3>(Vector3<double>(-1, 0, -1), Vector3<double>(0.2, 1, 0.2));
-/// The ball of the first figure [m].
-inline const Sphere<double> figure_sphere = {{1.3, 0.5, 0.3}, 0.5};
-/// The pixel that is picked.
-inline const Vector<double, 2> figure_pixel(190, 165);
-
 /// Where the ray of the picked pixel meets the plane of the box's front face.
-inline Vector3<double> picked_point()
+inline Vector3<double> picked_point(const ViewScene& scene)
 {
-  const Ray<double> ray = picking_ray(figure_camera(), figure_pixel);
-  const double t = (figure_box.max().z() - ray.origin.z()) / ray.direction.z();
+  const Ray<double> ray = picking_ray(scene.camera, scene.pixel);
+  const double t = (scene.box.max().z() - ray.origin.z()) / ray.direction.z();
   return ray.origin + t * ray.direction;
 }
 
-/// The scene from outside: the eye, the frustum, and the ray of one pixel.
-inline plot::Figure3d outside_figure()
+/// The scene from outside: the eye, the frustum, and the ray of one pixel to a point.
+inline plot::Figure3d
+outside_figure(const ViewScene& scene, const Vector3<double>& picked, double width = 440)
 {
-  const Camera<double> camera = figure_camera();
-  const std::array<Vector3<double>, 8> corners = *view_corners<double>(camera, -1, 1);
-  const Vector3<double> eye = camera.pose.translation();
-  plot::Figure3d figure("camera_outside", "the scene from outside", {1.15, 0.3, 440, 300, 20});
+  const std::array<Vector3<double>, 8> corners = *view_corners<double>(scene.camera, -1, 1);
+  const Vector3<double> eye = scene.camera.pose.translation();
+  plot::Figure3d figure("camera_outside", "the scene from outside", {1.15, 0.3, width, 300, 20});
   figure.plane({0, 0, 0}, {0, 1, 0}, 2.5, 5)
-      .box(figure_box.center(), Matrix3<double>::Identity(), figure_box.sizes() / 2, plot::Ink::a)
-      .sphere(figure_sphere.center, figure_sphere.radius, plot::Ink::b);
+      .box(scene.box.center(), Matrix3<double>::Identity(), scene.box.sizes() / 2, plot::Ink::a)
+      .sphere(scene.sphere.center, scene.sphere.radius, plot::Ink::b);
   for (unsigned i = 0; i < 4; ++i)
   {
     figure.segment(eye, corners[i], plot::Ink::muted, plot::Stroke::dotted, 1)
@@ -63,8 +69,8 @@ inline plot::Figure3d outside_figure()
         plot::Ink::muted, plot::Stroke::solid, 1.2);
   }
   figure.point(eye, plot::Ink::ink, "eye", plot::Side::above)
-      .segment(eye, picked_point(), plot::Ink::overlap)
-      .point(picked_point(), plot::Ink::overlap);
+      .segment(eye, picked, plot::Ink::overlap)
+      .point(picked, plot::Ink::overlap);
   return figure;
 }
 
@@ -96,15 +102,15 @@ seen_outline(const Camera<double>& camera, const Sphere<double>& sphere)
 
 /// What the camera sees: each corner of the box sent through to_pixel, and the outline of the
 /// sphere.
-inline plot::Figure2d picture_figure()
+inline plot::Figure2d picture_figure(const ViewScene& scene, double width = 440)
 {
-  const Camera<double> camera = figure_camera();
+  const Camera<double>& camera = scene.camera;
   const auto corner = [&](unsigned i)
   {
     using Box = Eigen::AlignedBox<double, 3>;
-    return seen_at(camera, figure_box.corner(static_cast<Box::CornerType>(i)));
+    return seen_at(camera, scene.box.corner(static_cast<Box::CornerType>(i)));
   };
-  plot::Figure2d figure("camera_picture", "what the camera sees", {{0, 0}, camera.size, 440});
+  plot::Figure2d figure("camera_picture", "what the camera sees", {{0, 0}, camera.size, width});
   for (const double i : {-2.0, -1.0, 0.0, 1.0, 2.0})
   {
     figure.segment(seen_at(camera, {i, 0, -2}), seen_at(camera, {i, 0, 2}), plot::Ink::faint);
@@ -113,10 +119,10 @@ inline plot::Figure2d picture_figure()
   figure.polygon({corner(4), corner(5), corner(7), corner(6)}, plot::Ink::a)
       .polygon({corner(6), corner(7), corner(3), corner(2)}, plot::Ink::a)
       .polygon({corner(5), corner(1), corner(3), corner(7)}, plot::Ink::a)
-      .polygon(seen_outline(camera, figure_sphere), plot::Ink::b)
+      .polygon(seen_outline(camera, scene.sphere), plot::Ink::b)
       .polygon({{1, 1}, {479, 1}, {479, 319}, {1, 319}}, plot::Ink::muted, plot::Fill::none)
       .point(
-          {figure_pixel.x(), camera.size.y() - figure_pixel.y()}, plot::Ink::overlap, "picked",
+          {scene.pixel.x(), camera.size.y() - scene.pixel.y()}, plot::Ink::overlap, "picked",
           plot::Side::below);
   return figure;
 }
@@ -124,10 +130,11 @@ inline plot::Figure2d picture_figure()
 /// The first figure of the page.
 inline plot::Grid camera_figure()
 {
+  const ViewScene scene = view_scene();
   plot::Grid grid("camera", "", 1);
   grid.describe("A box and a ball before a camera, its frustum, and the picture that it takes.")
-      .add(outside_figure())
-      .add(picture_figure());
+      .add(outside_figure(scene, picked_point(scene)))
+      .add(picture_figure(scene));
   return grid;
 }
 
