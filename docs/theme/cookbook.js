@@ -17,11 +17,72 @@ const markBoxes = () => {
     markBox(box);
   }
 };
-window.addEventListener("load", () => {
-  markBoxes();
-  // Formulas are as wide as they are only once they are set.
-  if (window.MathJax && window.MathJax.Hub) {
+window.addEventListener("load", markBoxes);
+
+// Formulas are set by MathJax, which only pages load that have one. A screen reader says their TeX; and they
+// are as wide as they are only once they are set.
+const bookRoot = document.currentScript.src.replace(/cookbook\.js.*$/, "");
+const nameFormulas = () => {
+  for (const formula of document.querySelectorAll("script[type^='math/tex']")) {
+    const picture = document.querySelector(`#${formula.id}-Frame svg`);
+    picture?.setAttribute("role", "img");
+    picture?.setAttribute("aria-label", formula.textContent.replace(/\\tag\{(.*?)\}/, "($1)"));
+  }
+};
+window.addEventListener("DOMContentLoaded", () => {
+  if (!/\\[([]/.test(document.body.textContent)) {
+    return;
+  }
+  const script = document.head.appendChild(document.createElement("script"));
+  script.src = bookRoot + "mathjax/MathJax.js";
+  script.onload = () => {
+    window.MathJax.Hub.Queue(nameFormulas);
+    window.MathJax.Hub.Register.MessageHook("End Rerender", nameFormulas);
     window.MathJax.Hub.Queue(() => document.querySelectorAll("p.formulaDsp").forEach(markBox));
+  };
+});
+
+// What screen readers and keyboards need and Doxygen leaves out: the title is a heading, other headings stand
+// below it; the search box has a name; the switch of light and dark and those that copy code are buttons.
+const nameSearch = () => document.getElementById("MSearchField")?.setAttribute("aria-label", "Search the book");
+const buttons = {
+  "doxygen-awesome-dark-mode-toggle": "Light or dark",
+  "doxygen-awesome-fragment-copy-button": "Copy this code",
+};
+const nameButtons = () => {
+  for (const button of document.querySelectorAll(Object.keys(buttons).join())) {
+    if (button.getAttribute("role") === "button") {
+      continue;
+    }
+    button.setAttribute("role", "button");
+    button.setAttribute("aria-label", buttons[button.localName]);
+    button.tabIndex = 0;
+    button.addEventListener("keydown", (event) => {
+      if (event.key === "Enter" || event.key === " ") {
+        event.preventDefault();
+        button.click();
+      }
+    });
+  }
+};
+const nameHeadings = () => {
+  const title = document.querySelector("div.header .title");
+  title?.setAttribute("role", "heading");
+  title?.setAttribute("aria-level", "1");
+  document.querySelector(".toc h3")?.setAttribute("aria-level", "2");
+  const all = [...document.querySelectorAll(".contents :is(h1, h2, h3, h4, h5, h6)")].filter((one) => !one.closest(".toc"));
+  const level = (heading) => Number(heading.tagName[1]);
+  const down = (title ? 2 : 1) - Math.min(...all.map(level));
+  all.forEach((heading) => heading.setAttribute("aria-level", level(heading) + down));
+};
+window.addEventListener("DOMContentLoaded", () => {
+  nameHeadings();
+  // Doxygen makes both anew where the page's width changes.
+  const names = () => (nameSearch(), nameButtons());
+  window.addEventListener("load", names);
+  const menu = document.getElementById("top");
+  if (menu) {
+    new MutationObserver(names).observe(menu, { childList: true, subtree: true });
   }
 });
 
