@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,27 +45,47 @@ inline std::string axis_name(int axis)
   }
 }
 
+/// The colour of an axis: that of the box whose face it belongs to.
+inline plot::Ink axis_ink(int axis)
+{
+  const AxisKind kind = axis_kind(axis);
+  return kind == AxisKind::face_of_a   ? plot::Ink::a
+         : kind == AxisKind::face_of_b ? plot::Ink::b
+                                       : plot::Ink::muted;
+}
+
+/// The overlap [m] of two boxes along each of the fifteen axes; nothing where edges are parallel.
+inline std::array<std::optional<double>, box_axes>
+axes_overlaps(const Obb<double>& a, const Obb<double>& b)
+{
+  const RelativeBoxes<double> boxes = relative_boxes(a, b);
+  std::array<std::optional<double>, box_axes> overlaps;
+  for (int axis = 0; axis < box_axes; ++axis)
+  {
+    const AxisOverlap<double> along = axis_overlap(boxes, axis);
+    if (!from_parallel_edges(along))
+    {
+      overlaps[static_cast<std::size_t>(axis)] = along.overlap / std::sqrt(along.squared_length);
+    }
+  }
+  return overlaps;
+}
+
 /// The overlap of the two bars along all fifteen axes, the least marked.
 inline plot::BarChart axes_chart()
 {
-  const RelativeBoxes<double> boxes = relative_boxes(ridge_a, ridge_b);
   const int least = separating_axes(ridge_a, ridge_b)->axis;
   plot::BarChart chart("separating_axes", "", {"overlap along the axis [m]"});
   chart.describe("The overlap of two boxes along all fifteen axes; a pair of edges has the least.")
       .width(400);
+  const std::array<std::optional<double>, box_axes> overlaps = axes_overlaps(ridge_a, ridge_b);
   for (int axis = 0; axis < box_axes; ++axis)
   {
-    const AxisOverlap<double> along = axis_overlap(boxes, axis);
-    if (from_parallel_edges(along))
+    if (const std::optional<double> overlap = overlaps[static_cast<std::size_t>(axis)])
     {
-      continue;
+      axis == least ? chart.highlight(axis_name(axis), *overlap)
+                    : chart.bar(axis_name(axis), *overlap, axis_ink(axis));
     }
-    const double overlap = along.overlap / std::sqrt(along.squared_length);
-    const plot::Ink ink = axis_kind(axis) == AxisKind::face_of_a   ? plot::Ink::a
-                          : axis_kind(axis) == AxisKind::face_of_b ? plot::Ink::b
-                                                                   : plot::Ink::muted;
-    axis == least ? chart.highlight(axis_name(axis), overlap)
-                  : chart.bar(axis_name(axis), overlap, ink);
   }
   return chart;
 }
