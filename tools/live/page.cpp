@@ -104,6 +104,15 @@ bool Page::begins()
   return begins_;
 }
 
+Page& Page::restarts_with(const std::string& name)
+{
+  for (Input& input : inputs_)
+  {
+    input.restarts = input.restarts || input.name == name;
+  }
+  return *this;
+}
+
 void Page::number(const std::string& name, double value, const std::string& unit)
 {
   readings_.push_back({name, cookbook::number(value), unit});

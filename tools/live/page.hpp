@@ -69,6 +69,7 @@ struct Input
   DragPlane plane{};              ///< of a handle
   plot::Ink ink = plot::Ink::ink; ///< of a handle
   bool asked = true;              ///< by the last call of the figure
+  bool restarts = false;          ///< a change begins the motion anew
 };
 
 /// A number or a text that the figure shows, as it is written.
@@ -131,6 +132,9 @@ public:
   /// Whether the motion begins: at first, and where the reader starts anew. To ask makes the figure
   /// one that moves: with start anew, pause and a single step.
   bool begins();
+
+  /// A change of the input of that name, asked for before, begins the motion anew.
+  Page& restarts_with(const std::string& name);
 
   /// How many steps of 1/60 s are to be made in this event.
   int steps() const { return steps_; }

@@ -146,6 +146,7 @@ void Session::set(Input& input, const Eigen::Vector2d& value)
 {
   input.value = value;
   page_.changed_ = input.name;
+  page_.begins_ = input.restarts;
   remember(set_event(input, value));
 }
 
