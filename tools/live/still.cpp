@@ -1,5 +1,6 @@
 #include "tools/files/whole_file.hpp"
 #include "tools/live/hosts.hpp"
+#include "tools/plot/style.hpp"
 
 #include <cstdint>
 
@@ -66,6 +67,10 @@ void write_still(const std::filesystem::path& path, const std::string& name, con
     html += picture_html(session, name);
   }
 #endif
+  if (session.svg().empty()) // what is drawn later, such as curves, needs it
+  {
+    html += "<style>\n" + std::string(plot::style_sheet()) + "</style>\n";
+  }
   html += session.svg() + "<dl class=\"live-numbers\">\n";
   for (const Reading& one : session.readings())
   {

@@ -40,7 +40,7 @@ World ball_at_wall()
   return world;
 }
 
-/// Cubes and balls by turns, 40 of them, that fall onto a heap; each cube is turned.
+/// Cubes and balls, 40 of them, that fall onto a heap; each cube is turned.
 template <class World>
 World heap()
 {
@@ -48,8 +48,8 @@ World heap()
   for (int i = 0; i < 40; ++i)
   {
     const Vector3<double> center(
-        0.9 * (i % 2) + 0.11 * (i % 3) - 0.5, 0.8 + 0.6 * (i / 4),
-        0.9 * (i / 2 % 2) + 0.07 * (i % 5) - 0.5);
+        1.1 * (i % 3 - 1) + 0.1 * (i % 4), 0.8 + 1.1 * (i / 9),
+        1.1 * (i / 3 % 3 - 1) + 0.1 * (i % 5));
     RigidBody body = i % 3 == 2 ? sphere(center, 0.3, 1) : box(center, {0.3, 0.3, 0.3}, 1);
     set_orientation(body, Quaternion<double>(4, i % 4 - 1.5, i % 3 - 1, i % 5 - 2));
     add(world, body);
@@ -63,29 +63,31 @@ struct LiveScene
 {
   std::string name;
   World (*make)();
-  double aim;      ///< [m] how high a ball is thrown at it
-  double distance; ///< [m] of the camera
+  double distance;      ///< [m] of the camera
+  double aim;           ///< [m] how high over the middle a ball is aimed
+  Vector3<double> from; ///< [m] where it is thrown
 };
 
 /// The scenes of the live figure.
 template <class World>
 std::array<LiveScene<World>, 7> live_scenes()
 {
+  const Vector3<double> front(-3, 1.5, 6), left(-6, 1.2, 0);
   return {
-      {{"tower of 10", [] { return tower<World>(10); }, 6, 17},
-       {"tower of 5", [] { return tower<World>(5); }, 3, 12},
-       {"pyramid of 55", [] { return pyramid<World>(10); }, 4, 19},
-       {"heap of 40", heap<World>, 0.6, 10},
-       {"floor of 36 cubes", [] { return floor_of_cubes<World>(6); }, 0.4, 13},
-       {"five bouncing balls", dropped_spheres<World>, 0.4, 9},
-       {"ball at a thin wall", ball_at_wall<World>, 1, 8}}};
+      {{"tower of 10", [] { return tower<World>(10); }, 16, 6, front},
+       {"tower of 5", [] { return tower<World>(5); }, 11, 3, front},
+       {"pyramid of 55", [] { return pyramid<World>(10); }, 18, 4, front},
+       {"heap of 40", heap<World>, 11, 1, front},
+       {"floor of 36 cubes", [] { return floor_of_cubes<World>(6); }, 12, 0.4, front},
+       {"five bouncing balls", dropped_spheres<World>, 9, 0.4, front},
+       {"ball at a thin wall", ball_at_wall<World>, 8, 1, left}}};
 }
 
-/// Throws a ball of 4 kg at a height [m] of the middle, at a speed [m/s], from 6 m away.
+/// Throws a ball of 4 kg from a place at a point [m] over the middle, at a speed [m/s].
 template <class World>
-void throw_ball(World& world, double aim, double speed)
+void throw_ball(World& world, const Vector3<double>& from, double aim, double speed)
 {
-  const Vector3<double> from(-6, 1.5, 1.2), way = Vector3<double>(0, aim, 0) - from;
+  const Vector3<double> way = Vector3<double>(0, aim, 0) - from;
   const double time = way.norm() / speed;
   RigidBody ball = sphere(from, 0.3, 4);
   ball.restitution = 0.3;

@@ -46,7 +46,7 @@ public:
         {
           if (thrown && balls_++ < most_balls)
           {
-            throw_ball(world, aim_, speed);
+            throw_ball(world, from_, aim_, speed);
           }
           run(page, world);
           draw(page, world, marks);
@@ -66,7 +66,8 @@ private:
       const LiveScene<World> chosen = live_scenes<World>()[scene];
       world_ = chosen.make();
       aim_ = chosen.aim;
-      orbit_ = {{0, 0.75 * chosen.aim, 0}, chosen.distance, 0.35, 0.25, 0.8};
+      from_ = chosen.from;
+      orbit_ = {{0, 0.75 * chosen.aim + 0.3, 0}, chosen.distance, 0.35, 0.25, 0.8};
     };
     (void)((I == method && (put(std::in_place_type<Worlds>), true)) || ...);
     balls_ = 0;
@@ -117,7 +118,7 @@ private:
   template <class World>
   void draw(live::Page& page, const World& world, bool marks)
   {
-    const int width = static_cast<int>(page.fit(560)), height = width * 5 / 8;
+    const int width = static_cast<int>(page.fit(500)), height = width * 5 / 8;
     if (picture_.width != 2 * width)
     {
       picture_ = make_picture(width, height, 2);
@@ -136,6 +137,7 @@ private:
   Any world_;
   Orbit orbit_;
   Picture picture_, shown_;
+  Vector3<double> from_{0, 0, 0};
   Vector2<double> last_{0, 0}; ///< [pixels] where the pointer was
   double aim_ = 0, time_ = 0;
   int balls_ = 0;
