@@ -206,6 +206,17 @@ TEST_CASE("an include of a trial and a circle of folders or trials are found", "
   CHECK(folders_have_no_circles({to_b, file("recipes/03_x/b/b.hpp", "03_x/a/a.hpp")}).size() == 1);
 }
 
+TEST_CASE("every live figure is built, and is on a page", "[house]")
+{
+  expect_none(live_figures_are_shown(read_tree(root, "recipes", {".cpp", ".txt"}), pages()));
+  const TextFile figure{"recipes/03_x/a/live.cpp", ""};
+  const TextFile list{"recipes/03_x/CMakeLists.txt", "cookbook_live(a)\n"};
+  const TextFile page{"chapters/03_x.md", "\\live{a}\n"};
+  CHECK(live_figures_are_shown({figure, list}, {page}).empty());
+  CHECK(live_figures_are_shown({figure, list}, {}).size() == 1);
+  CHECK(live_figures_are_shown({figure}, {page}).size() == 1);
+}
+
 TEST_CASE("every chapter has its sections in the same order, on one page or several", "[house]")
 {
   for (const TextFile& page : with_sub_pages(pages()))

@@ -157,4 +157,35 @@ inline Complaints nothing_is_typed(const TextFile& page)
   return complaints;
 }
 
+/// Every live.cpp is built for the book, and stands on a page.
+inline Complaints
+live_figures_are_shown(const std::vector<TextFile>& tree, const std::vector<TextFile>& pages)
+{
+  const auto anywhere = [](const std::vector<TextFile>& files, const std::string& words)
+  {
+    return std::any_of(
+        files.begin(), files.end(),
+        [&](const TextFile& file) { return file.text.find(words) != std::string::npos; });
+  };
+  Complaints complaints;
+  for (const TextFile& file : tree)
+  {
+    if (!file.path.ends_with("/live.cpp"))
+    {
+      continue;
+    }
+    const std::string folder = file.path.substr(0, file.path.rfind('/'));
+    const std::string name = folder.substr(folder.rfind('/') + 1);
+    if (!anywhere(pages, "\\live{" + name + "}"))
+    {
+      complaints.push_back(file.path + " is on no page");
+    }
+    if (!anywhere(tree, "cookbook_live(" + name))
+    {
+      complaints.push_back(file.path + " has no cookbook_live in its chapter's CMakeLists.txt");
+    }
+  }
+  return complaints;
+}
+
 } // namespace cookbook::house
