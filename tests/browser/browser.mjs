@@ -93,8 +93,15 @@ export class Report {
   fail(place, complaints) {
     const all = [complaints].flat();
     this.failures += all.length;
-    for (const one of all.slice(0, 5)) console.log(`${place}: ${one}`);
-    if (all.length > 5) console.log(`${place}: … and ${all.length - 5} more like these`);
+    const told = new Map();
+    for (const one of all) {
+      const kind = one.split(/[:<\d]/)[0];
+      told.set(kind, (told.get(kind) ?? 0) + 1);
+      if (told.get(kind) <= 5) console.log(`${place}: ${one}`);
+    }
+    for (const [kind, times] of told) {
+      if (times > 5) console.log(`${place}: … ${kind}, ${times - 5} more`);
+    }
   }
 
   /// Counts something that was looked at, and fails where it does not hold.

@@ -27,8 +27,9 @@ window.bookChecks = (() => {
 
   const tex = () => {
     const wrong = [];
-    for (const error of document.querySelectorAll(".merror, .MathJax_Error, mjx-merror, .noError")) {
-      wrong.push(`TeX error in ${named(error)}`);
+    // MathJax sets an error as text in a yellow box.
+    for (const error of document.querySelectorAll(".merror, .MathJax_Error, .MathJax_SVG rect[fill='rgb(255, 255, 136)'] + g")) {
+      wrong.push(`TeX error: ${error.textContent}, in ${error.closest(".MathJax_SVG")?.nextElementSibling?.textContent ?? ""}`);
     }
     for (const script of document.querySelectorAll("script[type^='math/tex']")) {
       const picture = script.previousElementSibling?.querySelector("svg");

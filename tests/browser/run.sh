@@ -22,6 +22,7 @@ if ! grep -qs "\"version\": \"$version\"" "$kept/node_modules/playwright-core/pa
 fi
 
 failed=0
+[ $# -ne 0 ] || node "$here/broken.mjs" "$html" || failed=1
 node "$here/pages.mjs" "$html" "$@" || failed=1
 if [ $# -eq 0 ] && [ -f "$here/live.mjs" ]; then
   node "$here/live.mjs" "$html" || failed=1
