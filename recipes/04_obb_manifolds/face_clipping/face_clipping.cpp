@@ -112,7 +112,6 @@ int main(int argc, char** argv)
         print_cases();
         print_tilts();
         save_figure(given, "face_clipping.svg", clip_figure(box_scenes()[0]));
-        save_figure(given, "face_clipping_contacts.svg", contacts_grid().svg());
         save_figure(given, "face_clipping_methods.svg", same_pair_figure(box_scenes()[0]).svg());
       });
 }

@@ -9,6 +9,7 @@
 #include "tools/plot/panel.hpp"
 #include "tools/program/table.hpp"
 
+#include <array>
 #include <span>
 #include <string>
 #include <utility>
@@ -39,9 +40,10 @@ line_of_side(const BoxFace<double>& reference, int side)
 }
 
 /// A picture of the reference face's plane with nothing but the reference face.
-inline plot::Figure2d reference_figure(const BoxFace<double>& reference, const std::string& title)
+inline plot::Figure2d
+reference_figure(const BoxFace<double>& reference, const std::string& title, double width = 189)
 {
-  plot::Figure2d figure("face_clipping", title, {{-1.75, -1.75}, {1.75, 1.75}, 189});
+  plot::Figure2d figure("face_clipping", title, {{-1.75, -1.75}, {1.75, 1.75}, width});
   figure.box({0, 0}, 0, reference.half_sides, plot::Ink::a, plot::Fill::none);
   return figure;
 }
@@ -55,10 +57,10 @@ inline std::string corners(const FacePolygon<double>& polygon)
 /// One cut: what was there before, dotted, and what is left, with its new corners.
 inline plot::Figure2d cut_figure(
     const FacePolygon<double>& before, const FacePolygon<double>& after,
-    const BoxFace<double>& reference, int side)
+    const BoxFace<double>& reference, int side, double width)
 {
   plot::Figure2d figure =
-      reference_figure(reference, "cut " + std::to_string(side + 1) + ": " + corners(after));
+      reference_figure(reference, "cut " + std::to_string(side + 1) + ": " + corners(after), width);
   const auto [from, to] = line_of_side(reference, side);
   figure.polygon(flat(before), plot::Ink::muted, plot::Fill::none, plot::Stroke::dotted)
       .polygon(flat(after), plot::Ink::b)
@@ -76,9 +78,10 @@ inline plot::Figure2d cut_figure(
 
 /// What is left, with its depths; corners with a gap too wide are not marked as contact points.
 inline plot::Figure2d depths_figure(
-    const FacePolygon<double>& polygon, const BoxFace<double>& reference, double widest_separation)
+    const FacePolygon<double>& polygon, const BoxFace<double>& reference, double widest_separation,
+    double width)
 {
-  plot::Figure2d figure = reference_figure(reference, "depths at the corners [m]");
+  plot::Figure2d figure = reference_figure(reference, "depths at the corners [m]", width);
   figure.polygon(flat(polygon), plot::Ink::b);
   for (const PolygonCorner<double>& corner :
        std::span(polygon.corners).first(std::size_t(polygon.size)))
@@ -92,37 +95,56 @@ inline plot::Figure2d depths_figure(
   return figure;
 }
 
+/// A face of B above a face of A, and what is left of it after each cut.
+struct Clipping
+{
+  BoxesInFrameOfA<double> boxes;
+  BoxFace<double> reference;                   ///< of A
+  std::array<FacePolygon<double>, 5> polygons; ///< after 0 … 4 cuts
+};
+
+/// How the face of B that lies along A's axis of least overlap is cut.
+inline Clipping
+clipping_of(const Obb<double>& a, const Obb<double>& b, const LeastOverlap<double>& least)
+{
+  const BoxesInFrameOfA<double> boxes = boxes_in_frame_of_a(a, b, least);
+  const BoxFace<double> reference = face_along<double>(boxes.a, boxes.least.normal);
+  Clipping clipping{boxes, reference, {}};
+  clipping.polygons[0] = seen_from(reference, face_along<double>(boxes.b, -boxes.least.normal));
+  for (int side = 0; side < 4; ++side)
+  {
+    clipping.polygons[std::size_t(side + 1)] =
+        cut_at_side(clipping.polygons[std::size_t(side)], reference, side, boxes.tolerance);
+  }
+  return clipping;
+}
+
+/// Step 0 … 5 of clipping: the two faces, four cuts, and the depths of what is left.
+inline plot::Figure2d clip_step_figure(const Clipping& clipping, int step, double width = 189)
+{
+  const auto& [boxes, reference, polygons] = clipping;
+  if (step == 0)
+  {
+    return reference_figure(reference, "two faces: " + corners(polygons[0]), width)
+        .polygon(flat(polygons[0]), plot::Ink::b);
+  }
+  return step < 5 ? cut_figure(
+                        polygons[std::size_t(step - 1)], polygons[std::size_t(step)], reference,
+                        step - 1, width)
+                  : depths_figure(polygons[4], reference, boxes.widest_separation, width);
+}
+
 /// How the incident face is cut at one side of the reference face after the other.
 inline std::string clip_figure(const BoxScene& scene)
 {
-  const BoxesInFrameOfA<double> boxes =
-      boxes_in_frame_of_a(scene.a, scene.b, *separating_axes(scene.a, scene.b));
-  const BoxFace<double> reference = face_along<double>(boxes.a, boxes.least.normal);
-  const BoxFace<double> incident = face_along<double>(boxes.b, -boxes.least.normal);
-  FacePolygon<double> polygon = seen_from(reference, incident);
+  const Clipping clipping = clipping_of(scene.a, scene.b, *separating_axes(scene.a, scene.b));
   plot::Grid grid("face_clipping", "", 2);
   grid.describe("The rectangle of a face of B, cut at the four sides of a face of A.");
-  plot::Figure2d start = reference_figure(reference, "two faces: " + corners(polygon));
-  grid.add(start.polygon(flat(polygon), plot::Ink::b));
-  for (int side = 0; side < 4; ++side)
+  for (int step = 0; step < 6; ++step)
   {
-    const FacePolygon<double> inside = cut_at_side(polygon, reference, side, boxes.tolerance);
-    grid.add(cut_figure(polygon, inside, reference, side));
-    polygon = inside;
+    grid.add(clip_step_figure(clipping, step));
   }
-  return grid.add(depths_figure(polygon, reference, boxes.widest_separation)).svg();
-}
-
-/// The three scenes, with normal, depth and points.
-inline plot::Grid contacts_grid()
-{
-  plot::Grid grid("face_clipping_contacts", "", 2);
-  grid.describe("Two boxes that meet face on face, corner on face and edge on edge.");
-  for (const BoxScene& scene : box_scenes())
-  {
-    grid.add(contacts_figure(scene, *face_clipping(scene.a, scene.b), {2.5, 0.3, 189, 210, 22}));
-  }
-  return grid;
+  return grid.svg();
 }
 
 } // namespace cookbook
