@@ -156,7 +156,7 @@ inline std::vector<Section> sections(const std::string& page)
 /// True for what may number a formula: M1, P22, S11, O18, R34.
 inline bool is_formula_id(const std::string& id)
 {
-  return std::regex_match(id, std::regex("[MPSOR][0-9]+"));
+  return std::regex_match(id, std::regex("[MPSORG][0-9]+"));
 }
 
 /// The ids in `\tag{...}` of a page's formulas, in order.

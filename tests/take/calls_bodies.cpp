@@ -268,6 +268,24 @@ int main()
         }
       });
 #endif
+#ifdef TAKE_game
+  print(
+      "game",
+      [](Draw& draw, Bits& bits)
+      {
+        const double y = draw.number(0.5, 2);
+        game::Game played = game::start(
+            {"one brick", 1, {{game::Material::wood, {9, y}, {0.2, 0.5}}}, {{{10, 0.5}, 0.4, 50}}});
+        game::aim(played, {draw.number(-1.2, -0.8), draw.number(-0.4, 0)});
+        game::shoot(played);
+        for (int i = 0; i < 60; ++i)
+        {
+          game::step(played);
+        }
+        bits(played.world.bodies[1].motion.center, played.world.bodies[3].motion.center);
+        bits(played.points);
+      });
+#endif
 #ifdef TAKE_integrators
   print(
       "integrators",
