@@ -142,27 +142,4 @@ std::string csv_column(const std::string& header, std::size_t column)
   return std::string(fields_of(header).at(column));
 }
 
-namespace
-{
-
-template <class Real>
-std::string shortest(Real value)
-{
-  char text[64];
-  const std::to_chars_result result =
-      std::to_chars(text, text + sizeof text, value == Real(0) ? Real(0) : value);
-  return std::string(text, result.ptr);
-}
-
-} // namespace
-
-std::string round_trip(double value)
-{
-  return shortest(value);
-}
-std::string round_trip(float value)
-{
-  return shortest(value);
-}
-
 } // namespace cookbook

@@ -4,6 +4,8 @@
 /// \brief Tables of numbers: read from CSV with errors that name line and column, written back
 /// with all their digits.
 
+#include "tools/files/round_trip.hpp"
+
 #include <filesystem>
 #include <istream>
 #include <stdexcept>
@@ -45,11 +47,5 @@ std::vector<CsvRow> read_csv(const std::filesystem::path& path, const std::strin
 
 /// The name of a header's column, counted from zero: `csv_column("ax,ay", 1)` is `ay`.
 std::string csv_column(const std::string& header, std::size_t column);
-
-/// The shortest text that reads back as the same number; zero has no sign.
-std::string round_trip(double value);
-
-/// The shortest text that reads back as the same number; zero has no sign.
-std::string round_trip(float value);
 
 } // namespace cookbook

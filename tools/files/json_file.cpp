@@ -2,7 +2,7 @@
 /// Reads JSON by the events of a library, and notes on which line each of them happens.
 
 #include "tools/files/json_file.hpp"
-#include "tools/files/csv.hpp"
+#include "tools/files/round_trip.hpp"
 
 #include <nlohmann/json.hpp>
 

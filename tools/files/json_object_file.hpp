@@ -5,8 +5,8 @@
 
 #include "common/math/vector.hpp"
 #include "tools/files/closest_name.hpp"
-#include "tools/files/csv.hpp"
 #include "tools/files/json_file.hpp"
+#include "tools/files/round_trip.hpp"
 
 #include <cmath>
 #include <optional>

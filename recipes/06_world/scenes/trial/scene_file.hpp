@@ -3,8 +3,7 @@
 /// \file
 /// \brief The reader's own scene: from a JSON file, with errors by line.
 
-#include "06_world/contacts/scene.hpp"
-#include "tools/files/json_file.hpp"
+#include "06_world/scenes/trial/scene_text.hpp"
 
 #include <filesystem>
 #include <istream>
@@ -12,16 +11,7 @@
 namespace cookbook
 {
 
-/// The scene in a JSON text; `file` is named where there is an error.
-///
-/// The text is an object with `bodies`, and as needed `gravity` [m/s²], `step` [s], `duration` [s],
-/// and the `friction` and `restitution` of bodies that name none. A body is an object with `name`
-/// and `shape`: "box" with `half_extents` [m], "sphere" with `radius` [m], or "plane" with `normal`
-/// and `offset` [m]; boxes and spheres with `mass` [kg], 0: fixed, and as needed `position`,
-/// `orientation` (w, x, y, z), `velocity`, `angular_velocity`, `friction`, `restitution`. Lengths
-/// of quaternions and normals within a thousandth of one are taken as rounded and set to one.
-///
-/// Throws SceneError for anything else, with the line and the reason.
+/// The scene in a stream of JSON, as scene_in() reads it; SceneError as there.
 Scene read_scene(std::istream& stream, const std::string& file);
 
 /// The same from a file, by whose name the scene is called; std::runtime_error if it cannot be
