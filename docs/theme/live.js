@@ -167,11 +167,28 @@ class LiveFigure {
 
   fail(error, events) {
     this.play(false);
-    this.message.textContent = `${error.message} (at: ${events.split("\n").pop()})`;
-    this.message.hidden = false;
+    this.say(`${error.message} (at: ${events.split("\n").pop().slice(0, 80)})`);
     const state = this.shown ? this.shown.state : "";
     this.program = new LiveProgram(this.module);
     this.shown = this.program.send(`${this.theme()}\nwidth ${this.width()}\nrestore ${state}`);
+  }
+
+  say(message) {
+    this.message.textContent = message;
+    this.message.hidden = false;
+  }
+
+  // A file is tried in a second program first: where it cannot be read, nothing is lost.
+  async open(input, file) {
+    const event = `file ${input.event} ${encodeURIComponent(file.name)} ${encodeURIComponent(await file.text())}`;
+    try {
+      new LiveProgram(this.module).send(event);
+    } catch (error) {
+      this.say(error.message);
+      return;
+    }
+    this.send(event);
+    this.play(true);
   }
 
   show(out) {
@@ -251,7 +268,7 @@ class LiveFigure {
   }
 
   addControl(input) {
-    const kinds = { slider: "addSlider", choice: "addChoice", toggle: "addToggle", button: "addButton" };
+    const kinds = { slider: "addSlider", choice: "addChoice", toggle: "addToggle", button: "addButton", file: "addFile" };
     const control = this[kinds[input.kind]](input);
     this.inputs.append(control.row);
     return control;
@@ -313,6 +330,26 @@ class LiveFigure {
     return {
       row: make("button", { type: "button", class: "live-do", onclick: press }, input.name),
       show: () => {},
+    };
+  }
+
+  // A file is opened by its button, or dropped anywhere on the figure.
+  addFile(input) {
+    const said = make("output");
+    const file = make("input", {
+      type: "file", "aria-label": input.name,
+      onchange: () => { if (file.files.length > 0) { this.open(input, file.files[0]); file.value = ""; } },
+    });
+    this.place.addEventListener("dragover", (event) => event.preventDefault());
+    this.place.addEventListener("drop", (event) => {
+      event.preventDefault();
+      if (event.dataTransfer.files.length > 0) {
+        this.open(input, event.dataTransfer.files[0]);
+      }
+    });
+    return {
+      row: make("label", { class: "live-file" }, make("span", {}, input.name), file, said),
+      show: (now) => { said.textContent = now.file || "drop one here"; },
     };
   }
 

@@ -51,6 +51,7 @@ Input& Page::ask(Input input)
     throw std::logic_error("live: two inputs are called \"" + input.name + "\"");
   }
   input.value = known->value;
+  input.file = std::move(known->file);
   *known = std::move(input);
   return *known;
 }
@@ -96,6 +97,19 @@ bool Page::button(const std::string& name)
 {
   ask({InputKind::button, name});
   return name == pressed_;
+}
+
+File Page::file(const std::string& name)
+{
+  return ask({InputKind::file, name}).file;
+}
+
+void Page::close(const std::string& name)
+{
+  for (Input& one : inputs_)
+  {
+    one.file = one.name == name ? File{} : one.file;
+  }
 }
 
 bool Page::begins()

@@ -53,7 +53,15 @@ enum class InputKind
   choice, ///< one of several names
   toggle, ///< on or off
   handle, ///< a point that is dragged
-  button  ///< something that is done once
+  button, ///< something that is done once
+  file    ///< a file that the reader opens, or drops on the figure
+};
+
+/// A file that a reader gave to a figure; without a name there is none.
+struct File
+{
+  std::string name; ///< without its folders
+  std::string text; ///< all that is in it
 };
 
 /// One input: what the figure asked for, and its value.
@@ -70,6 +78,7 @@ struct Input
   plot::Ink ink = plot::Ink::ink; ///< of a handle
   bool asked = true;              ///< by the last call of the figure
   bool restarts = false;          ///< a change begins the motion anew
+  File file{};                    ///< what the reader opened
 };
 
 /// A number or a text that the figure shows, as it is written.
@@ -122,6 +131,13 @@ public:
 
   /// Whether this button was pressed in this event.
   bool button(const std::string& name);
+
+  /// The file that the reader opened, or dropped on the figure; without a name there is none. Where
+  /// the figure throws since it cannot be read, the file before it stays.
+  File file(const std::string& name);
+
+  /// Closes the file that was opened for this input.
+  void close(const std::string& name);
 
   /// The mouse or finger in the picture that was shown last.
   const Pointer& pointer() const { return pointer_; }

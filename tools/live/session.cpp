@@ -55,6 +55,49 @@ std::string set_event(const Input& input, const Eigen::Vector2d& value)
   return "set " + event_name(input.name) + " " + written(value.x()) + y;
 }
 
+/// A text as a word of an event: letters, digits, `-`, `.`, `_`, and all others as %XX.
+std::string encoded(const std::string& text)
+{
+  static constexpr char digits[] = "0123456789ABCDEF";
+  std::string word;
+  for (const char c : text)
+  {
+    const unsigned byte = static_cast<unsigned char>(c);
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       c == '-' || c == '.' || c == '_';
+    word += plain ? std::string(1, c) : std::string{'%', digits[byte / 16], digits[byte % 16]};
+  }
+  return word;
+}
+
+/// The text that a word of an event stands for.
+std::string decoded(const std::string& word)
+{
+  const auto digit = [](char c)
+  {
+    const bool number = c >= '0' && c <= '9', large = c >= 'A' && c <= 'F';
+    return number ? c - '0' : large ? c - 'A' + 10 : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
+  };
+  std::string text;
+  for (std::size_t i = 0; i < word.size(); ++i)
+  {
+    if (word[i] != '%')
+    {
+      text += word[i];
+      continue;
+    }
+    const int high = i + 2 < word.size() ? digit(word[i + 1]) : -1;
+    const int low = high < 0 ? -1 : digit(word[i + 2]);
+    if (low < 0)
+    {
+      throw std::invalid_argument("live: after % there must be two hexadecimal digits");
+    }
+    text += static_cast<char>(16 * high + low);
+    i += 2;
+  }
+  return text;
+}
+
 /// The point of a drag plane that is seen at a pixel.
 Eigen::Vector2d on_plane(const DragPlane& plane, const Eigen::Vector2d& pixel)
 {
@@ -74,6 +117,10 @@ std::string differences(const std::vector<Input>& inputs)
   std::string text;
   for (const Input& input : inputs)
   {
+    if (!input.file.name.empty())
+    {
+      text += file_event(input.name, input.file) + ";";
+    }
     if (input.value != input.start)
     {
       text += set_event(input, input.value) + ";";
@@ -88,6 +135,11 @@ std::string event_name(std::string name)
 {
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
+}
+
+std::string file_event(const std::string& input, const File& file)
+{
+  return "file " + event_name(input) + " " + encoded(file.name) + " " + encoded(file.text);
 }
 
 Session::Session(std::function<void(Page&)> figure) : figure_(std::move(figure))
@@ -122,10 +174,10 @@ void Session::call()
     page_.step_ = 0;
     page_.curves_.clear();
     log_.clear();
-    base_ = differences(page_.inputs_);
   }
   page_.step_ += page_.steps_;
   figure_(page_);
+  base_ = page_.begins_ ? differences(page_.inputs_) : base_; // after it: a figure may close a file
   page_.begins_ = false;
   page_.steps_ = 0;
   page_.changed_.clear();
@@ -148,6 +200,32 @@ void Session::set(Input& input, const Eigen::Vector2d& value)
   page_.changed_ = input.name;
   page_.begins_ = input.restarts;
   remember(set_event(input, value));
+}
+
+void Session::open(const std::string& name, const File& file)
+{
+  const Page before = page_;
+  const std::vector<Done> log = log_;
+  const std::string base = base_;
+  Input& opened = input(name);
+  opened.file = file;
+  page_.changed_ = opened.name;
+  page_.begins_ = opened.restarts;
+  try
+  {
+    call();
+  }
+  catch (...) // as it was, where the figure cannot read the file
+  {
+    page_ = before;
+    log_ = log;
+    base_ = base;
+    throw;
+  }
+  if (page_.step_ > 0 || !log_.empty())
+  {
+    remember(file_event(name, file));
+  }
 }
 
 void Session::remember(const std::string& event)
@@ -205,6 +283,11 @@ void Session::one(const std::string& event)
     page_.pressed_ = input(words[1]).name;
     remember(event);
   }
+  else if (what == "file" && (n == 3 || n == 4))
+  {
+    open(words[1], {decoded(words[2]), n == 4 ? decoded(words[3]) : ""});
+    return;
+  }
   else if (what == "pointer" && (n == 4 || n == 5))
   {
     point(words, event);
@@ -222,6 +305,7 @@ void Session::one(const std::string& event)
     for (Input& each : page_.inputs_)
     {
       each.value = each.start;
+      each.file = {};
     }
     page_.pointer_ = {};
     page_.begins_ = true;
@@ -336,6 +420,10 @@ std::vector<std::string> Session::tour() const
     int i = 0;
     for (const Input& one : page_.inputs_)
     {
+      if (one.kind == InputKind::file)
+      {
+        continue; // what a figure reads, its own test knows
+      }
       if (one.kind != InputKind::button)
       {
         events += set_event(one, in_pose(one, i, pose)) + "\n";

@@ -19,13 +19,11 @@ namespace cookbook::live
 ///     set NAME X [Y]        a slider, choice (its index), toggle (0 or 1) or handle gets a value
 ///     drag NAME PX PY       a handle is dragged to a pixel of the figure
 ///     press NAME            a button
-///     pointer PX PY down|up|move|held WHEEL    the mouse or a finger in the picture
-///     step N                N steps of 1/60 s
-///     reset                 the motion begins anew; the inputs stay
-///     start                 all inputs as at first, and the motion begins anew
-///     theme light|dark
-///     width PIXELS
-///     restore STATE         what `state()` returned
+///     file NAME FILE TEXT   a file is opened: its name and its text, with %20 for a space and so
+///     on pointer PX PY down|up|move|held WHEEL    the mouse or a finger in the picture step N N
+///     steps of 1/60 s reset                 the motion begins anew; the inputs stay start all
+///     inputs as at first, and the motion begins anew theme light|dark width PIXELS restore STATE
+///     what `state()` returned
 ///
 /// A name in an event has `_` for each space. An event that says nothing known throws
 /// std::invalid_argument and changes nothing.
@@ -69,6 +67,7 @@ private:
   void one(const std::string& event);
   void point(const std::vector<std::string>& words, const std::string& event);
   void set(Input& input, const Eigen::Vector2d& value);
+  void open(const std::string& name, const File& file);
   void remember(const std::string& event);
   void restore(const std::string& state);
   void call();
@@ -87,5 +86,8 @@ private:
 
 /// The name of an input as it stands in an event.
 std::string event_name(std::string name);
+
+/// The event by which a file is opened.
+std::string file_event(const std::string& input, const File& file);
 
 } // namespace cookbook::live

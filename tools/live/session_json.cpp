@@ -68,7 +68,7 @@ std::string coordinate(double value)
 
 std::string input_json(const Input& input)
 {
-  static constexpr const char* kinds[] = {"slider", "choice", "toggle", "handle", "button"};
+  static constexpr const char* kinds[] = {"slider", "choice", "toggle", "handle", "button", "file"};
   const Eigen::Vector2d& v = input.value;
   const Eigen::Vector2d pixel =
       input.plane.origin + v.x() * input.plane.across + v.y() * input.plane.up;
@@ -78,7 +78,7 @@ std::string input_json(const Input& input)
       member("unit", quoted(input.unit)) + "," + member("x", number(v.x())) + "," +
       member("y", number(v.y())) + "," + member("least", number(input.least)) + "," +
       member("most", number(input.most)) + "," + member("options", list(input.options, quoted)) +
-      "," + member("asked", flag(input.asked));
+      "," + member("asked", flag(input.asked)) + "," + member("file", quoted(input.file.name));
   if (input.kind == InputKind::handle)
   {
     out += "," + member("px", coordinate(pixel.x())) + "," + member("py", coordinate(pixel.y())) +

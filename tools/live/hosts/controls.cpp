@@ -4,6 +4,8 @@
 #include "tools/program/table.hpp"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 namespace cookbook::live
@@ -37,6 +39,26 @@ void send(Controls& controls, const std::string& events)
   }
 }
 
+void open_file(Controls& controls, const std::filesystem::path& path)
+{
+  for (const Input& input : controls.session.inputs())
+  {
+    if (input.kind == InputKind::file)
+    {
+      std::ifstream stream(path, std::ios::binary);
+      const std::string text{std::istreambuf_iterator<char>(stream), {}};
+      const bool is_read = stream && !std::filesystem::is_directory(path);
+      controls.message = is_read ? "" : "cannot read " + path.string();
+      if (is_read)
+      {
+        send(controls, file_event(input.name, {path.filename().string(), text}));
+      }
+      return;
+    }
+  }
+  controls.message = "this figure opens no files";
+}
+
 std::vector<Input> offered(const Session& session)
 {
   std::vector<Input> inputs;
@@ -53,7 +75,7 @@ std::vector<Input> offered(const Session& session)
 void change(Controls& controls, const Input& input, int by)
 {
   double value = input.value.x() + by;
-  if (input.kind == InputKind::button)
+  if (input.kind == InputKind::button || input.kind == InputKind::file)
   {
     return;
   }
@@ -175,6 +197,8 @@ std::string value_text(const Input& input)
     return input.options.empty() ? "" : input.options[std::size_t(input.value.x())];
   case InputKind::toggle:
     return input.value.x() != 0 ? "on" : "off";
+  case InputKind::file:
+    return input.file.name.empty() ? "drop one here" : input.file.name;
   default:
     return "";
   }

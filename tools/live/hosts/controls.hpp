@@ -7,6 +7,7 @@
 #include "tools/live/session.hpp"
 
 #include <chrono>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ struct Controls
 
 /// Sends events; keeps the message of what they throw.
 void send(Controls& controls, const std::string& events);
+
+/// Opens a file that was dropped on the figure, where it asks for one.
+void open_file(Controls& controls, const std::filesystem::path& path);
 
 /// The inputs that the figure asks for now, but for handles, which belong to drawings.
 std::vector<Input> offered(const Session& session);

@@ -266,7 +266,7 @@ private:
 
   void drop(char* file)
   {
-    send(controls_, "file " + std::string(file));
+    open_file(controls_, file);
     SDL_free(file);
   }
 
