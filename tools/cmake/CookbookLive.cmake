@@ -20,16 +20,22 @@ set(COOKBOOK_WASM_COMPILE "${COOKBOOK_WASM_CXX}" --target=wasm32-wasi --sysroot=
   -ffp-contract=off -fno-rtti -fno-math-errno -DEIGEN_DONT_VECTORIZE -isystem "${eigen}"
   -I "${PROJECT_SOURCE_DIR}" -I "${PROJECT_SOURCE_DIR}/recipes")
 
-# cookbook_wasm_object(RESULT SOURCE): the object of a source for WebAssembly.
+# cookbook_wasm_object(RESULT SOURCE [OPTION…]): the object of a source for WebAssembly, compiled with options of
+# its own.
 function(cookbook_wasm_object result source)
   file(RELATIVE_PATH relative "${PROJECT_SOURCE_DIR}" "${source}")
   string(REPLACE "/" "_" stem "${relative}")
+  if(ARGN)
+    string(MD5 mark "${ARGN}")
+    string(SUBSTRING ${mark} 0 8 mark)
+    string(APPEND stem "_${mark}")
+  endif()
   set(object "${CMAKE_BINARY_DIR}/live/${stem}.o")
   get_property(known GLOBAL PROPERTY "COOKBOOK_WASM_${stem}")
   if(NOT known)
     set_property(GLOBAL PROPERTY "COOKBOOK_WASM_${stem}" ON)
     add_custom_command(OUTPUT "${object}"
-      COMMAND ${COOKBOOK_WASM_COMPILE} -MD -MF "${object}.d" -MT "${object}" -c "${source}" -o "${object}"
+      COMMAND ${COOKBOOK_WASM_COMPILE} ${ARGN} -MD -MF "${object}.d" -MT "${object}" -c "${source}" -o "${object}"
       DEPENDS "${source}" DEPFILE "${object}.d" COMMENT "Compiling ${relative} for WebAssembly" VERBATIM)
   endif()
   set(${result} "${object}" PARENT_SCOPE)
@@ -64,16 +70,16 @@ function(cookbook_live_kit)
   cookbook_lightly(cookbook_live)
 endfunction()
 
-# cookbook_live(FOLDER [LIBRARY…] [SOURCES SOURCE…]): FOLDER/live.cpp as the live figure FOLDER.
+# cookbook_live(FOLDER [LIBRARY…] [SOURCES SOURCE…] [OPTIONS OPTION…]): FOLDER/live.cpp as the live figure FOLDER.
 #
 # The program FOLDER_live shows it outside of a page; the test FOLDER_live.output compares its tour with
 # FOLDER/live.expected. The target `live` compiles it, with the SOURCES beside it that its libraries are made
-# of, for the book's pages. `./cookbook accept FOLDER_live` takes a new tour.
+# of, for the book's pages; OPTIONS are the compiler's for all of these. `./cookbook accept FOLDER_live` takes a new tour.
 function(cookbook_live folder)
   if(NOT COOKBOOK_RECIPES)
     return()
   endif()
-  cmake_parse_arguments(PARSE_ARGV 1 live "" "" "SOURCES")
+  cmake_parse_arguments(PARSE_ARGV 1 live "" "" "SOURCES;OPTIONS")
   set(target ${folder}_live)
   file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/${target}_name.cpp.new"
     "extern const char* const cookbook_live_name;\nconst char* const cookbook_live_name = \"${folder}\";\n")
@@ -102,11 +108,15 @@ function(cookbook_live folder)
       cookbook_wasm_object(object "${source}")
       list(APPEND objects "${object}")
     endforeach()
-    foreach(source tools/live/web.cpp tools/program/table.cpp ${live_SOURCES})
+    foreach(source tools/live/web.cpp tools/program/table.cpp)
       cookbook_wasm_object(object "${PROJECT_SOURCE_DIR}/${source}")
       list(APPEND objects "${object}")
     endforeach()
-    cookbook_wasm_object(object "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/live.cpp")
+    foreach(source IN LISTS live_SOURCES)
+      cookbook_wasm_object(object "${PROJECT_SOURCE_DIR}/${source}" ${live_OPTIONS})
+      list(APPEND objects "${object}")
+    endforeach()
+    cookbook_wasm_object(object "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/live.cpp" ${live_OPTIONS})
     set(module "${CMAKE_BINARY_DIR}/live/${folder}.wasm")
     # Linked without -O, or clang calls binaryen where that is installed.
     add_custom_command(OUTPUT "${module}.js"

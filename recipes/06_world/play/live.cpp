@@ -1,0 +1,176 @@
+/// \file
+/// \brief A scene of the game's world to throw balls at, to drag bodies in, and to look inside.
+
+#include "06_world/game_world/trial/world_measures.hpp"
+#include "06_world/play/trial/play_drawing.hpp"
+#include "06_world/scenes/trial/scene_text.hpp"
+#include "tools/live/page.hpp"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cookbook::live
+{
+
+namespace
+{
+
+using namespace play;
+
+constexpr int width = 640, height = 400; // of the picture in every host, so that pointers agree
+
+std::unique_ptr<Play> played;
+Picture canvas, seen;
+Vector2<double> last_pointer(0, 0);
+
+/// What the pointer does in this event: drags a body or the camera, or throws.
+void follow_pointer(Page& page, bool throws, const Throw& how)
+{
+  const Pointer& pointer = page.pointer();
+  Play& play = *played;
+  const Camera<double> camera = orbit_camera(play.orbit, width, height);
+  const Ray<double> ray = picking_ray(camera, pointer.at);
+  if (pointer.wheel != 0)
+  {
+    zoom(play.orbit, pointer.wheel > 0 ? 0.9 : 1 / 0.9);
+  }
+  if (pointer.pressed && throws)
+  {
+    throw_ball(play, ray, how);
+  }
+  else if (pointer.pressed)
+  {
+    take_hold(play, ray);
+  }
+  else if (pointer.down && !throws && play.held)
+  {
+    play.held->target =
+        drag_point(camera, pointer.at, play.held->target).value_or(play.held->target);
+  }
+  else if (pointer.down && !throws)
+  {
+    const Vector2<double> moved = pointer.at - last_pointer;
+    turn(play.orbit, moved.x(), moved.y());
+    play.orbit.pitch = std::max(play.orbit.pitch, 0.02); // above the ground
+  }
+  if (!pointer.down)
+  {
+    play.held.reset();
+  }
+  last_pointer = pointer.at;
+}
+
+/// Shows what is measured.
+void read_out(Page& page, const Islands& islands)
+{
+  const GameWorld& world = played->world;
+  int movable = 0, awake = 0, points = 0;
+  for (std::size_t i = 0; i < world.bodies().size(); ++i)
+  {
+    const bool moves = !is_fixed(world.bodies()[i]);
+    movable += moves ? 1 : 0;
+    awake += moves && !world.is_asleep(world.id(i)) ? 1 : 0;
+  }
+  for (const WorldContact& contact : world.contacts())
+  {
+    points += static_cast<int>(contact.points.size());
+  }
+  const double joules = energy(world.bodies(), world.scene().gravity);
+  const double deepest = 1000 * deepest_overlap(world);
+  page.text("bodies awake", std::to_string(awake) + " of " + std::to_string(movable));
+  page.number("contact points", points);
+  page.number("islands", static_cast<double>(islands.size()));
+  page.number("energy", joules, "J");
+  page.number("deepest overlap", deepest, "mm");
+  page.number("time", world.time(), "s");
+  page.plot("energy", joules, "J");
+  page.plot("deepest overlap", deepest, "mm");
+  if (awake == 0)
+  {
+    page.rests();
+  }
+}
+
+/// The names of the scenes.
+std::vector<std::string> names_of_scenes()
+{
+  std::vector<std::string> names;
+  for (const PlayScene& one : play_scenes())
+  {
+    names.push_back(one.name);
+  }
+  return names;
+}
+
+/// The scene of a file, or without one that of the choice; throws where the file cannot be read.
+Scene scene_of(const File& file, int choice)
+{
+  constexpr std::size_t most = 1000;
+  if (file.name.empty())
+  {
+    return play_scenes()[std::size_t(choice)].scene();
+  }
+  Scene scene = scene_in(file.text, file.name);
+  if (scene.bodies.size() > most)
+  {
+    throw SceneError(file.name, 1, "a scene to play with has at most 1000 bodies");
+  }
+  return scene;
+}
+
+} // namespace
+
+void figure(Page& page)
+{
+  const int scene = page.choice("scene", names_of_scenes());
+  if (page.changed("scene"))
+  {
+    page.close("scene file");
+  }
+  page.restarts_with("scene");
+  const int solver = page.choice("solver", solver_names());
+  static constexpr std::array<int, 7> counts{0, 1, 2, 4, 8, 16, 32};
+  const int substeps = page.choice("substeps", {"its own", "1", "2", "4", "8", "16", "32"});
+  const bool throws = page.choice("pointer", {"drags", "throws"}) == 1;
+  const Throw ball{
+      page.slider("mass of the ball", 1, 100, 20, "kg"),
+      page.slider("speed of the ball", 2, 60, 25, "m/s")};
+  const bool sleeps = page.toggle("bodies fall asleep", true);
+  const Shown shown{
+      page.toggle("contacts"), page.toggle("normals"), page.toggle("impulses"),
+      page.toggle("islands"), page.dark()};
+  const File file = page.file("scene file");
+
+  page.restarts_with("scene file").restarts_with("bodies fall asleep");
+  if (page.begins())
+  {
+    played = std::make_unique<Play>(scene_of(file, scene), sleeps);
+    played->solver.change(solver_names()[std::size_t(solver)], counts[std::size_t(substeps)]);
+  }
+  if (page.changed("solver") || page.changed("substeps"))
+  {
+    wake_all(played->world);
+    played->solver.change(solver_names()[std::size_t(solver)], counts[std::size_t(substeps)]);
+  }
+  follow_pointer(page, throws, ball);
+  const Camera<double> camera = orbit_camera(played->orbit, width, height);
+  if (page.button("throw a ball"))
+  {
+    throw_ball(*played, picking_ray(camera, Vector2<double>(width / 2.0, height / 2.0)), ball);
+  }
+  for (int i = 0; i < page.steps(); ++i)
+  {
+    step(*played);
+  }
+  Islands islands;
+  islands.find(played->world.bodies(), played->world.contacts());
+  canvas = make_picture(width, height, 2);
+  draw(canvas, camera, *played, shown, islands);
+  seen = cookbook::shown(canvas);
+  page.show(width, height, seen.pixels);
+  read_out(page, islands);
+}
+
+} // namespace cookbook::live
