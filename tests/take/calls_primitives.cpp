@@ -135,6 +135,27 @@ int main()
         }
       });
 #endif
+#ifdef TAKE_picture
+  print(
+      "picture",
+      [](Draw& draw, Bits& bits)
+      {
+        const double yaw = draw.number(-3, 3), pitch = draw.number(0.1, 1.5);
+        const Camera<double> camera = orbit_camera({{0, 0, 0}, 6, yaw, pitch, 0.8}, 24, 16);
+        const Obb<double> box{draw.vector(2), draw.axes(), draw.half_extents()};
+        const Sphere<double> sphere{draw.vector(2), draw.number(0, 1)};
+        const Capsule<double> capsule{{draw.vector(2), draw.vector(2)}, draw.number(0, 1)};
+        Picture picture = make_picture(24, 16, 2);
+        clear(picture, light_palette());
+        draw_ground(picture, camera, floor_at(-1, 4), light_palette());
+        draw_shadow(picture, camera, floor_at(-1, 4), box, {0, 0, 0, 99});
+        draw_box(picture, camera, box, {200, 0, 0});
+        draw_sphere(picture, camera, sphere, draw.axes(), {0, 200, 0});
+        draw_capsule(picture, camera, capsule, {0, 0, 200});
+        draw_arrow(picture, camera, draw.vector(2), draw.vector(2), {0, 0, 0});
+        bits(picture_hash(picture), picture_hash(shown(picture)));
+      });
+#endif
 #ifdef TAKE_meshes
   print(
       "meshes",

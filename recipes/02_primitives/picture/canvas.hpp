@@ -13,6 +13,7 @@
 namespace cookbook
 {
 
+// [colour]
 /// A colour as four bytes, in the order in which pixels are stored.
 struct Colour
 {
@@ -33,6 +34,7 @@ constexpr Colour to_colour(std::uint32_t pixel)
 {
   return std::bit_cast<Colour>(pixel);
 }
+// [colour]
 
 /// A colour between two: `part` of 255 of the second, in whole numbers; opaque.
 constexpr Colour mixed(const Colour& under, const Colour& over, int part)
@@ -83,6 +85,7 @@ constexpr Palette dark_palette()
           {255, 171, 74}, {255, 107, 127}, {98, 207, 132}};
 }
 
+// [picture]
 /// Pixels, and how deep the camera sees at each of them.
 struct Picture
 {
@@ -92,6 +95,7 @@ struct Picture
   std::vector<float> depth; ///< as the projection makes it: −1 at the near plane, 1 at the far
   int samples = 1;          ///< pixels drawn for one that is shown, along each side
 };
+// [picture]
 
 /// A picture of width × height pixels that are shown, each made of samples × samples drawn ones.
 ///
@@ -139,6 +143,7 @@ inline void clear(Picture& picture, const Palette& palette)
   clear(picture, palette.sky, palette.horizon);
 }
 
+// [mean_pixel]
 /// The mean of n × n pixels, the upper left of which is `first`, in rows of `width`.
 ///
 /// The four bytes are added two at a time, 16 bits for each sum: r and b, then g and a.
@@ -156,6 +161,7 @@ std::uint32_t mean_pixel(const std::uint32_t* first, std::size_t width)
   }
   return ((red_blue >> shift) & bytes) | (((green_alpha >> shift) & bytes) << 8);
 }
+// [mean_pixel]
 
 /// The picture that is shown, of samples n: each block of n × n pixels becomes their mean.
 template <int n>

@@ -12,6 +12,7 @@
 namespace cookbook
 {
 
+// [light]
 /// Where the light comes from, and how bright it is.
 struct Light
 {
@@ -25,10 +26,12 @@ inline double brightness(const Light& light, const Vector3<double>& normal)
 {
   return light.ambient + light.direct * std::max(0.0, normal.dot(light.towards));
 }
+// [light]
 
 /// Corners with a fourth coordinate: in the world it is 1, in clip space W.
 using ClipPolygon = CornerList<Vector<double, 4>>;
 
+// [clipped]
 /// The part of a polygon with plane · corner ≥ 0: Sutherland and Hodgman's clipping.
 inline ClipPolygon clipped(const ClipPolygon& polygon, const Vector<double, 4>& plane)
 {
@@ -53,6 +56,7 @@ inline ClipPolygon clipped(const ClipPolygon& polygon, const Vector<double, 4>& 
   }
   return kept;
 }
+// [clipped]
 
 /// The planes at which clip space is cut: near, and left, right, below and above at four times the
 /// picture, so that coordinates stay small; beside the picture itself nothing needs a cut.
@@ -61,6 +65,7 @@ inline std::array<Vector<double, 4>, 5> view_cuts()
   return {{{0, 0, 1, 1}, {1, 0, 0, 4}, {-1, 0, 0, 4}, {0, 1, 0, 4}, {0, -1, 0, 4}}};
 }
 
+// [on_screen]
 /// The corners in the picture of what is ahead of the camera; none if a number is not finite.
 inline ScreenPolygon
 on_screen(const Picture& picture, const Matrix4<double>& clip_from_world, const ClipPolygon& world)
@@ -87,6 +92,7 @@ on_screen(const Picture& picture, const Matrix4<double>& clip_from_world, const 
   }
   return screen;
 }
+// [on_screen]
 
 /// Points of the world as corners.
 inline ClipPolygon corners_of(std::span<const Vector3<double>> points)
@@ -153,6 +159,7 @@ inline double edge_width(const ScreenPolygon& face, double pixels)
   return least / 12;
 }
 
+// [draw_box]
 /// Draws a box: each face in the light that falls on it, its edges darker.
 inline void draw_box(
     Picture& picture, const Camera<double>& camera, const Obb<double>& box, const Colour& colour,
@@ -170,5 +177,6 @@ inline void draw_box(
     fill_polygon(picture, screen, depth_plane(screen), {fill, lit(fill, 0.6), width});
   }
 }
+// [draw_box]
 
 } // namespace cookbook

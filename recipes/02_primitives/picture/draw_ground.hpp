@@ -82,6 +82,7 @@ inline void draw_ground(
   }
 }
 
+// [shadow_of]
 /// Where the light's rays through a polygon's corners meet a floor: the part of the polygon above
 /// the floor, moved along the light, and cut at the floor's four sides.
 inline ClipPolygon
@@ -108,7 +109,9 @@ shadow_of(const ClipPolygon& polygon, const Obb<double>& floor, const Light& lig
   }
   return shadow;
 }
+// [shadow_of]
 
+// [lay_shadow]
 /// Lays a shadow on a floor that is drawn already, once: its depth is a little nearer, and what has
 /// that depth is not darkened again.
 inline void lay_shadow(
@@ -125,6 +128,7 @@ inline void lay_shadow(
   fill_polygon(picture, screen, plane, {colour});
   fill_polygon(picture, reversed(screen), plane, {colour});
 }
+// [lay_shadow]
 
 /// Draws a box's shadow on a floor that is drawn already: that of the faces in the light.
 inline void draw_shadow(

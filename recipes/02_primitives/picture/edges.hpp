@@ -35,6 +35,7 @@ struct CornerList
 /// Corners in the picture: x, y [pixels] from the upper left corner, y down, and depth.
 using ScreenPolygon = CornerList<Vector3<double>>;
 
+// [edge]
 /// A pixel has 256 × 256 places for a corner.
 constexpr std::int64_t subpixels = 256;
 
@@ -46,6 +47,7 @@ struct Edge
   std::int64_t per_y;  ///< how much it grows from a row to the next
   std::int64_t length; ///< of the edge [1/256 pixel]
 };
+// [edge]
 
 /// The place of a coordinate [pixels] in whole 256ths.
 inline std::int64_t snapped(double x)
@@ -53,6 +55,7 @@ inline std::int64_t snapped(double x)
   return static_cast<std::int64_t>(std::floor(x * static_cast<double>(subpixels) + 0.5));
 }
 
+// [edge_between]
 /// The edge from a to b of a polygon that turns clockwise as seen, P24.
 ///
 /// A centre on an edge belongs to the polygon whose left or upper edge it is, and to no other.
@@ -67,6 +70,7 @@ inline Edge edge_between(const Vector3<double>& a, const Vector3<double>& b)
       dx * (half - ay) - dy * (half - ax) - (keeps_its_own ? 0 : 1), -dy * subpixels,
       dx * subpixels, static_cast<std::int64_t>(std::sqrt(x * x + y * y))};
 }
+// [edge_between]
 
 /// The pixels of a row from `first` to before `last`.
 struct RowSpan
@@ -81,6 +85,7 @@ constexpr std::int64_t divided_up(std::int64_t a, std::int64_t b)
   return a / b + (a % b > 0 ? 1 : 0);
 }
 
+// [inside]
 /// The part of a row's span that is inside of an edge by `margin` [1/256 pixel] or more.
 ///
 /// Along a row the edge function grows evenly: one division finds where it changes its sign.
@@ -97,6 +102,7 @@ inline RowSpan inside(const RowSpan& span, const Edge& edge, std::int64_t y, std
   }
   return {span.first, at_zero < 0 ? span.first : span.last};
 }
+// [inside]
 
 /// The edges of a polygon that turns clockwise as seen; those without a length are left out.
 inline CornerList<Edge> edges_of(const ScreenPolygon& polygon)

@@ -14,6 +14,7 @@
 namespace cookbook
 {
 
+// [lens_rays]
 /// A line in the camera's frame: at z · along + at.
 struct LensRay
 {
@@ -40,6 +41,7 @@ inline LensRays lens_rays(const Matrix4<double>& m, double width, double height)
   };
   return {line(-1, 1, 1), line(2 / width, 0, 0), line(0, -2 / height, 0)};
 }
+// [lens_rays]
 
 /// The line of all points that are seen at (x, y) [drawn pixels].
 inline LensRay lens_ray(const LensRays& rays, double x, double y)
@@ -55,6 +57,7 @@ inline double depth_at(const Matrix4<double>& m, double z)
   return (m(2, 2) * z + m(2, 3)) / (m(3, 2) * z + m(3, 3));
 }
 
+// [first_z]
 /// The z at which a lens's line first meets a sphere, c and all in the camera's frame: the greater
 /// root of |at + z along − c|² = r².
 inline std::optional<double> first_z(const LensRay& ray, const Vector3<double>& c, double radius)
@@ -69,6 +72,7 @@ inline std::optional<double> first_z(const LensRay& ray, const Vector3<double>& 
   }
   return std::sqrt(under_root / a) - b;
 }
+// [first_z]
 
 /// A rectangle of pixels: from x0, y0 to before x1, y1.
 struct PixelRect

@@ -12,6 +12,7 @@
 namespace cookbook
 {
 
+// [orbit]
 /// A camera's place on a sphere around what it looks at.
 struct Orbit
 {
@@ -40,6 +41,7 @@ inline Camera<double> orbit_camera(const Orbit& orbit, int width, int height)
       lens.value_or(perspective<double>(0.8, w / h, 0.1, 1000).value()),
       {w, h}};
 }
+// [orbit]
 
 /// Turns an orbit as a pointer that moves by dx, dy [pixels] drags what is seen: a turn is 600
 /// pixels; the pitch stays below a right angle.
@@ -56,6 +58,7 @@ inline void zoom(Orbit& orbit, double factor)
   orbit.distance = std::clamp(orbit.distance * factor, 0.01, 10'000.0);
 }
 
+// [drag_point]
 /// The point under a pixel in the plane through `point` that faces the camera; nothing where the
 /// pixel's ray does not meet it ahead.
 inline std::optional<Vector3<double>>
@@ -70,5 +73,6 @@ drag_point(const Camera<double>& camera, const Vector2<double>& pixel, const Vec
   }
   return ray.origin + t * ray.direction;
 }
+// [drag_point]
 
 } // namespace cookbook

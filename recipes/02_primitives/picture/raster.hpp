@@ -12,6 +12,7 @@
 namespace cookbook
 {
 
+// [depth_plane]
 /// Depth over the picture: a plane, for the projection keeps planes plane.
 struct DepthPlane
 {
@@ -44,6 +45,7 @@ inline DepthPlane depth_plane(const ScreenPolygon& polygon)
   }
   return plane;
 }
+// [depth_plane]
 
 /// How pixels are painted.
 struct Paint
@@ -54,6 +56,7 @@ struct Paint
   bool tested = true;     ///< hidden by what is nearer; else drawn over everything
 };
 
+// [paint_span]
 /// Paints the pixels of a row's span that are nearer than what is there.
 inline void paint_span(
     Picture& picture, int y, const RowSpan& span, const DepthPlane& plane, const Colour& colour)
@@ -73,6 +76,7 @@ inline void paint_span(
     }
   }
 }
+// [paint_span]
 
 /// The same for what is not opaque, or is drawn over everything and then leaves the depths alone.
 inline void mix_span(
@@ -109,6 +113,7 @@ inline void paint_row(
   }
 }
 
+// [fill_polygon]
 /// Paints a convex polygon that turns clockwise as seen; of one that turns the other way, nothing.
 ///
 /// Its coordinates must be finite, and at most a million.
@@ -143,5 +148,6 @@ inline void fill_polygon(
     paint_row(picture, y, {inner.last, whole.last}, plane, paint.edge, paint.tested);
   }
 }
+// [fill_polygon]
 
 } // namespace cookbook
