@@ -17,7 +17,8 @@ refuses() { # refuses WORDS ARGUMENT...
   esac
 }
 
-refuses 'nothing to play called "tetris"; there are small_world' tetris
+refuses 'nothing to play called "tetris"; there are ' tetris
+refuses ' small_world' tetris
 refuses 'sphere_sphere is a drawing, which no window shows but its page: ./cookbook book --open, "Chapter 3' sphere_sphere
 refuses 'unknown option --windows' --windows
 refuses 'called like this: ./cookbook play [NAME] [--terminal]' small_world camera

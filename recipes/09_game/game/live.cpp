@@ -63,8 +63,10 @@ void figure(Page& page)
     names.push_back(level.name);
   }
   const std::size_t level = static_cast<std::size_t>(page.choice("level", names));
-  const Vector2<double> pull(
-      page.slider("pull x", -1.2, 0.2, -0.6, "m"), page.slider("pull y", -1.2, 0.4, -0.2, "m"));
+  // One after the other: compilers evaluate arguments in orders of their own.
+  const double pull_x = page.slider("pull x", -1.2, 0.2, -0.6, "m");
+  const double pull_y = page.slider("pull y", -1.2, 0.4, -0.2, "m");
+  const Vector2<double> pull(pull_x, pull_y);
   const game::Phase before = play.game.phase;
   if (page.begins() || page.changed("level"))
   {

@@ -148,8 +148,13 @@ void draw_curve(const Pen& pen, const Curve& curve, double x, double y, double w
     most = std::max(most, point.y());
   }
   const std::string unit = curve.unit.empty() ? "" : " " + curve.unit;
-  pen.pair(curve.name, number(curve.points.back().y()) + unit, x, y, width);
+  const std::string value = number(curve.points.back().y()) + unit;
   pen.box(x, y + line, width, height - line, pen.colour.raised);
+  pen.text.draw(curve.name, x, y, pen.colour.muted);
+  if (pen.text.width(curve.name + "  " + value) < width) // else it stands among the numbers alone
+  {
+    pen.right(value, x + width, y, pen.colour.ink);
+  }
   const double first = curve.points.front().x();
   const double span = std::max(curve.points.back().x() - first, 1.0);
   std::vector<SDL_FPoint> points;

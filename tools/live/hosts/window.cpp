@@ -1,7 +1,9 @@
 #define SDL_MAIN_HANDLED
 #include "tools/live/hosts/panel.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 
@@ -73,10 +75,18 @@ struct Window
   }
 };
 
-/// The window takes these parts, in the middle of the screen.
+/// The window takes these parts, in the middle of the screen; where that is large, up to twice as
+/// large, in quarters.
 void fit(Window& window, const Parts& parts)
 {
-  SDL_SetWindowSize(window.window, parts.width, parts.height);
+  SDL_Rect screen{};
+  double scale = 1;
+  if (SDL_GetDisplayUsableBounds(SDL_GetWindowDisplayIndex(window.window), &screen) == 0)
+  {
+    const double most = std::min(0.85 * screen.w / parts.width, 0.85 * screen.h / parts.height);
+    scale = std::clamp(std::floor(4 * most) / 4, 1.0, 2.0);
+  }
+  SDL_SetWindowSize(window.window, int(parts.width * scale), int(parts.height * scale));
   SDL_SetWindowPosition(window.window, SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED);
   SDL_RenderSetLogicalSize(window.renderer, parts.width, parts.height);
 }
