@@ -3,6 +3,7 @@
 /// ways.
 
 #include "05_resolution/friction/friction.hpp"
+#include "05_resolution/friction/trial/cone_figures.hpp"
 #include "05_resolution/friction/trial/friction_figures.hpp"
 #include "05_resolution/friction/trial/friction_verdicts.hpp"
 #include "tools/program/number_option.hpp"

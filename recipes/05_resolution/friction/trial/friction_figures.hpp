@@ -63,35 +63,6 @@ inline plot::Grid paths_figure()
   return grid;
 }
 
-/// A push along the surface, with the push along the normal that allows it: what is wanted, and
-/// what the cone leaves of it.
-inline plot::Figure2d cone_panel(const std::string& title, double wanted)
-{
-  const double coefficient = 0.6, pressed = 1;
-  const double given = within_cone<double, 2>({wanted, 0}, coefficient * pressed).x();
-  const bool cut = given < wanted;
-  plot::Figure2d figure(title, title, {{-0.95, -0.3}, {1.45, 1.3}, 330});
-  figure.half_plane({0, 1}, 0)
-      .polygon({{0, 0}, {-coefficient, 1}, {coefficient, 1}}, plot::Ink::a)
-      .segment({0, pressed}, {wanted, pressed}, plot::Ink::muted, plot::Stroke::dashed)
-      .arrow({0, 0}, {0, pressed}, plot::Ink::ink, "λ_{n}", plot::Side::left)
-      .arrow({0, 0}, {given, 0}, cut ? plot::Ink::overlap : plot::Ink::good)
-      .arrow({0, 0}, {given, pressed}, cut ? plot::Ink::overlap : plot::Ink::good)
-      .label({given, 0}, cut ? "λ_{t} = μ λ_{n}" : "λ_{t}", plot::Side::below)
-      .dot({wanted, pressed}, plot::Ink::muted, cut ? "would hold" : "holds", plot::Side::above);
-  return figure;
-}
-
-/// A contact that sticks beside one that slides.
-inline plot::Grid cone_figure()
-{
-  plot::Grid grid("friction_cone", "", 2);
-  grid.describe("Within the friction cone a push holds the surfaces; beyond it, it is cut.")
-      .add(cone_panel("sticks", 0.35))
-      .add(cone_panel("slides", 1.15));
-  return grid;
-}
-
 /// How far a cube slides in 1 s on slopes of 0° to 45° with μ = 0.6 that fall towards a heading.
 inline std::vector<Eigen::Vector2d> slid(const FrictionRule& rule, double towards)
 {

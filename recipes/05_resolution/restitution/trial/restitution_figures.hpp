@@ -29,6 +29,43 @@ heights(const std::vector<Flight>& flight, double from, double to, double scale)
   return points;
 }
 
+/// The height [m] of a dropped ball at a time [s] in closed form: each bounce lasts e times as long
+/// as the one before.
+inline double height_by_hand(const Drop& drop, double time)
+{
+  const double g = drop.gravity;
+  double speed = std::sqrt(2 * g * drop.height), begin = -speed / g; // of the flight it is in
+  for (int bounce = 0; bounce < 200 && time > begin + 2 * speed / g; ++bounce)
+  {
+    begin += 2 * speed / g;
+    speed *= drop.restitution;
+  }
+  const double flown = time - begin;
+  return std::max(0.0, speed * flown - g * flown * flown / 2);
+}
+
+/// The height of a ball under a rule, over that in closed form.
+inline plot::Chart drop_chart(const Drop& drop, const BounceRule& rule, double width)
+{
+  std::vector<Eigen::Vector2d> due;
+  for (int i = 0; i <= 400; ++i)
+  {
+    const double time = drop.duration * i / 400;
+    due.emplace_back(time, height_by_hand(drop, time));
+  }
+  plot::Chart chart(
+      "restitution_drop", "", {"time [s]", plot::Scale::linear, 0, drop.duration},
+      {"height [m]", plot::Scale::linear, -0.2, 2.2});
+  chart.describe("The height of a dropped ball under a rule of restitution, and in closed form.")
+      .size(width, 320)
+      .legend(plot::Legend::below)
+      .line("closed form", due, {plot::Ink::good, plot::Marker::none, plot::Stroke::dashed})
+      .line(
+          rule.name, heights(flight(drop, rule), 0, drop.duration, 1),
+          {plot::Ink::a, plot::Marker::none, plot::Stroke::solid});
+  return chart;
+}
+
 /// A bounce that loses nothing, by three rules.
 inline plot::Chart heights_figure()
 {
