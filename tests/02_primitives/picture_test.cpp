@@ -370,6 +370,8 @@ TEST_CASE(
     draw_segment(picture, camera, {at, at}, red);
     draw_shadow(picture, camera, floor_at(-1, 2), Sphere<double>{at, 0.1}, red);
   }
+  draw_box(picture, camera, {{0, 0, 4.95}, upright, {0.01, 0.01, 0.01}}, red); // nearer than 0.1 m
+  draw_sphere(picture, camera, {{0, 0, 4.95}, 0.01}, upright, red);
   draw_box(picture, camera, {{0, 0, 0}, upright, {0, 0, 0}}, red);
   draw_box(picture, camera, {{0, 0, 0}, upright, {not_a_number, 1, 1}}, red);
   draw_sphere(picture, camera, {{0, 0, 0}, 0}, upright, red);
