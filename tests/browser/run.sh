@@ -26,5 +26,6 @@ failed=0
 node "$here/pages.mjs" "$html" "$@" || failed=1
 if [ $# -eq 0 ] && [ -f "$here/live.mjs" ]; then
   node "$here/live.mjs" "$html" || failed=1
+  node "$here/game.mjs" "$html" || failed=1
 fi
 exit "$failed"

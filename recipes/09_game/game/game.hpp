@@ -260,7 +260,8 @@ inline void step(Game& game)
 // [step]
 
 // [hash]
-/// A number that all bits of all bodies' places are in (FNV-1a): equal ruins have equal ones.
+/// A number that all bits of the places of all bodies that can move are in (FNV-1a): equal ruins
+/// have equal ones.
 inline std::uint64_t ruin_hash(const small_world::World& world)
 {
   std::uint64_t hash = 0xcbf29ce484222325;
@@ -268,13 +269,11 @@ inline std::uint64_t ruin_hash(const small_world::World& world)
   { hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3; };
   for (const small_world::RigidBody& body : world.bodies)
   {
-    for (int i = 0; i < 3; ++i)
+    if (body.inverse_mass > 0)
     {
-      add(body.motion.center[i]);
-    }
-    for (int i = 0; i < 4; ++i)
-    {
-      add(body.orientation.coeffs()[i]);
+      const auto& turn = body.orientation.coeffs();
+      std::for_each(body.motion.center.begin(), body.motion.center.end(), add);
+      std::for_each(turn.begin(), turn.end(), add);
     }
   }
   return hash;

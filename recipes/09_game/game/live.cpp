@@ -16,39 +16,47 @@ struct Play
 {
   game::Game game;
   Picture picture;
-  bool drags = false; ///< the bird is held by the pointer
+  int steps = 0;                    ///< since the start
+  bool drags = false;               ///< the pointer pulls the bird
+  Vector2<double> pressed_at{0, 0}; ///< [m], where it went down
+  Vector2<double> grip{0, 0};       ///< [m], from the pull to there
 };
 
-/// The pull that the pointer asks for while it holds the bird; lets the bird go where it is
-/// released.
+/// Pulls the bird as the pointer moves, wherever it went down, and lets it go where it is released.
 void drag(Play& play, const Page& page, const Camera<double>& camera)
 {
   const Pointer& pointer = page.pointer();
-  const Vector2<double> pull = game::pull_at(camera, pointer.at);
+  const Vector2<double> at = game::pull_at(camera, pointer.at);
   if (pointer.pressed && play.game.phase == game::Phase::aiming)
   {
-    play.drags = (pull - play.game.pull.head<2>()).norm() < 3 * game::bird_radius;
+    play.drags = true;
+    play.pressed_at = at;
+    play.grip = at - play.game.pull.head<2>();
   }
   if (play.drags)
   {
-    game::aim(play.game, pull);
+    game::aim(play.game, at - play.grip);
   }
   if (play.drags && pointer.released)
   {
-    game::shoot(play.game);
     play.drags = false;
+    if ((at - play.pressed_at).norm() > 0.1) // not where the reader has only clicked
+    {
+      game::shoot(play.game);
+    }
   }
 }
 
 /// What the game's state is, in numbers and words.
-void tell(Page& page, const game::Game& game)
+void tell(Page& page, const Play& play)
 {
+  const game::Game& game = play.game;
   page.text("the game is", name_of(game.phase));
   page.number("points", game.points);
   page.number("pigs", static_cast<double>(game.pigs.size()));
   page.number("birds", static_cast<double>(game.birds.size()));
   page.number("speed of the bird on the sling", game::sling_velocity(game.pull).norm(), "m/s");
-  page.number("time since the shot", game.turn_time, "s");
+  page.number("steps", play.steps);
   page.text("bits of all places", game::ruin_name(game));
 }
 
@@ -68,7 +76,8 @@ void figure(Page& page)
   const double pull_y = page.slider("pull y", -1.2, 0.4, -0.2, "m");
   const Vector2<double> pull(pull_x, pull_y);
   const game::Phase before = play.game.phase;
-  if (page.begins() || page.changed("level"))
+  page.restarts_with("level");
+  if (page.begins())
   {
     play = {game::start(game::built_in_levels()[level]), {}};
     game::aim(play.game, pull);
@@ -85,6 +94,7 @@ void figure(Page& page)
   for (int i = 0; i < page.steps(); ++i)
   {
     game::step(play.game);
+    ++play.steps;
   }
   if (before == game::Phase::flying && play.game.phase == game::Phase::aiming)
   {
@@ -94,7 +104,7 @@ void figure(Page& page)
   {
     page.rests();
   }
-  tell(page, play.game);
+  tell(page, play);
   play.picture = game::draw(play.game, 640, 400, page.dark());
   page.show(640, 400, play.picture.pixels);
 }
