@@ -33,9 +33,21 @@ double shared_area(const Rect& p, const Rect& q)
   return width > 0 && height > 0 ? width * height : 0;
 }
 
+/// Whether all of a segment lies to one side of a rectangle: as nearly all do.
+bool is_beside(const Segment& segment, const Rect& rect)
+{
+  const auto& [p, q] = segment;
+  return (p.x() < rect.left && q.x() < rect.left) || (p.x() > rect.right && q.x() > rect.right) ||
+         (p.y() < rect.top && q.y() < rect.top) || (p.y() > rect.bottom && q.y() > rect.bottom);
+}
+
 /// The length of the part of a segment that lies within a rectangle, after Liang and Barsky.
 double length_inside(const Segment& segment, const Rect& rect)
 {
+  if (is_beside(segment, rect))
+  {
+    return 0;
+  }
   const Vector2d span = segment.second - segment.first;
   const std::array<double, 4> steps{-span.x(), span.x(), -span.y(), span.y()};
   const std::array<double, 4> rooms{
@@ -202,9 +214,31 @@ void add_candidate(
   candidates.push_back({place, cost});
 }
 
-std::vector<Candidate>
-candidates_of(const Label& label, const Obstacles& obstacles, const Rect& bounds)
+/// The obstacles without the strokes that no candidate of a label comes close to.
+Obstacles within_reach(const Label& label, const Obstacles& obstacles)
 {
+  const double farthest = label.clearance + rings.back() + 2 * padding;
+  const double width = 1.06 * text_width(label.text, label.font_size),
+               height = 1.1 * label.font_size;
+  const Vector2d& at = label.anchor;
+  const Rect reach = {
+      at.x() - farthest - width, at.y() - farthest - height, at.x() + farthest + width,
+      at.y() + farthest + height};
+  Obstacles close{obstacles.rects, {}};
+  for (const Segment& segment : obstacles.segments)
+  {
+    if (!is_beside(segment, reach))
+    {
+      close.segments.push_back(segment);
+    }
+  }
+  return close;
+}
+
+std::vector<Candidate>
+candidates_of(const Label& label, const Obstacles& all_obstacles, const Rect& bounds)
+{
+  const Obstacles obstacles = within_reach(label, all_obstacles);
   std::vector<Candidate> candidates;
   if (label.side == Side::centre)
   {
@@ -294,8 +328,10 @@ place_labels(const std::vector<Label>& labels, const Obstacles& obstacles, const
   // Place one after the other, then let each move again while the others stay.
   constexpr int sweeps = 6;
   std::vector<std::size_t> chosen(labels.size(), unplaced);
-  for (int sweep = 0; sweep < sweeps; ++sweep)
+  std::vector<std::size_t> before;
+  for (int sweep = 0; sweep < sweeps && chosen != before; ++sweep)
   {
+    before = chosen;
     for (std::size_t label = 0; label < labels.size(); ++label)
     {
       chosen[label] = best_candidate(choices, chosen, label);

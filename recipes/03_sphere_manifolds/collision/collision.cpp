@@ -2,6 +2,7 @@
 /// \brief Two balls that move: relative velocity, approach, nature, and how they are separated.
 
 #include "03_sphere_manifolds/collision/collision.hpp"
+#include "03_sphere_manifolds/collision/trial/collision_names.hpp"
 #include "03_sphere_manifolds/plain_spheres/plain_spheres.hpp"
 #include "tools/plot/figures/figure2d.hpp"
 #include "tools/program/program.hpp"
@@ -31,18 +32,6 @@ struct Meeting
 
 const Meeting meetings[] = {{"passing by", 2.5, -1}, {"hit", 2, -1},    {"rest", 2, 0},
                             {"rebound", 2, 1},       {"stuck", 1.4, 0}, {"deep hit", 1.4, -1}};
-
-const char* name_of(Nature nature)
-{
-  const char* const names[] = {"separated", "colliding", "penetrating"};
-  return names[static_cast<int>(nature)];
-}
-
-const char* name_of(Approach approach)
-{
-  const char* const names[] = {"approaching", "resting", "separating"};
-  return names[static_cast<int>(approach)];
-}
 
 void print_meetings()
 {

@@ -4,7 +4,7 @@
 #include "03_sphere_manifolds/sphere_box/sphere_box.hpp"
 #include "03_sphere_manifolds/manifold/trial/pairs_file.hpp"
 #include "03_sphere_manifolds/plain_spheres/plain_spheres.hpp"
-#include "tools/plot/figures/figure2d.hpp"
+#include "03_sphere_manifolds/sphere_box/trial/sphere_box_figures.hpp"
 #include "tools/program/program.hpp"
 #include "tools/program/table.hpp"
 
@@ -37,22 +37,6 @@ void print_path()
   std::cout << table.text();
 }
 
-/// Draws a ball, and where and by which move it leaves the box.
-void draw_sphere(plot::Figure2d& figure, const Sphere<double>& sphere, const std::string& move)
-{
-  const Manifold<double> manifold = plain_sphere_box(sphere, box).value();
-  const Eigen::Vector2d center = sphere.center.head<2>();
-  const Eigen::Vector2d out = -manifold.normal.head<2>();
-  figure
-      .circle(
-          center + manifold.depth * out, sphere.radius, plot::Ink::faint, plot::Fill::none,
-          plot::Stroke::dotted)
-      .circle(center, sphere.radius, plot::Ink::a)
-      .arrow(center, center + manifold.depth * out, plot::Ink::overlap, move)
-      .dot(center, plot::Ink::a)
-      .point(manifold.points[0].position.head<2>());
-}
-
 void draw(const Arguments& arguments)
 {
   plot::Figure2d figure("sphere_box", "", {{-2.9, -1.1}, {3.1, 2.1}, 400});
@@ -64,7 +48,8 @@ void draw(const Arguments& arguments)
           plot::Ink::a);
   for (const Sphere<double>& sphere : path)
   {
-    draw_sphere(figure, sphere, &sphere == &path[3] ? "−d n" : "");
+    add_way_out(
+        figure, sphere, plain_sphere_box(sphere, box).value(), &sphere == &path[3] ? "−d n" : "");
   }
   save_figure(arguments, "sphere_box.svg", figure.svg());
 }

@@ -2,6 +2,7 @@
 /// \brief Two boxes to be dragged and turned: the manifold of each method, and the fifteen overlaps
 /// that it comes from.
 
+#include "03_sphere_manifolds/collision/trial/collision_names.hpp"
 #include "04_obb_manifolds/plain_box_box/trial/plain_box_box_dragged.hpp"
 #include "tools/live/page.hpp"
 
@@ -58,15 +59,11 @@ std::string code_of(const char* name, const Obb<double>& box)
          list(box.half_extents) + "};\n";
 }
 
-/// How two boxes are once one has moved: still deep, with a gap, or in touch.
-std::string after_move(const Obb<double>& a, const Obb<double>& b)
+/// How far two boxes overlap [m]; negative where a gap separates them.
+double overlap_of(const Obb<double>& a, const Obb<double>& b)
 {
   const std::array<std::optional<double>, box_axes> overlaps = axes_overlaps(a, b);
-  const double least = *overlaps[static_cast<std::size_t>(least_axis(overlaps))];
-  const double rounded = std::round(least * 1e6) * 1e-6;
-  return rounded > 0   ? "still " + number(rounded) + " m deep"
-         : rounded < 0 ? "a gap of " + number(-rounded) + " m"
-                       : "they touch";
+  return *overlaps[static_cast<std::size_t>(least_axis(overlaps))];
 }
 
 /// What the answer says, and what becomes of the overlap once B has moved by it.
@@ -82,7 +79,9 @@ void show_numbers(Page& page, const BoxAnswer& answer, const Obb<double>& a, con
     page.number("depth", answer.manifold->depth, "m");
     page.text("normal", written(answer.manifold->normal));
     page.text("contact points", std::to_string(answer.manifold->points.size()));
-    page.text("once B has moved", after_move(a, {b.center + move, b.axes, b.half_extents}));
+    page.text(
+        "once B has moved",
+        left_after_move(overlap_of(a, {b.center + move, b.axes, b.half_extents})));
   }
 }
 

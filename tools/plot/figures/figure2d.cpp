@@ -256,6 +256,14 @@ Figure2d& Figure2d::angle(
   return *this;
 }
 
+Figure2d& Figure2d::keep_free(const Vector2d& position, double pixels)
+{
+  const Vector2d at = pixel("free place", position), half = Vector2d::Constant(pixels / 2);
+  const Vector2d least = at - half, most = at + half;
+  sketch_.obstacles.rects.push_back({least.x(), least.y(), most.x(), most.y()});
+  return *this;
+}
+
 Figure2d& Figure2d::label(const Vector2d& anchor, const std::string& text, Side side, Ink ink)
 {
   add_label(sketch_, pixel("label", anchor), side == Side::centre ? 0 : 5, text, side, ink);

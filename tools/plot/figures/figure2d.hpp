@@ -104,6 +104,9 @@ public:
       const Eigen::Vector2d& anchor, const std::string& text, Side side = Side::automatic,
       Ink ink = Ink::ink);
 
+  /// Keeps texts off a square of `pixels` around a point, where a live figure has a handle.
+  Figure2d& keep_free(const Eigen::Vector2d& position, double pixels);
+
   /// Draws axes through the origin with ticks `spacing` apart, faint, under what follows.
   Figure2d&
   axes(double spacing, const std::string& x_label = "x", const std::string& y_label = "y");
