@@ -51,10 +51,10 @@ public:
   Eigen::Quaterniond orientation() ///< of length one; every eighth does not turn
   {
     const Eigen::Vector3d axis = unit();
-    const double half_angle = one_in(8) ? 0 : number(-1.5, 1.5);
-    Eigen::Quaterniond drawn(std::cos(half_angle), 0, 0, 0);
-    drawn.vec() = std::sin(half_angle) * axis;
-    return drawn;
+    const double tangent =
+        one_in(8) ? 0 : number(-14, 14); // of half the angle, the same everywhere
+    const Eigen::Vector3d turned = tangent * axis;
+    return Eigen::Quaterniond(1, turned.x(), turned.y(), turned.z()).normalized();
   }
 
   Eigen::Matrix3d axes() { return orientation().toRotationMatrix(); } ///< of a box

@@ -98,6 +98,11 @@ Reference atan2(const Reference& y, const Reference& x)
   return Reference::of(mpfr_atan2, y, x);
 }
 
+Reference exp(const Reference& a)
+{
+  return Reference::of(mpfr_exp, a);
+}
+
 Reference ldexp(const Reference& a, int exponent)
 {
   Reference result;

@@ -67,6 +67,7 @@ public:
   friend Reference sin(const Reference& angle);
   friend Reference cos(const Reference& angle);
   friend Reference atan2(const Reference& y, const Reference& x);
+  friend Reference exp(const Reference& a);
   friend Reference ldexp(const Reference& a, int exponent);
   friend int ilogb(const Reference& a);
 

@@ -7,6 +7,7 @@
 #include "01_math/plain_vectors/plain_vectors.hpp"
 #include "01_math/vectors/power_of_two.hpp"
 #include "common/math/norm.hpp"
+#include "common/math/trigonometry.hpp"
 #include "common/math/wide.hpp"
 
 #include <algorithm>
@@ -40,7 +41,7 @@ template <class Real>
 Real angle_kahan(const Vector3<Real>& a, const Vector3<Real>& b)
 {
   const Vector3<Real> p = a * b.norm(), q = b * a.norm();
-  return Real(2) * std::atan2((p - q).norm(), (p + q).norm());
+  return Real(2) * arc_tangent<Real>((p - q).norm(), (p + q).norm());
 }
 // [angle_kahan]
 
@@ -51,15 +52,15 @@ Real angle_kahan(const Vector3<Real>& a, const Vector3<Real>& b)
 /// care.
 inline double angle_of_ordinary(const Vector3<double>& a, const Vector3<double>& b)
 {
-  // Adding 0 makes 0 of -0, for atan2(0, -0) is π.
+  // Adding 0 makes 0 of -0, for the arc tangent of (0, -0) is π.
   const double cosine = a.dot(b) + 0.0;
   const double sine = a.cross(b).norm();
   if (2 * sine < cosine)
   {
     const Vector3<double> p = a * 0x1p300, q = b * 0x1p300; // small products keep their digits
-    return std::atan2(length<double>(accurate_cross<double>(p, q)), p.dot(q));
+    return arc_tangent(length<double>(accurate_cross<double>(p, q)), p.dot(q));
   }
-  return std::atan2(sine, cosine);
+  return arc_tangent(sine, cosine);
 }
 // [angle_in_double]
 
@@ -75,7 +76,7 @@ Real angle(const Vector3<Real>& a, const Vector3<Real>& b)
   {
     // In double the products are exact, no square overflows, and only zero vectors make zeros.
     const Vector3<double> p = widen(a), q = widen(b);
-    return static_cast<float>(std::atan2(p.cross(q).norm(), p.dot(q) + 0.0));
+    return static_cast<float>(arc_tangent(p.cross(q).norm(), p.dot(q) + 0.0));
   }
   else
   {

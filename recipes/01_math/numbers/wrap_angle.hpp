@@ -3,6 +3,8 @@
 /// \file
 /// \brief Angles of any size wrapped to half a turn either way.
 
+#include "common/math/trigonometry.hpp"
+
 #include <cmath>
 
 namespace cookbook
@@ -46,7 +48,8 @@ template <class Real>
 Real wrap_radians(Real angle)
 {
   const double x = static_cast<double>(angle), half_turn = 3.14159265358979311600;
-  return std::abs(x) <= half_turn ? angle : static_cast<Real>(std::atan2(std::sin(x), std::cos(x)));
+  const SineCosine<double> of = sine_cosine(x);
+  return std::abs(x) <= half_turn ? angle : static_cast<Real>(arc_tangent(of.sine, of.cosine));
 }
 // [wrap_radians]
 

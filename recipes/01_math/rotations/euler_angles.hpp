@@ -4,6 +4,7 @@
 /// \brief Axis and angle, and three angles, to a rotation matrix; and the three angles back.
 
 #include "common/math/norm.hpp"
+#include "common/math/trigonometry.hpp"
 
 #include <cmath>
 #include <limits>
@@ -17,14 +18,14 @@ namespace cookbook
 template <class Real>
 Matrix3<Real> rotation_about(const Vector3<Real>& axis, const Real& angle)
 {
-  using std::cos, std::sin;
   const Vector3<Real> k = normalize<Real>(axis, Vector3<Real>::Zero()).unit;
   if (k.isZero(0))
   {
     return Matrix3<Real>::Identity();
   }
   // 1 + sin θ K + (1 - cos θ) K², where K² is the matrix of all products of two parts of k, less 1.
-  const Real s = sin(angle), c = cos(angle), versine = Real(1) - c;
+  const auto [s, c] = sine_cosine<Real>(angle);
+  const Real versine = Real(1) - c;
   const Real x = versine * k.x(), y = versine * k.y(), z = versine * k.z();
   const Vector3<Real> v = s * k;
   Matrix3<Real> r;
@@ -66,13 +67,13 @@ Matrix3<Real> from_euler_angles(const EulerAngles<Real>& angles)
 template <class Real>
 EulerAngles<Real> euler_angles(const Matrix3<Real>& r)
 {
-  using std::atan2, std::cos, std::sin, std::sqrt;
+  using std::sqrt;
   const Real level = sqrt(r(0, 2) * r(0, 2) + r(2, 2) * r(2, 2));
   const bool locked = level <= Real(4) * std::numeric_limits<Real>::epsilon();
-  const Real heading = locked ? Real(0) : atan2(r(0, 2), r(2, 2));
-  const Real c = cos(heading), s = sin(heading);
-  const Real roll = atan2(s * r(2, 1) - c * r(0, 1), c * r(0, 0) - s * r(2, 0));
-  return {heading, atan2(-r(1, 2), level), roll};
+  const Real heading = locked ? Real(0) : arc_tangent<Real>(r(0, 2), r(2, 2));
+  const auto [s, c] = sine_cosine<Real>(heading);
+  const Real roll = arc_tangent<Real>(s * r(2, 1) - c * r(0, 1), c * r(0, 0) - s * r(2, 0));
+  return {heading, arc_tangent<Real>(-r(1, 2), level), roll};
 }
 // [euler_angles]
 

@@ -4,6 +4,7 @@
 /// \brief Between two orientations: at a constant rate, and along the straight line.
 
 #include "01_math/rotations/unit_quaternion.hpp"
+#include "common/math/trigonometry.hpp"
 
 #include <cmath>
 #include <limits>
@@ -41,17 +42,18 @@ TurnEnds<Real> turn_ends(const Quaternion<Real>& a, const Quaternion<Real>& b)
 template <class Real>
 Quaternion<Real> slerp(const Quaternion<Real>& a, const Quaternion<Real>& b, const Real& t)
 {
-  using std::abs, std::atan2, std::cos, std::sin, std::sqrt;
+  using std::abs, std::sqrt;
   const TurnEnds<Real> ends = turn_ends(a, b);
   const Quaternion<Real> step = combined<Real>(Real(1), ends.b, Real(-1), ends.a);
   // What the step has across the start is sin θ long; what it has along it is cos θ - 1.
   const Real along = dot(ends.a, step);
   const Quaternion<Real> across = combined<Real>(Real(1), step, -along, ends.a);
-  const Real sine = sqrt(dot(across, across));
+  const Real off = sqrt(dot(across, across));
   const bool digits = !(abs(t) * std::numeric_limits<Real>::epsilon() >= Real(1));
-  const Real turned = digits ? t * atan2(sine, Real(1) + along) : Real(0);
-  const Real fraction = sine > Real(0) ? sin(turned) / sine : digits ? t : Real(0);
-  return combined<Real>(cos(turned), ends.a, fraction, across);
+  const Real turned = digits ? t * arc_tangent<Real>(off, Real(1) + along) : Real(0);
+  const auto [s, c] = sine_cosine<Real>(turned);
+  const Real fraction = off > Real(0) ? s / off : digits ? t : Real(0);
+  return combined<Real>(c, ends.a, fraction, across);
 }
 // [slerp]
 

@@ -20,22 +20,21 @@ struct HalfTurn
   Real sine;   ///< [1]
 };
 
-/// Cosine and sine of half an angle [rad], right to rounding.
+/// Cosine and sine of half an angle [rad], as good as the angle's own rounding: by quotients alone.
 ///
-/// A small angle, half a radian or less, takes a third of the time: the tangent of its fourth part
-/// is a fraction, and cosine and sine follow from that without a root.
+/// The tangent of a fourth of half a radian or less is a fraction; cosine and sine of a larger
+/// fourth follow from its half. Not a number if the angle's square overflows.
 template <class Real>
 HalfTurn<Real> half_turn(Real angle)
 {
   const Real y = angle / 4, square = y * y;
-  if (!(square <= Real(1) / 64))
-  {
-    return {std::cos(angle / 2), std::sin(angle / 2)};
-  }
-  const Real above = y * (945 + square * (square - 105));
-  const Real below = 945 + square * (15 * square - 420);
-  const Real scale = 1 / (below * below + above * above);
-  return {(below * below - above * above) * scale, 2 * above * below * scale};
+  const bool large = square > Real(1) / 64 && square <= std::numeric_limits<Real>::max();
+  const HalfTurn<Real> fourth =
+      large
+          ? half_turn(angle / 2)
+          : HalfTurn<Real>{945 + square * (15 * square - 420), y * (945 + square * (square - 105))};
+  const Real c = fourth.cosine, s = fourth.sine, scale = 1 / (c * c + s * s);
+  return {(c * c - s * s) * scale, 2 * s * c * scale};
 }
 // [half_turn]
 

@@ -4,6 +4,7 @@
 /// \brief Projections: from a camera's coordinates to clip space.
 
 #include "01_math/matrices/cofactors.hpp"
+#include "common/math/trigonometry.hpp"
 #include "common/math/vector.hpp"
 
 #include <cmath>
@@ -38,7 +39,8 @@ std::optional<Matrix4<Real>> kept_projection(const Matrix4<double>& m)
 template <class Real>
 Matrix4<double> lens(Real angle, Real aspect)
 {
-  const double up = std::tan(static_cast<double>(angle) / 2);
+  const SineCosine<double> half = sine_cosine(static_cast<double>(angle) / 2);
+  const double up = half.sine / half.cosine;
   Matrix4<double> m = Matrix4<double>::Zero();
   m(0, 0) = 1 / (up * static_cast<double>(aspect));
   m(1, 1) = 1 / up;

@@ -4,6 +4,7 @@
 /// \brief The form of each shape in the plane.
 
 #include "02_primitives/in_the_plane/plane_form.hpp"
+#include "common/math/trigonometry.hpp"
 
 namespace cookbook
 {
@@ -77,9 +78,9 @@ PlaneForm<Wide<Real>> form_of(const Rectangle<Real>& rectangle, const PlaneView<
 template <class Real>
 PlaneForm<Wide<Real>> form_of(const OrientedRectangle<Real>& rectangle, const PlaneView<Real>& view)
 {
-  const Wide<Real> angle = rectangle.angle;
+  const SineCosine<Wide<Real>> of = sine_cosine<Wide<Real>>(rectangle.angle);
   return rectangle_form<Wide<Real>>(
-      view.seen(rectangle.center), {std::cos(angle), std::sin(angle)},
+      view.seen(rectangle.center), {of.cosine, of.sine},
       widen(rectangle.half_extents) * view.factor);
 }
 // [forms]

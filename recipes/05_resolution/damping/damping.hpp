@@ -4,6 +4,7 @@
 /// \brief Damping of a velocity at a rate: the same motion whatever the step.
 
 #include "05_resolution/integrators/integrators.hpp"
+#include "common/math/exponential.hpp"
 
 #include <cmath>
 
@@ -17,8 +18,7 @@ namespace cookbook
 template <class Real>
 Real damping_factor(const Real& rate, const Real& time)
 {
-  using std::exp;
-  return exp(-rate * time);
+  return exponential<Real>(-rate * time);
 }
 
 /// The share left after one step of implicit Euler: a division, no exponential.
@@ -72,11 +72,14 @@ Real small_decay(const Real& s)
 template <class Real>
 Decay<Real> decay(const Real& rate, const Real& time)
 {
-  using std::expm1;
-  const Real s = rate * time;
-  const Real mean = s == Real(0) ? Real(1) : Real(-expm1(-s) / s);
-  const Real ramp = s < Real(1) ? small_decay(s) : Real((Real(1) - mean) / s);
-  return {damping_factor(rate, time), time * mean, time * time * ramp};
+  const Real s = rate * time, factor = damping_factor(rate, time);
+  if (s < Real(1))
+  {
+    const Real ramp = small_decay(s);
+    return {factor, time * (Real(1) - s * ramp), time * time * ramp};
+  }
+  const Real mean = (Real(1) - factor) / s, ramp = (Real(1) - mean) / s;
+  return {factor, time * mean, time * time * ramp};
 }
 
 /// Where a steady acceleration [m/s²] and damping at a rate [1/s] take a point in a time [s],

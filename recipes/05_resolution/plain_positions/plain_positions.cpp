@@ -20,7 +20,7 @@ void print_scenes()
   using Springs = small_world::World;
   using Positions = plain_positions::World;
   Table table({"scene", "step 7", "corrected positions", "right"});
-  for (const int cubes : {5, 10})
+  for (const int cubes : {5, 7, 10})
   {
     add_tower<Springs, Positions>(table, cubes);
   }

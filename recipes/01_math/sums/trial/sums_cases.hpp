@@ -4,8 +4,8 @@
 /// \brief Ways to add many numbers, and the numbers that break them.
 
 #include "01_math/sums/sums.hpp"
+#include "01_math/sums/trial/eigen_sum.hpp"
 #include "common/math/ulp.hpp"
-#include "common/math/vector.hpp"
 #include "tools/program/table.hpp"
 #include "tools/program/verdicts.hpp"
 
@@ -27,21 +27,13 @@ struct SumMethod
   Real (*sum)(std::span<const Real>); ///< the way
 };
 
-/// The sum as Eigen adds: in several columns, four or two numbers wide.
-template <class Real>
-Real sum_eigen(std::span<const Real> numbers)
-{
-  using Numbers = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
-  return Eigen::Map<const Numbers>(numbers.data(), static_cast<Eigen::Index>(numbers.size())).sum();
-}
-
 /// The ways that compete, the recommended one last.
 template <class Real>
 std::array<SumMethod<Real>, 6> sum_methods()
 {
   return {
       {{"naive", sum_naive<Real>},
-       {"Eigen", sum_eigen<Real>},
+       {"Eigen", sum_eigen},
        {"pairwise", sum_pairwise<Real>},
        {"wider", sum_wide<Real>},
        {"Kahan", sum_kahan<Real>},

@@ -3,6 +3,7 @@
 /// \file
 /// \brief Pairs of boxes at which one method or another fails, with the right answers.
 
+#include "01_math/rotations/euler_angles.hpp"
 #include "02_primitives/shapes/shapes.hpp"
 #include "common/math/rotation.hpp"
 
@@ -45,7 +46,7 @@ inline std::string id_in_tables(const BoxCase& pair)
 /// The rotation by an angle [rad] about a line.
 inline Matrix3<double> turned(double angle, const Vector3<double>& about)
 {
-  return Eigen::AngleAxis<double>(angle, about.normalized()).toRotationMatrix();
+  return rotation_about(about, angle);
 }
 
 /// A box with its axes along the world's.

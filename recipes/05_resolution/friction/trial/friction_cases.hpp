@@ -4,6 +4,7 @@
 /// \brief Slides, slopes and rolls with closed forms, and what each rule of friction makes of them.
 
 #include "05_resolution/friction/trial/friction_scenes.hpp"
+#include "common/math/trigonometry.hpp"
 #include "tools/program/table.hpp"
 #include "tools/program/verdicts.hpp"
 
@@ -22,7 +23,7 @@ namespace cookbook
 inline Vector3<double> heading(double degrees)
 {
   const double angle = degrees * std::numbers::pi / 180;
-  return {std::cos(angle), 0, std::sin(angle)};
+  return {cosine(angle), 0, sine(angle)};
 }
 
 /// A box of 1 kg on a slope that falls towards a heading: the floor stays, gravity is turned.
@@ -31,8 +32,8 @@ on_slope(const Vector3<double>& half_extents, double friction, double slope, dou
 {
   OneContactScene scene = on_floor({box_on_floor(1, half_extents)}, friction);
   const double angle = slope * std::numbers::pi / 180;
-  scene.gravity = 9.81 * std::sin(angle) * heading(towards);
-  scene.gravity.y() = -9.81 * std::cos(angle);
+  scene.gravity = 9.81 * sine(angle) * heading(towards);
+  scene.gravity.y() = -9.81 * cosine(angle);
   return scene;
 }
 

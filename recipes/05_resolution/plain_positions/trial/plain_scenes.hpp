@@ -29,7 +29,7 @@ World slope(double degrees, double friction)
   World world;
   RigidBody plane = box({0, 0, 0}, {100, 0.5, 100}, 0);
   const double angle = -degrees * std::numbers::pi / 180;
-  set_orientation(plane, Quaternion<double>(Eigen::AngleAxisd(angle, Vector3<double>::UnitZ())));
+  set_orientation(plane, rotation_by<double>({0, 0, angle}));
   plane.friction = friction;
   add(world, plane);
   RigidBody block = cube(plane.orientation * Vector3<double>::UnitY());

@@ -5,6 +5,7 @@
 /// loses its lowest cube.
 
 #include "06_world/sleeping/sleeping.hpp"
+#include "common/math/trigonometry.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +61,7 @@ struct WatchedMotion
 /// What a ball that rolls without slipping loses of its speed in a second, up a slope [°].
 inline double rolling_deceleration(double slope)
 {
-  return 5.0 / 7 * sleep_gravity * std::sin(slope * std::numbers::pi / 180);
+  return 5.0 / 7 * sleep_gravity * sine(slope * std::numbers::pi / 180);
 }
 
 /// A ball that rolls up a slope [°] and back to where it came from, with a speed [m/s].
@@ -95,7 +96,7 @@ inline std::vector<WatchedMotion> watched_motions()
       unbounded(
           "swings by 1 cm on 1 m", false,
           [=](double time) {
-            return Movement{0.01 * swing * std::cos(swing * time), 0};
+            return Movement{0.01 * swing * cosine(swing * time), 0};
           }),
       unbounded(
           "crawls at 4 cm/s", false,
