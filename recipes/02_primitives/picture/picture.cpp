@@ -120,7 +120,6 @@ int main(int argc, char** argv)
         print_depths();
         print_hashes();
         save_figure(given, "picture.svg", plot::document("picture", scene_panel()));
-        save_figure(given, "picture_edges.svg", edges_figure().svg());
         save_figure(given, "picture_depth.svg", depth_figure());
       });
 }
