@@ -73,9 +73,14 @@ const checkPoses = async (page, figure, place) => {
   report.expect(message, place, "it shows an error");
 };
 
+// Where an element is taken hold of: in its middle, or where the figure says.
 const middle = async (element) => {
   const box = await element.boundingBox();
-  return [box.x + box.width / 2, box.y + box.height / 2];
+  const grip = await element.evaluate((one) => {
+    const place = one.closest(".live").live.shown.grip;
+    return one.tagName === "CANVAS" && place ? [place[0] / one.width, place[1] / one.height] : [0.5, 0.5];
+  });
+  return [box.x + box.width * grip[0], box.y + box.height * grip[1]];
 };
 
 // Does something, and tells whether the figure looks otherwise after it.
@@ -117,8 +122,10 @@ const checkInputs = async (page, figure, place) => {
   const place_ = page.locator(`.live[data-live='${figure}']`);
   const scroll = () => page.evaluate("document.scrollingElement.scrollTop");
   const at = await scroll();
-  for (const handle of await place_.locator(".live-handle:visible").all()) {
-    const name = await handle.getAttribute("title");
+  await page.evaluate(`${live(figure)}.live.send("start")`);
+  const names = await place_.locator(".live-handle:visible").evaluateAll((all) => all.map(({ title }) => title));
+  for (const name of names) {
+    const handle = place_.locator(`.live-handle[title='${name}']`);
     report.expect(await answers(page, figure, () => dragged(page, handle, -24)), place, `${name}: the mouse moves nothing`);
     report.expect(await answers(page, figure, () => touched(page, handle, -24)), place, `${name}: a finger moves nothing`);
     report.expect(await answers(page, figure, () => handle.press("Shift+ArrowLeft")), place, `${name}: arrow keys move nothing`);
@@ -143,7 +150,12 @@ const checkInputs = async (page, figure, place) => {
     report.expect(changes, place, `${name}: another choice changes nothing`);
   }
   if (moving) {
-    report.expect(await answers(page, figure, () => place_.getByRole("button", { name: "step" }).click()), place, "a single step moves nothing");
+    const step = async () => {
+      for (const button of await place_.locator(".live-do:visible").all()) await button.click();
+      await page.evaluate(`${live(figure)}.live.play(false)`);
+      await place_.locator(".live-bar").getByRole("button", { name: "step" }).click();
+    };
+    report.expect(await answers(page, figure, step), place, "a single step moves nothing");
     await page.evaluate(`${live(figure)}.live.send("start")`);
   }
   report.expect(Math.abs((await scroll()) - at) < 2, place, "the page was scrolled by what is done in the figure");

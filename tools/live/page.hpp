@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -179,6 +180,10 @@ public:
   /// Shows a picture: RGBA bytes, row by row from the top. It must live until the next event.
   void show(int width, int height, std::span<const std::uint32_t> pixels);
 
+  /// Where the picture can be taken hold of [pixels], for what tries the figure; its middle if
+  /// never called.
+  void grip(const Eigen::Vector2d& at) { grip_ = at; }
+
   /// Adds the value of this step to a curve; nothing where no step is made.
   void plot(const std::string& name, double value, const std::string& unit = "");
 
@@ -197,6 +202,7 @@ private:
   std::vector<Curve> curves_;
   std::string (*draw_curves_)(const std::vector<Curve>&, double width) = nullptr;
   Pointer pointer_;
+  std::optional<Eigen::Vector2d> grip_;
   std::string changed_, pressed_, svg_, code_;
   std::span<const std::uint32_t> pixels_;
   int picture_width_ = 0, picture_height_ = 0;

@@ -436,7 +436,9 @@ std::vector<std::string> Session::tour() const
     }
     if (page_.picture_width_ > 0 && pose % 3 == 1)
     {
-      const int x = page_.picture_width_ / 2, y = page_.picture_height_ / 2;
+      const Eigen::Vector2d grip = page_.grip_.value_or(
+          Eigen::Vector2d(page_.picture_width_ / 2, page_.picture_height_ / 2));
+      const int x = int(grip.x()), y = int(grip.y());
       const auto at = [&](int dx, const char* what)
       { return "pointer " + std::to_string(x + dx) + " " + std::to_string(y) + " " + what + "\n"; };
       events += at(0, "down") + at(20, "move") + at(20, "up");

@@ -105,7 +105,13 @@ std::string Session::json() const
          member(
              "picture", "[" + std::to_string(p.picture_width_) + "," +
                             std::to_string(p.picture_height_) + "]") +
-         "," + member("moving", flag(p.moving_)) + "," + member("resting", flag(p.resting_)) + "," +
+         "," +
+         (p.grip_
+              ? member(
+                    "grip", "[" + coordinate(p.grip_->x()) + "," + coordinate(p.grip_->y()) + "]") +
+                    ","
+              : "") +
+         member("moving", flag(p.moving_)) + "," + member("resting", flag(p.resting_)) + "," +
          member("step", std::to_string(p.step_)) + "," + member("state", quoted(state())) + "," +
          member("code", quoted(p.code_)) + "}";
 }

@@ -86,7 +86,9 @@ void figure(Page& page)
   {
     game::aim(play.game, pull);
   }
-  drag(play, page, game::game_camera(640, 400));
+  const Camera<double> camera = game::game_camera(640, 400);
+  page.grip(to_pixel<double>(camera, game::sling + play.game.pull)->pixel);
+  drag(play, page, camera);
   if (page.button("shoot"))
   {
     game::shoot(play.game);
