@@ -1,7 +1,7 @@
 /// \file
 /// \brief A triangle to be dragged over a grid of pixels: its edge functions, and what it covers.
 
-#include "02_primitives/picture/trial/picture_figures.hpp"
+#include "02_primitives/picture/trial/edges_figure.hpp"
 #include "tools/live/page.hpp"
 #include "tools/program/table.hpp"
 
