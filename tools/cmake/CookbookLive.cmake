@@ -89,7 +89,13 @@ function(cookbook_live folder)
   target_link_libraries(${target} PRIVATE
     cookbook_live ${COOKBOOK_CHAPTER_TARGET} ${live_UNPARSED_ARGUMENTS} cookbook_tools)
   cookbook_warnings(${target})
-  cookbook_compiled(${target} busy)
+  # A picture is drawn for each step that is seen.
+  file(STRINGS ${folder}/live.cpp shows REGEX "[.]show\\(")
+  if(shows)
+    cookbook_compiled(${target} timed)
+  else()
+    cookbook_compiled(${target} busy)
+  endif()
   if(COOKBOOK_TESTS)
     add_test(NAME ${target}.output COMMAND sh ${PROJECT_SOURCE_DIR}/tools/cmake/check_output.sh compare
       $<TARGET_FILE:${target}> ${target} ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/live.expected
