@@ -38,7 +38,7 @@ for (const shot of shots) {
   if (shot.level !== level) await after(`start\nset level ${levels.indexOf(shot.level)}`);
   level = shot.level;
   const shown = await after(`set pull_x ${shot.x}\nset pull_y ${shot.y}\npress shoot\nstep 600`);
-  for (const [name, value] of [["the game is", shot.phase], ["points", shot.points], ["bits of all places", shot.ruin]]) {
+  for (const [name, value] of [["the game is", shot.phase], ["points", shot.points], ["ruin", shot.ruin]]) {
     report.expect(shown[name] === value, `${level}, ${shot.x}, ${shot.y}`, `${name}: ${shown[name]}, natively ${value}`);
   }
 }

@@ -55,9 +55,9 @@ void tell(Page& page, const Play& play)
   page.number("points", game.points);
   page.number("pigs", static_cast<double>(game.pigs.size()));
   page.number("birds", static_cast<double>(game.birds.size()));
-  page.number("speed of the bird on the sling", game::sling_velocity(game.pull).norm(), "m/s");
+  page.number("speed", game::sling_velocity(game.pull).norm(), "m/s");
   page.number("steps", play.steps);
-  page.text("bits of all places", game::ruin_name(game));
+  page.text("ruin", game::ruin_name(game));
 }
 
 } // namespace
