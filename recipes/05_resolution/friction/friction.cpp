@@ -3,7 +3,6 @@
 /// ways.
 
 #include "05_resolution/friction/friction.hpp"
-#include "05_resolution/friction/trial/cone_figures.hpp"
 #include "05_resolution/friction/trial/friction_figures.hpp"
 #include "05_resolution/friction/trial/friction_verdicts.hpp"
 #include "tools/program/number_option.hpp"
@@ -64,7 +63,6 @@ void run(const Arguments& given)
   const double friction = number_option<double>(given, "friction", 0.05, 2);
   print_ways(speed, friction);
   print_slopes(friction);
-  save_figure(given, "friction_cone.svg", cone_figure().svg());
   save_figure(given, "friction.svg", paths_figure().svg());
   save_figure(given, "friction_slopes.svg", slopes_figure().svg());
   save_figure(given, "friction_cuts.svg", cuts_figure().svg());

@@ -38,7 +38,7 @@ void figure(Page& page)
   {
     names.push_back(rule.name);
   }
-  const int rule = page.choice("speed that is returned", names, 1);
+  const int rule = page.choice("rule", names, 1);
   const double height = page.slider("height H", 0.2, 2, 1, "m");
   const double restitution = page.slider("restitution e", 0, 1, 1);
   const double rate = page.slider("steps a second", 20, 240, 60);

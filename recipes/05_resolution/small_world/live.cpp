@@ -17,8 +17,8 @@ void figure(Page& page)
 {
   using namespace small_world;
   static LiveWorlds<
-      step_1::World, step_2::World, step_3::World, step_4::World, step_5::World, step_6::World,
-      step_7::World>
+      StepScenes, step_1::World, step_2::World, step_3::World, step_4::World, step_5::World,
+      step_6::World, step_7::World>
       worlds;
   const int method = page.choice(
       "step", {"1: impulses, friction", "2: warm starting", "3: soft steps", "4: broad phase",

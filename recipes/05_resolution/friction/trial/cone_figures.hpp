@@ -3,7 +3,6 @@
 /// \file
 /// \brief The friction cone from the side and from above, and what it leaves of an impulse.
 
-#include "05_resolution/friction/friction.hpp"
 #include "tools/plot/figures/figure2d.hpp"
 
 #include <string>
@@ -30,16 +29,7 @@ inline plot::Figure2d cone_side(
   return figure;
 }
 
-/// A push along the surface, with the push along the normal that allows it: what is wanted, and
-/// what the cone leaves of it.
-inline plot::Figure2d cone_panel(const std::string& title, double wanted)
-{
-  const double coefficient = 0.6;
-  const double given = within_cone<double, 2>({wanted, 0}, coefficient).x();
-  return cone_side(title, wanted, given, coefficient, {{-0.95, -0.3}, {1.45, 1.3}, 330});
-}
-
-/// The same from above: the impulse [N s] that would end the sliding of 1 kg, what a rule of
+/// The cone from above: the impulse [N s] that would end the sliding of 1 kg, what a rule of
 /// friction gives, and the velocity [m/s] that is left; the rule allows a circle or a square.
 inline plot::Figure2d cone_top(
     const std::string& title, const Eigen::Vector2d& wanted, const Eigen::Vector2d& given,
@@ -65,16 +55,6 @@ inline plot::Figure2d cone_top(
     figure.arrow({0, 0}, left, plot::Ink::ink, "v_{t}");
   }
   return figure;
-}
-
-/// A contact that sticks beside one that slides.
-inline plot::Grid cone_figure()
-{
-  plot::Grid grid("friction_cone", "", 2);
-  grid.describe("Within the friction cone a push holds the surfaces; beyond it, it is cut.")
-      .add(cone_panel("sticks", 0.35))
-      .add(cone_panel("slides", 1.15));
-  return grid;
 }
 
 } // namespace cookbook

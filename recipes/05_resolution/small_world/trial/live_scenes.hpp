@@ -6,7 +6,6 @@
 #include "05_resolution/small_world/trial/small_scenes.hpp"
 #include "05_resolution/small_world/trial/small_world_picture.hpp"
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -68,20 +67,29 @@ struct LiveScene
   Vector3<double> from; ///< [m] where it is thrown
 };
 
-/// The scenes of the live figure.
-template <class World>
-std::array<LiveScene<World>, 7> live_scenes()
+/// From where a ball is thrown at most scenes.
+inline const Vector3<double> from_the_front{-3, 1.5, 6};
+
+/// The scenes of the seven steps.
+struct StepScenes
 {
-  const Vector3<double> front(-3, 1.5, 6), left(-6, 1.2, 0);
-  return {
-      {{"tower of 10", [] { return tower<World>(10); }, 16, 6, front},
-       {"tower of 5", [] { return tower<World>(5); }, 11, 3, front},
-       {"pyramid of 55", [] { return pyramid<World>(10); }, 18, 4, front},
-       {"heap of 40", heap<World>, 11, 1, front},
-       {"floor of 36 cubes", [] { return floor_of_cubes<World>(6); }, 12, 0.4, front},
-       {"five bouncing balls", dropped_spheres<World>, 9, 0.4, front},
-       {"ball at a thin wall", ball_at_wall<World>, 8, 1, left}}};
-}
+  static constexpr int most_balls = 12; ///< that may be thrown at a scene
+
+  /// The list of them.
+  template <class World>
+  static std::vector<LiveScene<World>> list()
+  {
+    const Vector3<double> front = from_the_front, left(-6, 1.2, 0);
+    return {
+        {"tower of 10", [] { return tower<World>(10); }, 16, 6, front},
+        {"tower of 5", [] { return tower<World>(5); }, 11, 3, front},
+        {"pyramid of 55", [] { return pyramid<World>(10); }, 18, 4, front},
+        {"heap of 40", heap<World>, 11, 1, front},
+        {"floor of 36 cubes", [] { return floor_of_cubes<World>(6); }, 12, 0.4, front},
+        {"five bouncing balls", dropped_spheres<World>, 9, 0.4, front},
+        {"ball at a thin wall", ball_at_wall<World>, 8, 1, left}};
+  }
+};
 
 /// Throws a ball of 4 kg from a place at a point [m] over the middle, at a speed [m/s].
 template <class World>

@@ -14,11 +14,9 @@ namespace cookbook::small_world
 
 /// The seconds that a figure runs until it stops by itself.
 inline constexpr double longest_run = 60;
-/// How many balls may be thrown at a scene.
-inline constexpr int most_balls = 12;
 
-/// A world of one of several types, and how it is looked at.
-template <class... Worlds>
+/// A world of one of several types, with scenes such as StepScenes, and how it is looked at.
+template <class Scenes, class... Worlds>
 class LiveWorlds
 {
 public:
@@ -27,7 +25,7 @@ public:
   void show(live::Page& page, int method)
   {
     std::vector<std::string> names;
-    for (const auto& scene : live_scenes<std::variant_alternative_t<0, Any>>())
+    for (const auto& scene : Scenes::template list<std::variant_alternative_t<0, Any>>())
     {
       names.push_back(scene.name);
     }
@@ -44,7 +42,7 @@ public:
     std::visit(
         [&](auto& world)
         {
-          if (thrown && balls_++ < most_balls)
+          if (thrown && balls_++ < Scenes::most_balls)
           {
             throw_ball(world, from_, aim_, speed);
           }
@@ -63,7 +61,7 @@ private:
   {
     const auto put = [&]<class World>(std::in_place_type_t<World>)
     {
-      const LiveScene<World> chosen = live_scenes<World>()[scene];
+      const LiveScene<World> chosen = Scenes::template list<World>()[scene];
       world_ = chosen.make();
       aim_ = chosen.aim;
       from_ = chosen.from;
