@@ -21,5 +21,6 @@ refuses 'nothing to play called "tetris"; there are ' tetris
 refuses ' small_world' tetris
 refuses 'sphere_sphere is a drawing, which no window shows but its page: ./cookbook book --open, "Chapter 3' sphere_sphere
 refuses 'unknown option --windows' --windows
-refuses 'called like this: ./cookbook play [NAME] [--terminal]' small_world camera
+refuses 'called like this: ./cookbook play [NAME] [--terminal] [--scene-file FILE]' small_world camera
+refuses '--scene-file needs a file' --scene-file
 exit "$failed"

@@ -17,6 +17,11 @@ namespace cookbook::live
 void write_still(
     const std::filesystem::path& path, const std::string& name, const Session& session);
 
+/// Opens a file for the input of a figure that asks for one.
+///
+/// Throws std::runtime_error where it cannot be read, or no input asks; what the figure throws.
+void open_file(Session& session, const std::filesystem::path& path);
+
 /// Runs a figure in a "window" or in the "terminal" until the reader closes it.
 ///
 /// Throws std::runtime_error where this program was built without, or where none can be opened.

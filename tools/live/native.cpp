@@ -59,6 +59,12 @@ int main(int argc, char** argv)
        .choices = {"no", "stdin"},
        .draws = false},
       {.name = "state", .help = "begin with the state of a link", .value = "", .choices = {}},
+      {.name = "scene-file",
+       .help = "open this file in the figure",
+       .value = "",
+       .choices = {},
+       .file = FileUse::read,
+       .draws = false},
       {.name = "host",
        .help = "where it is shown",
        .value = "text",
@@ -75,6 +81,10 @@ int main(int argc, char** argv)
         if (!given.value("state").empty())
         {
           session.send("restore " + given.value("state"));
+        }
+        if (!given.value("scene-file").empty())
+        {
+          live::open_file(session, given.value("scene-file"));
         }
         if (given.value("host") != "text")
         {

@@ -39,24 +39,36 @@ void send(Controls& controls, const std::string& events)
   }
 }
 
-void open_file(Controls& controls, const std::filesystem::path& path)
+void open_file(Session& session, const std::filesystem::path& path)
 {
-  for (const Input& input : controls.session.inputs())
+  for (const Input& input : session.inputs())
   {
     if (input.kind == InputKind::file)
     {
       std::ifstream stream(path, std::ios::binary);
       const std::string text{std::istreambuf_iterator<char>(stream), {}};
-      const bool is_read = stream && !std::filesystem::is_directory(path);
-      controls.message = is_read ? "" : "cannot read " + path.string();
-      if (is_read)
+      if (!stream || std::filesystem::is_directory(path))
       {
-        send(controls, file_event(input.name, {path.filename().string(), text}));
+        throw std::runtime_error("cannot read " + path.string());
       }
+      session.send(file_event(input.name, {path.filename().string(), text}));
       return;
     }
   }
-  controls.message = "this figure opens no files";
+  throw std::runtime_error("this figure opens no files");
+}
+
+void open_file(Controls& controls, const std::filesystem::path& path)
+{
+  try
+  {
+    open_file(controls.session, path);
+    controls.message.clear();
+  }
+  catch (const std::exception& error)
+  {
+    controls.message = error.what();
+  }
 }
 
 std::vector<Input> offered(const Session& session)
