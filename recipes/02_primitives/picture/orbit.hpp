@@ -4,6 +4,7 @@
 /// \brief A camera that circles a target, and what a pointer does with it.
 
 #include "02_primitives/camera/camera.hpp"
+#include "common/math/trigonometry.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,9 +30,8 @@ struct Orbit
 /// without a size, or an orbit that makes no lens, it has the lens of a square picture.
 inline Camera<double> orbit_camera(const Orbit& orbit, int width, int height)
 {
-  const double level = std::cos(orbit.pitch);
-  const Vector3<double> back(
-      level * std::sin(orbit.yaw), std::sin(orbit.pitch), level * std::cos(orbit.yaw));
+  const SineCosine<double> yaw = sine_cosine(orbit.yaw), pitch = sine_cosine(orbit.pitch);
+  const Vector3<double> back(pitch.cosine * yaw.sine, pitch.sine, pitch.cosine * yaw.cosine);
   const Vector3<double> eye = orbit.target + orbit.distance * back;
   const double w = std::max(width, 1), h = std::max(height, 1), d = orbit.distance;
   const std::optional<Matrix4<double>> lens =

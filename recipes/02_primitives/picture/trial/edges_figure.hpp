@@ -6,6 +6,7 @@
 #include "02_primitives/plain_picture/plain_picture.hpp"
 #include "tools/plot/figures/figure2d.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -45,7 +46,7 @@ struct EdgesScene
 /// The part of the picture that the figure of edge functions shows, 16 by 10 pixels, y up.
 inline plot::View edges_view(double width)
 {
-  return {{-0.6, -10.4}, {16.6, 0.8}, width};
+  return {{-0.6, -10.4}, {16.6, 0.9}, width};
 }
 
 /// A triangle on a grid of pixels: those whose centres it covers.
@@ -66,7 +67,15 @@ inline plot::Figure2d edges_figure(const EdgesScene& scene, double width)
   figure.arrow(up(scene.a), up(scene.b), plot::Ink::ink)
       .arrow(up(scene.b), up(scene.c), plot::Ink::ink)
       .arrow(up(scene.c), up(scene.a), plot::Ink::ink);
-  figure.label(up(scene.a), "a").label(up(scene.b), "b").label(up(scene.c), "c");
+  const Vector2<double> middle = (scene.a + scene.b + scene.c) / 3;
+  const auto outside = [&](const Vector2<double>& corner)
+  {
+    const Vector2<double> out = corner - middle;
+    return up(corner + 0.9 / std::max(out.norm(), 0.9) * out);
+  };
+  figure.label(outside(scene.a), "a", plot::Side::centre)
+      .label(outside(scene.b), "b", plot::Side::centre)
+      .label(outside(scene.c), "c", plot::Side::centre);
   const Vector3<double> e = scene.functions(scene.p);
   const auto whole = [](double x) { return std::to_string(std::lround(x)); };
   figure.point(

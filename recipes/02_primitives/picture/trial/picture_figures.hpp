@@ -81,12 +81,14 @@ inline plot::Panel scene_panel()
   {
     data = squares_of(picture, pixel, side);
     const bool in_shadow = pixel == shaded(palette.ground) || pixel == shaded(palette.grid);
-    body += pixel == sky                      ? ""
-            : pixel == ground                 ? plot::svg::filled(data, plot::Ink::faint, 0.4)
-            : pixel == to_pixel(palette.grid) ? plot::svg::filled(data, plot::Ink::faint, 1)
-            : in_shadow
-                ? plot::svg::filled(data, plot::Ink::muted, 0.6)
-                : plot::svg::element("path", {{"d", data}, {"fill", css_colour(to_colour(pixel))}});
+    body += pixel == sky      ? ""
+            : pixel == ground ? plot::svg::filled(data, plot::Ink::faint, 0.4)
+            : pixel == to_pixel(palette.grid)
+                ? plot::svg::filled(data, plot::Ink::faint, 1)
+                : plot::svg::element(
+                      "path", {{"d", data},
+                               {"fill", in_shadow ? "#000000" : css_colour(to_colour(pixel))},
+                               {"fill-opacity", in_shadow ? "0.35" : "1"}});
   }
   return {
       120.0 * side,
@@ -121,6 +123,9 @@ inline std::string depth_figure()
       }
     }
   }
+  const auto up = [](const Vector3<double>& p) { return Eigen::Vector2d(p.x(), -p.y()); };
+  seen.polyline({up(b), up(a), up(c), up(b)}, plot::Ink::a, plot::Stroke::dashed);
+  seen.polyline({up(f), up(d), up(e), up(f)}, plot::Ink::b, plot::Stroke::dashed);
   plot::Figure2d depths(
       "picture_depths", "depth along the middle row", {{-1, -1}, {49, 10.5}, 560});
   const auto at = [](double x, double depth) { return Eigen::Vector2d(x, depth * 10); };
