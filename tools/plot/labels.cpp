@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace cookbook::plot
 {
@@ -132,18 +133,34 @@ Segment leader_of(const PlacedLabel& place)
   return {anchor + skipped * (end - anchor), end};
 }
 
-/// Stands a label beside its anchor, `distance` away in one of sixteen directions.
-PlacedLabel stand(const Label& label, int direction, double distance)
+/// The sixteen directions, from the right towards above, y down.
+const std::array<Vector2d, directions>& unit_vectors()
 {
   constexpr double pi = 3.141592653589793;
-  const double dx = std::cos(direction * pi / 8);
-  const double dy = -std::sin(direction * pi / 8);
-  const double width = text_width(label.text, label.font_size) * (label.strong ? 1.06 : 1);
+  static const std::array<Vector2d, directions> vectors = []
+  {
+    std::array<Vector2d, directions> all;
+    for (int k = 0; k < directions; ++k)
+    {
+      all[static_cast<std::size_t>(k)] = {std::cos(k * pi / 8), -std::sin(k * pi / 8)};
+    }
+    return all;
+  }();
+  return vectors;
+}
+
+/// Stands a label, `width` pixels wide, beside its anchor, `distance` away in one of sixteen
+/// directions. Its text is filled in once it has been chosen: there are about a hundred candidates.
+PlacedLabel stand(const Label& label, double width, int direction, double distance)
+{
+  const double dx = unit_vectors()[static_cast<std::size_t>(direction)].x();
+  const double dy = unit_vectors()[static_cast<std::size_t>(direction)].y();
   const double height = 1.1 * label.font_size;
   const double x = label.anchor.x() + dx * distance + std::clamp(1.42 * dx, -1., 1.) * width / 2;
   const double y = label.anchor.y() + dy * distance + std::clamp(1.42 * dy, -1., 1.) * height / 2;
   PlacedLabel place;
-  place.label = label;
+  place.label.anchor = label.anchor;
+  place.label.clearance = label.clearance;
   place.box = {x - width / 2, y - height / 2, x + width / 2, y + height / 2};
   place.text_anchor = dx > 0.3 ? "start" : dx < -0.3 ? "end" : "middle";
   const double start = dx > 0.3 ? place.box.left : dx < -0.3 ? place.box.right : x;
@@ -211,7 +228,7 @@ void add_candidate(
         !is_own(rect, place.label.anchor) && length_inside(place.leader_line, rect) > 1;
     cost += crosses ? 25 : 0;
   }
-  candidates.push_back({place, cost});
+  candidates.push_back({std::move(place), cost});
 }
 
 /// The obstacles without the strokes that no candidate of a label comes close to.
@@ -239,17 +256,19 @@ std::vector<Candidate>
 candidates_of(const Label& label, const Obstacles& all_obstacles, const Rect& bounds)
 {
   const Obstacles obstacles = within_reach(label, all_obstacles);
+  const double width = text_width(label.text, label.font_size) * (label.strong ? 1.06 : 1);
   std::vector<Candidate> candidates;
+  candidates.reserve(rings.size() * directions + 1);
   if (label.side == Side::centre)
   {
-    PlacedLabel place = stand(label, 4, -0.55 * label.font_size);
+    PlacedLabel place = stand(label, width, 4, -0.55 * label.font_size);
     add_candidate(candidates, place, 0, {}, bounds);
   }
   for (const double ring : rings)
   {
     for (int direction = 0; direction < directions; ++direction)
     {
-      PlacedLabel place = stand(label, direction, label.clearance + ring);
+      PlacedLabel place = stand(label, width, direction, label.clearance + ring);
       place.leader = ring > 9;
       const double detour = (ring > 0 ? 8 : 0) + 1.3 * ring + (label.side == Side::centre ? 60 : 0);
       add_candidate(
@@ -341,6 +360,7 @@ place_labels(const std::vector<Label>& labels, const Obstacles& obstacles, const
   for (std::size_t label = 0; label < labels.size(); ++label)
   {
     placed.push_back(choices[label][chosen[label]].place);
+    placed.back().label = labels[label];
   }
   return placed;
 }

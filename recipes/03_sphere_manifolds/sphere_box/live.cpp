@@ -60,15 +60,19 @@ void show_numbers(
                      : out < 0 ? metres(-out) + " inside"
                                : "on the surface");
   page.text("method says", manifold ? "overlap" : "apart");
-  if (manifold)
+  if (!manifold)
   {
-    const Vector3<double>& n = manifold->normal;
-    page.number("depth d", manifold->depth, "m");
-    page.text("normal n", "(" + number(n.x() + 0.0) + ", " + number(n.y() + 0.0) + ")");
-    page.text(
-        "once A has moved",
-        left_after_move(overlap_of({sphere.center - manifold->depth * n, sphere.radius}, box)));
+    for (const char* name : {"depth d", "normal n", "once A has moved"})
+    {
+      page.text(name, "–"); // the lines stay, so that nothing jumps
+    }
+    return;
   }
+  const Vector3<double>& n = manifold->normal;
+  const Sphere<double> moved{sphere.center - manifold->depth * n, sphere.radius};
+  page.number("depth d", manifold->depth, "m");
+  page.text("normal n", "(" + number(n.x() + 0.0) + ", " + number(n.y() + 0.0) + ")");
+  page.text("once A has moved", left_after_move(overlap_of(moved, box)));
 }
 
 /// The box as the figure has it, in the plane.

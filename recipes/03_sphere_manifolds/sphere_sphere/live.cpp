@@ -46,16 +46,22 @@ void show_numbers(
 {
   page.number("distance |t|", (b.center - a.center).norm(), "m");
   page.text("nature", name_of(nature(manifold, tolerance)));
-  if (manifold)
+  if (!manifold)
   {
-    const Vector3<double>& n = manifold->normal;
-    const Vector3<double> t = b.center - a.center + manifold->depth * n; // each moves by half
-    page.text("approach", name_of(approach(velocity, n, resting_speed)));
-    page.number("depth d", manifold->depth, "m");
-    page.text("normal n", "(" + number(n.x()) + ", " + number(n.y()) + ")");
-    page.number("each moves", penetration_distance(*manifold), "m");
-    page.text("once both have moved", left_after_move(a.radius + b.radius - t.norm()));
+    for (const char* name :
+         {"approach", "depth d", "normal n", "each moves", "once both have moved"})
+    {
+      page.text(name, "–"); // the lines stay, so that nothing jumps
+    }
+    return;
   }
+  const Vector3<double>& n = manifold->normal;
+  const Vector3<double> t = b.center - a.center + manifold->depth * n; // each moves by half
+  page.text("approach", name_of(approach(velocity, n, resting_speed)));
+  page.number("depth d", manifold->depth, "m");
+  page.text("normal n", "(" + number(n.x()) + ", " + number(n.y()) + ")");
+  page.number("each moves", penetration_distance(*manifold), "m");
+  page.text("once both have moved", left_after_move(a.radius + b.radius - t.norm()));
 }
 
 } // namespace

@@ -73,16 +73,20 @@ void show_numbers(Page& page, const BoxAnswer& answer, const Obb<double>& a, con
   page.text(
       answer.manifold ? "best axis" : "separating axis",
       answer.axis < 0 ? "none" : axis_name(answer.axis));
-  if (answer.manifold)
+  if (!answer.manifold)
   {
-    const Vector3<double> move = answer.manifold->depth * answer.manifold->normal;
-    page.number("depth", answer.manifold->depth, "m");
-    page.text("normal", written(answer.manifold->normal));
-    page.text("contact points", std::to_string(answer.manifold->points.size()));
-    page.text(
-        "once B has moved",
-        left_after_move(overlap_of(a, {b.center + move, b.axes, b.half_extents})));
+    for (const char* name : {"depth", "normal", "contact points", "once B has moved"})
+    {
+      page.text(name, "–"); // the lines stay, so that nothing jumps
+    }
+    return;
   }
+  const Vector3<double> move = answer.manifold->depth * answer.manifold->normal;
+  page.number("depth", answer.manifold->depth, "m");
+  page.text("normal", written(answer.manifold->normal));
+  page.text("contact points", std::to_string(answer.manifold->points.size()));
+  const Obb<double> moved{b.center + move, b.axes, b.half_extents};
+  page.text("once B has moved", left_after_move(overlap_of(a, moved)));
 }
 
 } // namespace
@@ -90,7 +94,7 @@ void show_numbers(Page& page, const BoxAnswer& answer, const Obb<double>& a, con
 void figure(Page& page)
 {
   const bool wide = page.width() >= 600;
-  const double bars = wide ? 270 : page.fit(480);
+  const double bars = wide ? 300 : page.fit(480);
   const double width = wide ? std::min(480.0, page.fit(1000) - bars - 22) : page.fit(520);
   const int method = page.choice("method", box_answer_names());
   const double yaw = page.slider("view from", -60, 60, -28, "°") * degree;
@@ -105,8 +109,8 @@ void figure(Page& page)
           .cwiseMin(Eigen::Vector2d(2.1, 2));
   const Vector3<double> center(at.x(), at.y(), depth_of_b);
   const Eigen::Vector2d towards =
-      page.handle("turn B", drag_plane(empty, center, x, y), {1.26, 0.29}, plot::Ink::ink);
-  const double yaw_of_b = page.slider("yaw of B", -90, 90, 30, "°") * degree;
+      page.handle("turn B", drag_plane(empty, center, x, y), {1.26, 0.34}, plot::Ink::ink);
+  const double yaw_of_b = page.slider("yaw of B", -90, 90, 40, "°") * degree;
   const double slope = page.slider("slope of A", -45, 45, 18, "°") * degree;
   const bool moved = page.toggle("move B by depth and normal");
 

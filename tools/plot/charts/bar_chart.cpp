@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <tuple>
 
 namespace cookbook::plot
 {
@@ -39,6 +40,12 @@ BarChart& BarChart::width(double pixels)
     throw std::invalid_argument("plot: " + name_ + " width: at least 160 pixels");
   }
   width_ = pixels;
+  return *this;
+}
+
+BarChart& BarChart::text_room(double negative, double positive)
+{
+  text_room_ = std::pair(negative, positive);
   return *this;
 }
 
@@ -95,8 +102,12 @@ Panel BarChart::panel(const std::string&) const
     values.push_back(reference.value);
   }
   const double top = title_height(title_, width_) + (references_.empty() ? 4 : 24);
+  if (text_room_)
+  {
+    std::tie(low_text, high_text) = *text_room_;
+  }
   // Long names stand on lines of their own, above their bars.
-  const bool stacked = names + low_text + high_text > 0.6 * width_;
+  const bool stacked = !text_room_ && names + low_text + high_text > 0.6 * width_;
   const double row = row_height + (stacked ? name_height : 0);
   const double bottom = top + row * static_cast<double>(bars_.size());
   const double left = (stacked ? 4 : names + 12) + low_text;

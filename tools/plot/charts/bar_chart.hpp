@@ -4,7 +4,9 @@
 #include "tools/plot/panel.hpp"
 #include "tools/plot/style.hpp"
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cookbook::plot
@@ -23,6 +25,10 @@ public:
 
   /// Sets the width of the whole chart [pixels]; the height follows from the number of bars.
   BarChart& width(double pixels);
+
+  /// Keeps room for texts of so many pixels at the ends of negative and of positive bars, instead
+  /// of for those that there are: for a chart that must not move while its values change.
+  BarChart& text_room(double negative, double positive);
 
   BarChart& note(std::string text);
 
@@ -64,6 +70,7 @@ private:
   std::string note_;
   Axis axis_;
   double width_ = 560;
+  std::optional<std::pair<double, double>> text_room_;
   std::vector<Bar> bars_;
   std::vector<Reference> references_;
 };

@@ -102,13 +102,13 @@ inline plot::BarChart overlaps_chart(const BoxAnswer& answer, double width)
 {
   plot::BarChart chart(
       "overlaps", "", {"overlap along the axis [m]", plot::Scale::linear, -0.75, 1.75});
-  chart.width(width);
+  chart.width(width).text_room(48, 52);
   for (int axis = 0; axis < box_axes; ++axis)
   {
     const std::optional<double>& overlap = answer.overlaps[static_cast<std::size_t>(axis)];
     const std::string name = axis_name(axis);
     const double shown = std::clamp(overlap.value_or(0), -0.75, 1.75);
-    const std::string text = overlap ? plot::significant(*overlap, 3) : "left out";
+    const std::string text = overlap ? number(std::round(*overlap * 1e3) * 1e-3 + 0.0) : "left out";
     axis == answer.axis ? chart.highlight(name, shown, plot::Ink::overlap, text)
                         : chart.bar(name, shown, axis_ink(axis), text);
   }
