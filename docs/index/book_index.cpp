@@ -204,6 +204,14 @@ std::string listing(const House& house, const std::string& folder, const std::st
   show("The header", house.recipes, stem + ".hpp");
   show("The program", house.recipes, stem + ".cpp");
   show("What it prints", house.recipes, stem + ".expected");
+  for (const TextFile& one : house.live)
+  {
+    if (one.path == "recipes/" + folder + "/" + stem + "/live.cpp")
+    {
+      text += "## The live figure {#" + listing_id(stem) + "_live}\n\n<span class=\"path\">" +
+              escaped(one.path) + "</span>\n\n\\include " + stem + "/live_whole.cpp\n\n";
+    }
+  }
   show("The tests", house.tests, stem + "_test.cpp");
   return text;
 }

@@ -87,7 +87,7 @@ inline std::string shown_at(const std::string& path)
 {
   const std::string name = std::filesystem::path(path).filename().string();
   const bool in_recipe =
-      !is_example(path) &&
+      !is_example(path) && !is_live(path) &&
       std::regex_search(path, std::regex(R"(^recipes/\d.*\.(hpp|cpp|expected)$)"));
   const bool tests = std::regex_search(path, std::regex(R"(^tests/\d.*_test\.cpp$)"));
   const bool shared = std::regex_search(path, std::regex(R"(^(common|tools)/.*\.hpp$)"));

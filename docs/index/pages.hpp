@@ -4,6 +4,8 @@
 
 #include "docs/index/scan.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <tuple>
 
@@ -16,6 +18,12 @@ inline bool is_example(const std::string& path)
   return path.rfind("recipes/", 0) == 0 && stem(path).ends_with("_example");
 }
 
+/// True for a live figure and its poses, of which each folder has its own: recipes/03_x/a/live.cpp.
+inline bool is_live(const std::string& path)
+{
+  return path.rfind("recipes/", 0) == 0 && stem(path) == "live";
+}
+
 /// What the indexes are made from: the pages, the tables of failing cases, recipes and tests.
 struct House
 {
@@ -23,18 +31,25 @@ struct House
   std::vector<TextFile> tables;
   std::vector<TextFile> recipes;
   std::vector<TextFile> tests;
+  std::vector<TextFile> live;
 };
 
 /// Reads the house below `root`.
 inline House read_house(const std::filesystem::path& root)
 {
   House house{
-      read_tree(root, "chapters", {".md"}), read_tree(root, "chapters/figures", {".html"}),
+      read_tree(root, "chapters", {".md"}),
+      read_tree(root, "chapters/figures", {".html"}),
       read_tree(root, "recipes", {".hpp", ".cpp", ".expected"}),
-      read_tree(root, "tests", {".cpp"})};
+      read_tree(root, "tests", {".cpp"}),
+      {}};
   const auto unnumbered = [](const TextFile& file) { return chapter_of(file.path).empty(); };
   std::erase_if(house.pages, unnumbered);
   std::erase_if(house.recipes, [](const TextFile& file) { return is_example(file.path); });
+  std::copy_if(
+      house.recipes.begin(), house.recipes.end(), std::back_inserter(house.live),
+      [](const TextFile& file) { return is_live(file.path) && file.path.ends_with(".cpp"); });
+  std::erase_if(house.recipes, [](const TextFile& file) { return is_live(file.path); });
   std::erase_if(house.tests, unnumbered);
   return house;
 }
