@@ -19,9 +19,9 @@ constexpr double free_pixels = 38; // around a handle
 std::optional<Manifold<double>>
 manifold_by(int method, const Sphere<double>& sphere, const Obb<double>& box)
 {
-  if (method < 2)
+  if (method == 0)
   {
-    return method == 0 ? plain_sphere_box(sphere, box) : sphere_box(sphere, box);
+    return plain_sphere_box(sphere, box);
   }
   const std::optional<Manifold<float>> found = sphere_box_as_published(
       {sphere.center.cast<float>(), float(sphere.radius)},
@@ -105,8 +105,7 @@ void figure(Page& page)
 {
   const plot::View view{{-2.9, -2.1}, {2.9, 2.1}, page.fit(480)};
   const plot::Figure2d empty("sphere_box", "", view);
-  const int method =
-      page.choice("method", {"plain_sphere_box", "sphere_box", "sphere_box_as_published"});
+  const int method = page.choice("method", {"plain_sphere_box", "sphere_box_as_published"});
   const Eigen::Vector2d handle = page.handle("A", empty, {0.7, 0.55}, plot::Ink::a);
   const Eigen::Vector2d towards = page.handle("turn B", empty, {2.45, 0.3}, plot::Ink::b);
   const double radius = page.slider("radius of A", 0.1, 1, 0.5, "m");
