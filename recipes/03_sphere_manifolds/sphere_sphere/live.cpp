@@ -96,6 +96,11 @@ void figure(Page& page)
           .circle(at + half, b.radius, plot::Ink::b, plot::Fill::none, plot::Stroke::dotted);
     }
   }
+  else
+  {
+    figure.dot({0, 0}, plot::Ink::a, "A", plot::Side::left)
+        .dot(at, plot::Ink::b, "B", plot::Side::right);
+  }
   page.draw(figure.svg());
 }
 
