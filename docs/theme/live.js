@@ -203,6 +203,9 @@ class LiveFigure {
     } else if (this.plots.firstChild) {
       this.plots.replaceChildren();
     }
+    if (this.rested && !out.resting) {
+      this.play(true);
+    }
     out.inputs.forEach((input) => this.showInput(input));
     this.showNumbers(out.numbers);
     this.playButton.hidden = this.stepButton.hidden = !out.moving;
@@ -432,6 +435,7 @@ class LiveFigure {
 
   play(on) {
     this.playing = on && this.shown.moving;
+    this.rested = false;
     this.playButton.textContent = this.playing ? "pause" : "play";
     this.playButton.title = this.playing ? "Pause" : "Play";
     this.clock = 0;
@@ -469,6 +473,7 @@ class LiveFigure {
     }
     if (this.playing && this.shown.resting && !touched) {
       this.play(false);
+      this.rested = true; // until something moves again
     }
     this.tick();
   }

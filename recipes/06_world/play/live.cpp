@@ -7,6 +7,7 @@
 #include "tools/live/page.hpp"
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,26 +37,22 @@ void follow_pointer(Page& page, bool throws, const Throw& how)
   {
     zoom(play.orbit, pointer.wheel > 0 ? 0.9 : 1 / 0.9);
   }
-  if (pointer.pressed && throws)
+  if (pointer.pressed && take_hold(play, ray) && throws)
   {
     throw_ball(play, ray, how);
   }
-  else if (pointer.pressed)
-  {
-    take_hold(play, ray);
-  }
-  else if (pointer.down && !throws && play.held)
+  else if (pointer.down && play.held)
   {
     play.held->target =
         drag_point(camera, pointer.at, play.held->target).value_or(play.held->target);
   }
-  else if (pointer.down && !throws)
+  else if (pointer.down && !pointer.pressed)
   {
     const Vector2<double> moved = pointer.at - last_pointer;
     turn(play.orbit, moved.x(), moved.y());
     play.orbit.pitch = std::max(play.orbit.pitch, 0.02); // above the ground
   }
-  if (!pointer.down)
+  if (!pointer.down || throws)
   {
     play.held.reset();
   }
@@ -78,7 +75,7 @@ void read_out(Page& page, const Islands& islands)
     points += static_cast<int>(contact.points.size());
   }
   const double joules = energy(world.bodies(), world.scene().gravity);
-  const double deepest = 1000 * deepest_overlap(world);
+  const double deepest = std::round(1e6 * deepest_overlap(world)) / 1000; // [mm]
   page.text("bodies awake", std::to_string(awake) + " of " + std::to_string(movable));
   page.number("contact points", points);
   page.number("islands", static_cast<double>(islands.size()));
@@ -87,7 +84,7 @@ void read_out(Page& page, const Islands& islands)
   page.number("time", world.time(), "s");
   page.plot("energy", joules, "J");
   page.plot("deepest overlap", deepest, "mm");
-  if (awake == 0)
+  if (awake == 0 && !played->held)
   {
     page.rests();
   }
@@ -120,45 +117,79 @@ Scene scene_of(const File& file, int choice)
   return scene;
 }
 
-} // namespace
+/// What the reader chose.
+struct Chosen
+{
+  int scene;          ///< of the list
+  bool thrown;        ///< a ball, by its button
+  bool throws;        ///< whether a press on a body throws a ball at it
+  Throw ball;         ///< which
+  std::string solver; ///< by name
+  int substeps;       ///< 0: its own
+  bool sleeps;        ///< bodies that rest
+  Shown shown;
+  File file; ///< in place of the list's scene
+};
 
-void figure(Page& page)
+/// Asks for all inputs.
+Chosen ask(Page& page)
 {
   const int scene = page.choice("scene", names_of_scenes());
   if (page.changed("scene"))
   {
     page.close("scene file");
   }
-  page.restarts_with("scene");
+  const bool thrown = page.button("throw a ball");
+  const bool throws = page.choice("a body that is pressed", {"is dragged", "is thrown at"}) == 1;
+  const double mass = page.slider("mass of the ball", 1, 100, 20, "kg");
+  const Throw ball{mass, page.slider("its speed", 2, 60, 25, "m/s")};
   const int solver = page.choice("solver", solver_names());
   static constexpr std::array<int, 7> counts{0, 1, 2, 4, 8, 16, 32};
   const int substeps = page.choice("substeps", {"its own", "1", "2", "4", "8", "16", "32"});
-  const bool throws = page.choice("pointer", {"drags", "throws"}) == 1;
-  const Throw ball{
-      page.slider("mass of the ball", 1, 100, 20, "kg"),
-      page.slider("speed of the ball", 2, 60, 25, "m/s")};
   const bool sleeps = page.toggle("bodies fall asleep", true);
   const Shown shown{
       page.toggle("contacts"), page.toggle("normals"), page.toggle("impulses"),
       page.toggle("islands"), page.dark()};
   const File file = page.file("scene file");
+  page.restarts_with("scene").restarts_with("scene file").restarts_with("bodies fall asleep");
+  return {scene,
+          thrown,
+          throws,
+          ball,
+          solver_names()[std::size_t(solver)],
+          counts[std::size_t(substeps)],
+          sleeps,
+          shown,
+          file};
+}
 
-  page.restarts_with("scene file").restarts_with("bodies fall asleep");
-  if (page.begins())
+/// Begins anew, or goes on with another solver.
+void prepare(Page& page, const Chosen& chosen)
+{
+  const bool begins = page.begins();
+  if (begins)
   {
-    played = std::make_unique<Play>(scene_of(file, scene), sleeps);
-    played->solver.change(solver_names()[std::size_t(solver)], counts[std::size_t(substeps)]);
+    played = std::make_unique<Play>(scene_of(chosen.file, chosen.scene), chosen.sleeps);
   }
-  if (page.changed("solver") || page.changed("substeps"))
+  if (begins || page.changed("solver") || page.changed("substeps"))
   {
     wake_all(played->world);
-    played->solver.change(solver_names()[std::size_t(solver)], counts[std::size_t(substeps)]);
+    played->solver.change(chosen.solver, chosen.substeps);
   }
-  follow_pointer(page, throws, ball);
+}
+
+} // namespace
+
+void figure(Page& page)
+{
+  const Chosen chosen = ask(page);
+  prepare(page, chosen);
+  follow_pointer(page, chosen.throws, chosen.ball);
   const Camera<double> camera = orbit_camera(played->orbit, width, height);
-  if (page.button("throw a ball"))
+  if (chosen.thrown)
   {
-    throw_ball(*played, picking_ray(camera, Vector2<double>(width / 2.0, height / 2.0)), ball);
+    const Vector2<double> middle(width / 2.0, height / 2.0);
+    throw_ball(*played, picking_ray(camera, middle), chosen.ball);
   }
   for (int i = 0; i < page.steps(); ++i)
   {
@@ -167,8 +198,8 @@ void figure(Page& page)
   Islands islands;
   islands.find(played->world.bodies(), played->world.contacts());
   canvas = make_picture(width, height, 2);
-  draw(canvas, camera, *played, shown, islands);
-  seen = cookbook::shown(canvas);
+  draw(canvas, camera, *played, chosen.shown, islands);
+  seen = shown(canvas);
   page.show(width, height, seen.pixels);
   read_out(page, islands);
 }

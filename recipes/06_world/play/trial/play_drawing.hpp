@@ -4,59 +4,15 @@
 /// \brief A world as a picture: bodies, shadows, contacts, impulses, islands and sleep.
 
 #include "02_primitives/picture/picture.hpp"
-#include "06_world/islands/island.hpp"
+#include "06_world/play/trial/play_colours.hpp"
 #include "06_world/play/trial/play_world.hpp"
 
-#include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstddef>
-#include <string>
+#include <variant>
 
 namespace cookbook::play
 {
-
-/// What is shown of a world besides its bodies.
-struct Shown
-{
-  bool contacts = false; ///< contact points
-  bool normals = false;  ///< their normals
-  bool impulses = false; ///< what each point was given in the last step
-  bool islands = false;  ///< a colour for each island
-  bool dark = false;     ///< on a dark page
-};
-
-/// Six colours for islands, made of the palette's.
-inline Colour island_colour(const Palette& palette, int island)
-{
-  const std::array<Colour, 6> colours{
-      palette.a,
-      palette.b,
-      palette.good,
-      mixed(palette.a, palette.overlap, 110),
-      mixed(palette.a, palette.good, 130),
-      mixed(palette.b, palette.good, 110)};
-  return colours[static_cast<std::size_t>(island) % colours.size()];
-}
-
-/// The colour of a body of a world: thrown balls orange, all others in three shades of blue, or by
-/// island; what sleeps is paler, what is fixed grey.
-inline Colour body_colour(
-    const Palette& palette, const Shown& shown, const GameWorld& world, std::size_t i,
-    const Islands& islands)
-{
-  const RigidBody& body = world.bodies()[i];
-  const bool thrown = world.scene().bodies[i].name.rfind("thrown", 0) == 0;
-  Colour colour = thrown ? palette.b : mixed(palette.a, palette.sky, 35 * int(i % 3));
-  if (is_fixed(body))
-  {
-    return palette.muted;
-  }
-  if (shown.islands)
-  {
-    colour = island_colour(palette, islands.numbers()[i]);
-  }
-  return world.is_asleep(world.id(i)) ? mixed(colour, palette.ground, 110) : colour;
-}
 
 /// A plane as a floor: its axes are the world's where it is level.
 inline Obb<double> floor_of(const PlaneShape& plane, const Vector3<double>& around)
@@ -91,31 +47,37 @@ struct Drawing
   const Palette& palette;
 };
 
+/// Draws the shadow of a body on a floor.
+inline void draw_shadow_of(const Drawing& in, std::size_t i, const Obb<double>& floor)
+{
+  const RigidBody& body = in.world.bodies()[i];
+  const auto& shape = in.world.scene().bodies[i].shape;
+  if (const auto* const box = std::get_if<BoxShape>(&shape))
+  {
+    draw_shadow(in.picture, in.camera, floor, box_at(body, *box), in.palette.shadow);
+  }
+  else if (const auto* const sphere = std::get_if<SphereShape>(&shape))
+  {
+    const Sphere<double> round{body.motion.center, sphere->radius};
+    draw_shadow(in.picture, in.camera, floor, round, in.palette.shadow);
+  }
+}
+
 /// Draws the floors, and the shadows of all bodies on them.
 inline void draw_floors(const Drawing& in, const Vector3<double>& around)
 {
-  const auto& [picture, camera, world, shown, palette] = in;
-  for (const SceneBody& body : world.scene().bodies)
+  for (const SceneBody& body : in.world.scene().bodies)
   {
-    const auto* const plane = std::get_if<PlaneShape>(&body.shape);
-    if (plane == nullptr)
+    if (const auto* const plane = std::get_if<PlaneShape>(&body.shape))
     {
-      continue;
-    }
-    const Obb<double> floor = floor_of(*plane, around);
-    draw_ground(picture, camera, floor, palette);
-    for (std::size_t i = 0; i < world.bodies().size(); ++i)
-    {
-      const RigidBody& caster = world.bodies()[i];
-      const auto& shape = world.scene().bodies[i].shape;
-      if (const auto* const box = std::get_if<BoxShape>(&shape))
+      const Obb<double> floor = floor_of(*plane, around);
+      draw_ground(in.picture, in.camera, floor, in.palette);
+      for (std::size_t i = 0; i < in.world.bodies().size(); ++i)
       {
-        draw_shadow(picture, camera, floor, box_at(caster, *box), palette.shadow);
-      }
-      else if (const auto* const sphere = std::get_if<SphereShape>(&shape))
-      {
-        const Sphere<double> round{caster.motion.center, sphere->radius};
-        draw_shadow(picture, camera, floor, round, palette.shadow);
+        if (in.world.has(in.world.id(i)))
+        {
+          draw_shadow_of(in, i, floor);
+        }
       }
     }
   }
@@ -187,7 +149,7 @@ inline void draw(
   draw_floors(in, play.orbit.target);
   draw_bodies(in, islands);
   draw_contacts(in);
-  if (play.held)
+  if (play.held && play.world.has(play.held->body))
   {
     const RigidBody& body = play.world.body(play.held->body);
     const Vector3<double> at = body.motion.center + body.orientation * play.held->anchor;

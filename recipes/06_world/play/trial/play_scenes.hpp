@@ -7,6 +7,8 @@
 #include "06_world/scenes/trial/crowd_scenes.hpp"
 #include "06_world/scenes/trial/motion_scenes.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <string>
 #include <variant>
@@ -60,7 +62,7 @@ inline double reach_of(const SceneBody& body)
 /// A camera's orbit from which all of a scene's bodies are seen.
 inline Orbit orbit_around(const Scene& scene)
 {
-  Eigen::AlignedBox<double, 3> around(Vector3<double>(0, 0, 0));
+  Eigen::AlignedBox<double, 3> around;
   for (const SceneBody& body : scene.bodies)
   {
     const Vector3<double> reach = Vector3<double>::Constant(reach_of(body));
@@ -70,8 +72,12 @@ inline Orbit orbit_around(const Scene& scene)
       around.extend(Vector3<double>(body.position + reach));
     }
   }
+  if (around.isEmpty())
+  {
+    return {};
+  }
   const Vector3<double> middle = around.center(), sides = around.sizes();
-  const double distance = 2 + 0.85 * std::max(sides.x(), 1.5 * sides.y()) + 0.3 * sides.z();
+  const double distance = 2 + 0.75 * std::max(sides.x(), 1.6 * sides.y()) + 0.3 * sides.z();
   return {.target = middle, .distance = distance, .yaw = 0.45, .pitch = 0.28};
 }
 

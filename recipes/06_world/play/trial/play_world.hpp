@@ -100,9 +100,9 @@ inline void pull(GameWorld& world, const Held& held)
 }
 // [pull]
 
-/// Takes hold of the body that a ray meets first; of none where that is fixed, or where there is
-/// none.
-inline void take_hold(Play& play, const Ray<double>& ray)
+/// Takes hold of the body that a ray meets first, and says whether it did: not where that is fixed,
+/// or where there is none.
+inline bool take_hold(Play& play, const Ray<double>& ray)
 {
   const auto movable = [&](BodyId id) { return !is_fixed(play.world.body(id)); };
   const std::optional<BodyHit> met = WorldQueries(play.world).cast(ray);
@@ -114,6 +114,7 @@ inline void take_hold(Play& play, const Ray<double>& ray)
     const Vector3<double> anchor = body.orientation.conjugate() * (point - body.motion.center);
     play.held = {met->body, anchor, point};
   }
+  return play.held.has_value();
 }
 
 /// Throws a ball along a ray, a little higher, so that it passes where the ray meets something.
