@@ -535,3 +535,13 @@ window.addEventListener("DOMContentLoaded", () => {
   const linked = places.find(({ dataset }) => dataset.live === name);
   linked?.scrollIntoView({ block: "center" });
 });
+
+// A link to a state, on the page itself.
+window.addEventListener("hashchange", () => {
+  const { name, state } = linkedState();
+  const place = name && document.querySelector(`.live[data-live="${name}"]`);
+  if (place && place.live) {
+    place.live.restore(state);
+  }
+  place?.scrollIntoView({ block: "center" });
+});

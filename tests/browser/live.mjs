@@ -182,6 +182,11 @@ const checkLink = async (page, figure, name, place) => {
   await page.goto(`${pageAddress(folder, name)}#live:${figure}:${encodeURIComponent(state)}`);
   await awake(page, figure);
   const again = await page.evaluate(numbers(figure));
+  await page.evaluate((hash) => { location.hash = hash; }, `#live:${figure}:`);
+  await frames(page);
+  await page.evaluate((hash) => { location.hash = hash; }, `#live:${figure}:${encodeURIComponent(state)}`);
+  await frames(page);
+  report.expect((await page.evaluate(numbers(figure))) === shown, place, `the link to "${state}" on the page itself leads elsewhere`);
   report.expect(again === shown, place, `the link to "${state}" shows\n${again}\ninstead of\n${shown}`);
 };
 
