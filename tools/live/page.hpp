@@ -44,7 +44,7 @@ struct Pointer
   bool down = false;        ///< a button is held, or a finger lies on the picture
   bool pressed = false;     ///< it went down in this event
   bool released = false;    ///< it went up in this event
-  double wheel = 0; ///< how far the wheel was turned in this event, towards the reader positive
+  double wheel = 0; ///< how far the wheel was turned in this event, away from the reader positive
 };
 
 /// What kind of input a figure has.

@@ -20,7 +20,7 @@ namespace cookbook::live
 ///     drag NAME PX PY       a handle is dragged to a pixel of the figure
 ///     press NAME            a button
 ///     file NAME FILE TEXT   a file is opened: its name and its text, with %20 for a space and so
-///     on pointer PX PY down|up|move|held WHEEL    the mouse or a finger in the picture step N N
+///     on pointer PX PY down|up|move [WHEEL]      the mouse or a finger in the picture step N N
 ///     steps of 1/60 s reset                 the motion begins anew; the inputs stay start all
 ///     inputs as at first, and the motion begins anew theme light|dark width PIXELS restore STATE
 ///     what `state()` returned
