@@ -124,10 +124,11 @@ function(cookbook_live folder)
     endforeach()
     cookbook_wasm_object(object "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/live.cpp" ${live_OPTIONS})
     set(module "${CMAKE_BINARY_DIR}/live/${folder}.wasm")
+    # A stack of 1 MB, since Eigen puts up to 128 kB of a dense solver there; one that overflows is trapped.
     # Linked without -O, or clang calls binaryen where that is installed.
     add_custom_command(OUTPUT "${module}.js"
       COMMAND "${COOKBOOK_WASM_CXX}" --target=wasm32-wasi --sysroot=/usr -mexec-model=reactor
-              -Wl,--strip-all "${object}" ${objects} -o "${module}"
+              -Wl,--strip-all -Wl,--stack-first -Wl,-z,stack-size=1048576 "${object}" ${objects} -o "${module}"
       COMMAND sh "${PROJECT_SOURCE_DIR}/tools/live/embed.sh" ${folder} "${module}" "${module}.js"
       DEPENDS "${object}" ${objects} "${PROJECT_SOURCE_DIR}/tools/live/embed.sh"
       COMMENT "Linking the live figure ${folder}" VERBATIM)
