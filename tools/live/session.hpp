@@ -19,11 +19,14 @@ namespace cookbook::live
 ///     set NAME X [Y]        a slider, choice (its index), toggle (0 or 1) or handle gets a value
 ///     drag NAME PX PY       a handle is dragged to a pixel of the figure
 ///     press NAME            a button
-///     file NAME FILE TEXT   a file is opened: its name and its text, with %20 for a space and so
-///     on pointer PX PY down|up|move [WHEEL]      the mouse or a finger in the picture step N N
-///     steps of 1/60 s reset                 the motion begins anew; the inputs stay start all
-///     inputs as at first, and the motion begins anew theme light|dark width PIXELS restore STATE
-///     what `state()` returned
+///     file NAME FILE TEXT   a file is opened: its name and text, with %20 for a space
+///     pointer PX PY WHAT [WHEEL]   the mouse or a finger in the picture: down, up or move
+///     step N                N steps of 1/60 s
+///     reset                 the motion begins anew; the inputs stay
+///     start                 all inputs as at first, and the motion begins anew
+///     theme light|dark
+///     width PIXELS
+///     restore STATE         what `state()` returned
 ///
 /// A name in an event has `_` for each space. An event that says nothing known throws
 /// std::invalid_argument and changes nothing.
