@@ -130,7 +130,8 @@ const checkLinks = () => {
     }
     const [file, anchor] = link.slice(beginning.length).split("#").map(decodeURIComponent);
     const target = file.replace(/\?.*$/, "");
-    const alive = places.has(target) ? !anchor || places.get(target).has(anchor) : existsSync(join(folder, target));
+    // Doxygen links to a summary of nested types even where all are private.
+    const alive = places.has(target) ? !anchor || anchor === "nested-classes" || places.get(target).has(anchor) : existsSync(join(folder, target));
     report.expect(alive, name, `dead link to ${target}${anchor ? "#" + anchor : ""}`);
   }
 };
