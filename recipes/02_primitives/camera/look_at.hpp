@@ -45,7 +45,7 @@ Isometry3<Real>
 look_at(const Vector3<Real>& eye, const Vector3<Real>& target, const Vector3<Real>& up)
 {
   using V = Vector3<double>;
-  const V from = eye.template cast<double>(), to = target.template cast<double>();
+  const V &from = eye.template cast<double>(), &to = target.template cast<double>();
   const V whole = to - from, ahead = whole.allFinite() ? whole : V(to / 2 - from / 2);
   const V forward = ahead.isZero(0) ? V(0, 0, -1) : ahead;
   const V by_up = perpendicular_to_both(forward, up.template cast<double>());

@@ -26,7 +26,7 @@ enum class DepthRange
 template <class Real>
 std::optional<Matrix4<Real>> kept_projection(const Matrix4<double>& m)
 {
-  const Matrix4<Real> kept = m.template cast<Real>();
+  const Matrix4<Real>& kept = m.template cast<Real>();
   const bool fits = kept.allFinite() && kept(0, 0) > Real(0) && kept(1, 1) > Real(0);
   return fits ? std::optional<Matrix4<Real>>(kept) : std::nullopt;
 }

@@ -153,9 +153,10 @@ std::uint32_t mean_pixel(const std::uint32_t* first, std::size_t width)
   constexpr unsigned shift = n == 4 ? 4 : 2; // divides by n²
   constexpr std::uint32_t half = 0x00010001U << (shift - 1), bytes = 0x00ff00ffU;
   std::uint32_t red_blue = half, green_alpha = half;
-  for (std::size_t i = 0; i < n * n; ++i)
+  constexpr std::size_t side = n;
+  for (std::size_t i = 0; i < side * side; ++i)
   {
-    const std::uint32_t pixel = first[i / n * width + i % n];
+    const std::uint32_t pixel = first[i / side * width + i % side];
     red_blue += pixel & bytes;
     green_alpha += (pixel >> 8) & bytes;
   }
