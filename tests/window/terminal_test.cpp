@@ -83,6 +83,28 @@ public:
 
   Process& program() { return program_; }
 
+  /// Reads for a while, as a terminal does: a program whose output stays unread waits.
+  void reads(int milliseconds)
+  {
+    for (int i = 0; i < milliseconds / 10; ++i)
+    {
+      written();
+      pause(10);
+    }
+  }
+
+  /// What the program ended with, read to its end.
+  int ended_with()
+  {
+    comes_true(
+        [&]
+        {
+          written();
+          return !program_.runs();
+        });
+    return program_.ended_with();
+  }
+
 private:
   /// Opens it and starts the program, which waits until its state is known.
   pid_t opened()
@@ -159,8 +181,9 @@ TEST_CASE("A terminal shows a figure's own pixels, does what is typed, and is gi
   REQUIRE(comes_true([&] { return terminal.line(29).size() > 96; }));
   CHECK(terminal.is_raw());
 
+  terminal.reads(300); // some steps
   terminal.type(" ");
-  pause(500);
+  terminal.reads(500);
   const int step = step_shown(terminal, session);
   CHECK(step > 0);
 
@@ -177,7 +200,7 @@ TEST_CASE("A terminal shows a figure's own pixels, does what is typed, and is gi
   CHECK(comes_true([&] { return shows(terminal, session); }));
 
   terminal.type("q");
-  CHECK(terminal.program().ended_with() == 0);
+  CHECK(terminal.ended_with() == 0);
   CHECK(terminal.written().ends_with(leave));
   CHECK(terminal.is_restored());
 }
@@ -189,7 +212,7 @@ TEST_CASE("A terminal is given back also where a signal ends the program")
     Terminal terminal;
     REQUIRE(comes_true([&] { return terminal.is_raw(); }));
     terminal.program().kill(signal);
-    CHECK(terminal.program().ended_with() == 128 + signal);
+    CHECK(terminal.ended_with() == 128 + signal);
     CHECK(terminal.written().ends_with(leave));
     CHECK(terminal.is_restored());
   }
