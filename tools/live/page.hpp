@@ -37,6 +37,9 @@ DragPlane drag_plane(
     const plot::Figure3d& figure, const Eigen::Vector3d& origin, const Eigen::Vector3d& across,
     const Eigen::Vector3d& up, const Eigen::Vector2d& offset = Eigen::Vector2d::Zero());
 
+/// What a handle needs around its point [pixels], for figures that keep labels away from it.
+inline constexpr double handle_room = 38;
+
 /// What the mouse or a finger does in the picture that is shown.
 struct Pointer
 {

@@ -3,6 +3,7 @@
 /// code sends it.
 
 #include "03_sphere_manifolds/collision/trial/collision_names.hpp"
+#include "03_sphere_manifolds/manifold/trial/as_double.hpp"
 #include "03_sphere_manifolds/sphere_box/trial/sphere_box_figures.hpp"
 #include "03_sphere_manifolds/sphere_failures/trial/sphere_box_methods.hpp"
 #include "tools/live/page.hpp"
@@ -13,8 +14,6 @@ namespace cookbook::live
 namespace
 {
 
-constexpr double free_pixels = 38; // around a handle
-
 /// The manifold by one of the methods; the published one computes in float.
 std::optional<Manifold<double>>
 manifold_by(int method, const Sphere<double>& sphere, const Obb<double>& box)
@@ -23,18 +22,9 @@ manifold_by(int method, const Sphere<double>& sphere, const Obb<double>& box)
   {
     return plain_sphere_box(sphere, box);
   }
-  const std::optional<Manifold<float>> found = sphere_box_as_published(
+  return as_double(sphere_box_as_published(
       {sphere.center.cast<float>(), float(sphere.radius)},
-      {box.center.cast<float>(), box.axes.cast<float>(), box.half_extents.cast<float>()});
-  if (!found)
-  {
-    return std::nullopt;
-  }
-  const ContactPoint<float>& point = found->points[0];
-  return Manifold<double>{
-      found->normal.cast<double>(),
-      double(found->depth),
-      {{point.position.cast<double>(), double(point.depth), 0}}};
+      {box.center.cast<float>(), box.axes.cast<float>(), box.half_extents.cast<float>()}));
 }
 
 /// A number of metres, to a millionth.
@@ -125,8 +115,8 @@ void figure(Page& page)
 
   plot::Figure2d figure("sphere_box_live", "", view);
   figure.describe("A ball and a box; an arrow shows by which move the ball leaves the box.")
-      .keep_free(handle, free_pixels)
-      .keep_free(towards, free_pixels);
+      .keep_free(handle, handle_room)
+      .keep_free(towards, handle_room);
   add_box(figure, box, {0, 0}, plot::Stroke::solid);
   figure.segment({0, 0}, towards, plot::Ink::muted, plot::Stroke::dotted, 1.2)
       .label(

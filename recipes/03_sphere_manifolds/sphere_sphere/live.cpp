@@ -3,6 +3,7 @@
 /// where both are once each has moved by half the depth.
 
 #include "03_sphere_manifolds/collision/trial/collision_names.hpp"
+#include "03_sphere_manifolds/manifold/trial/as_double.hpp"
 #include "03_sphere_manifolds/sphere_methods/trial/sphere_methods.hpp"
 #include "03_sphere_manifolds/sphere_sphere/trial/sphere_sphere_figures.hpp"
 #include "tools/live/page.hpp"
@@ -15,7 +16,6 @@ namespace
 
 constexpr double tolerance = 0.01;     // [m], a depth that counts as touching
 constexpr double resting_speed = 0.01; // [m/s]
-constexpr double free_pixels = 38;     // around a handle
 
 /// The manifold by one of the methods; the published one computes in float.
 std::optional<Manifold<double>>
@@ -28,16 +28,7 @@ manifold_by(int method, const Sphere<double>& a, const Sphere<double>& b)
   const auto in_float = [](const Sphere<double>& sphere) {
     return Sphere<float>{sphere.center.cast<float>(), float(sphere.radius)};
   };
-  const std::optional<Manifold<float>> found = sphere_sphere_as_published(in_float(a), in_float(b));
-  if (!found)
-  {
-    return std::nullopt;
-  }
-  const ContactPoint<float>& point = found->points[0];
-  return Manifold<double>{
-      found->normal.cast<double>(),
-      double(found->depth),
-      {{point.position.cast<double>(), double(point.depth), 0}}};
+  return as_double(sphere_sphere_as_published(in_float(a), in_float(b)));
 }
 
 void show_numbers(
@@ -83,8 +74,8 @@ void figure(Page& page)
   show_numbers(page, a, b, {velocity.x(), velocity.y(), 0}, manifold);
   plot::Figure2d figure = spheres_figure(a, b, view);
   figure.describe("Two spheres with normal, depth and contact point where they overlap.")
-      .keep_free(at, free_pixels)
-      .keep_free(at + velocity, free_pixels)
+      .keep_free(at, handle_room)
+      .keep_free(at + velocity, handle_room)
       .arrow(at, at + velocity, plot::Ink::b, "v_{B}");
   if (manifold)
   {

@@ -3,6 +3,7 @@
 /// \file
 /// \brief Pairs of spheres by the name of what is hard about them, and how wrong a method is there.
 
+#include "03_sphere_manifolds/manifold/trial/as_double.hpp"
 #include "03_sphere_manifolds/sphere_methods/trial/sphere_methods.hpp"
 #include "common/math/ulp.hpp"
 #include "tools/exact/exact.hpp"
@@ -75,19 +76,6 @@ struct SphereMethod
   std::string name;
   std::function<std::optional<Manifold<double>>(const Sphere<double>&, const Sphere<double>&)> run;
 };
-
-/// A manifold's numbers, as double.
-template <class Real>
-std::optional<Manifold<double>> as_double(const std::optional<Manifold<Real>>& manifold)
-{
-  if (!manifold)
-  {
-    return std::nullopt;
-  }
-  const double depth = static_cast<double>(manifold->depth);
-  const Vector3<double> point = manifold->points[0].position.template cast<double>();
-  return Manifold<double>{manifold->normal.template cast<double>(), depth, {{point, depth, 0}}};
-}
 
 /// The method that rounds a world's coordinates to float, then calls `function`.
 template <class Function>
