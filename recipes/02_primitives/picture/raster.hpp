@@ -57,24 +57,36 @@ struct Paint
 };
 
 // [paint_span]
-/// Paints the pixels of a row's span that are nearer than what is there.
-inline void paint_span(
-    Picture& picture, int y, const RowSpan& span, const DepthPlane& plane, const Colour& colour)
+/// Calls `paint` with the place and the depth of each pixel of a row's span.
+template <class Paint>
+void each_depth(
+    const Picture& picture, int y, const RowSpan& span, const DepthPlane& plane, const Paint& paint)
 {
-  const std::uint32_t pixel = to_pixel(colour);
   const double row = plane.at_zero + plane.per_y * (y + 0.5) + plane.per_x * 0.5;
   const std::size_t start = row_start(picture, y);
   for (std::int64_t x = span.first; x < span.last; ++x)
   {
     const double depth = row + plane.per_x * static_cast<double>(x);
-    const float kept = static_cast<float>(std::min(std::max(depth, plane.least), plane.most));
-    const std::size_t at = start + static_cast<std::size_t>(x);
-    if (kept < picture.depth[at])
-    {
-      picture.depth[at] = kept;
-      picture.pixels[at] = pixel;
-    }
+    const double kept = std::min(std::max(depth, plane.least), plane.most);
+    paint(start + static_cast<std::size_t>(x), static_cast<float>(kept));
   }
+}
+
+/// Paints the pixels of a row's span that are nearer than what is there.
+inline void paint_span(
+    Picture& picture, int y, const RowSpan& span, const DepthPlane& plane, const Colour& colour)
+{
+  const std::uint32_t pixel = to_pixel(colour);
+  each_depth(
+      picture, y, span, plane,
+      [&](std::size_t at, float depth)
+      {
+        if (depth < picture.depth[at])
+        {
+          picture.depth[at] = depth;
+          picture.pixels[at] = pixel;
+        }
+      });
 }
 // [paint_span]
 
@@ -83,19 +95,16 @@ inline void mix_span(
     Picture& picture, int y, const RowSpan& span, const DepthPlane& plane, const Colour& colour,
     bool tested)
 {
-  const double row = plane.at_zero + plane.per_y * (y + 0.5) + plane.per_x * 0.5;
-  const std::size_t start = row_start(picture, y);
-  for (std::int64_t x = span.first; x < span.last; ++x)
-  {
-    const double depth = row + plane.per_x * static_cast<double>(x);
-    const float kept = static_cast<float>(std::min(std::max(depth, plane.least), plane.most));
-    const std::size_t at = start + static_cast<std::size_t>(x);
-    if (!tested || kept < picture.depth[at])
-    {
-      picture.depth[at] = tested ? kept : picture.depth[at];
-      picture.pixels[at] = to_pixel(mixed(to_colour(picture.pixels[at]), colour, colour.a));
-    }
-  }
+  each_depth(
+      picture, y, span, plane,
+      [&](std::size_t at, float depth)
+      {
+        if (!tested || depth < picture.depth[at])
+        {
+          picture.depth[at] = tested ? depth : picture.depth[at];
+          picture.pixels[at] = to_pixel(mixed(to_colour(picture.pixels[at]), colour, colour.a));
+        }
+      });
 }
 
 /// Paints a span in the way that the paint asks for.
