@@ -74,7 +74,6 @@ class LiveFigure {
     this.visible = true;
     this.queue = "";
     this.clock = 0;
-    this.cost = 0;
     this.layOut();
     this.send(`${this.theme()}\nwidth ${this.width()}`);
     this.follow();

@@ -1,5 +1,4 @@
 #include "tools/live/page.hpp"
-#include "tools/live/canonical.hpp"
 
 #include "tools/program/table.hpp"
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace cookbook::live
@@ -38,14 +37,6 @@ double finite(const std::string& event, const std::string& word)
         "live: \"" + word + "\" is no number in the event \"" + event + "\"");
   }
   return canonical(value);
-}
-
-/// A value as events have it.
-std::string written(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value + 0.0);
-  return text;
 }
 
 /// The event that gives an input its value.
