@@ -185,8 +185,8 @@ window.bookChecks = (() => {
       if (box.width === 0 || !part.textContent.trim()) continue;
       const ink = filled(part, style);
       let worst = [];
-      for (const share of [0.1, 0.5, 0.9]) {
-        const [x, y] = [box.left + share * box.width, box.top + box.height / 2];
+      for (const fraction of [0.1, 0.5, 0.9]) {
+        const [x, y] = [box.left + fraction * box.width, box.top + box.height / 2];
         let below = ground;
         for (const { part: shape, ink: layer, box: around, back } of shapes) {
           const inside = x >= around.left && x <= around.right && y >= around.top && y <= around.bottom;
