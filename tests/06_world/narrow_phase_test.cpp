@@ -25,7 +25,6 @@ namespace
 {
 
 using V = Vector3<double>;
-using Shape = decltype(SceneBody::shape);
 
 /// How far [m] a point is from the surface of a shape, in the body's own frame.
 struct FromSurface

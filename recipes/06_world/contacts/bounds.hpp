@@ -44,9 +44,8 @@ struct AxisExtents
 
 /// The bounds of a shape at a place [m], wider by a margin [m]; `axes()` are the shape's own.
 template <class Axes>
-Eigen::AlignedBox<double, 3> bounds_at(
-    const Vector3<double>& center, const Axes& axes, const decltype(SceneBody::shape)& shape,
-    double margin)
+Eigen::AlignedBox<double, 3>
+bounds_at(const Vector3<double>& center, const Axes& axes, const Shape& shape, double margin)
 {
   const Vector3<double> extents =
       std::visit(AxisExtents<Axes>{axes}, shape) + Vector3<double>::Constant(margin);
@@ -55,7 +54,7 @@ Eigen::AlignedBox<double, 3> bounds_at(
 
 /// The bounds of a shape where its body is, wider by a margin [m].
 inline Eigen::AlignedBox<double, 3>
-bounds_of(const RigidBody& body, const decltype(SceneBody::shape)& shape, double margin)
+bounds_of(const RigidBody& body, const Shape& shape, double margin)
 {
   const auto axes = [&]() -> const Matrix3<double>& { return body.axes; };
   return bounds_at(body.motion.center, axes, shape, margin);

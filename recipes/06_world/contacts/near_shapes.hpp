@@ -16,22 +16,29 @@
 namespace cookbook
 {
 
-/// A box where its body is.
-inline Obb<double> placed(const RigidBody& body, const BoxShape& box)
+/// A box at a place.
+inline Obb<double> placed(const Pose& pose, const BoxShape& box)
 {
-  return {body.motion.center, body.axes, box.half_extents};
+  return {pose.center, pose.axes, box.half_extents};
 }
 
-/// A ball where its body is.
-inline Sphere<double> placed(const RigidBody& body, const SphereShape& sphere)
+/// A sphere at a place.
+inline Sphere<double> placed(const Pose& pose, const SphereShape& sphere)
 {
-  return {body.motion.center, sphere.radius};
+  return {pose.center, sphere.radius};
 }
 
 /// A plane, which is where it is.
-inline Plane<double> placed(const RigidBody&, const PlaneShape& plane)
+inline Plane<double> placed(const Pose&, const PlaneShape& plane)
 {
   return {plane.normal, plane.offset};
+}
+
+/// A shape where its body is.
+template <class Shape>
+auto placed(const RigidBody& body, const Shape& shape)
+{
+  return placed(pose_of(body), shape);
 }
 
 /// A shape with its surface moved out by a margin [m].

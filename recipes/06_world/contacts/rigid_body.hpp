@@ -7,6 +7,7 @@
 #include "05_resolution/impulse/body.hpp"
 #include "05_resolution/restitution/restitution.hpp"
 #include "06_world/contacts/scene.hpp"
+#include "06_world/shapes/pose.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -45,6 +46,12 @@ inline std::size_t index_of_id(BodyId id)
 inline BodyId id_at(std::span<const RigidBody> bodies, std::size_t place)
 {
   return BodyId(bodies[place].generation) << 32 | place;
+}
+
+/// Where a body is, and how it is turned.
+inline Pose pose_of(const RigidBody& body)
+{
+  return {body.motion.center, body.axes};
 }
 
 /// True if no push moves the body.

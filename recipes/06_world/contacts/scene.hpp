@@ -34,11 +34,14 @@ struct PlaneShape
   double offset;          ///< [m], of the plane from the origin, along the normal
 };
 
+/// How a body collides.
+using Shape = std::variant<BoxShape, SphereShape, PlaneShape>;
+
 /// What a body is, and how it starts.
 struct SceneBody
 {
   std::string name;                                           ///< by which results name it
-  std::variant<BoxShape, SphereShape, PlaneShape> shape;      ///< how it collides
+  Shape shape;                                                ///< how it collides
   double mass = 0;                                            ///< [kg]; 0: fixed
   Vector3<double> position = Vector3<double>::Zero();         ///< [m], world, centre of mass
   Quaternion<double> orientation{1, 0, 0, 0};                 ///< body to world; it is made unit

@@ -187,10 +187,7 @@ private:
 
   BodyId id_of(int body) const { return world_.id(index_of(body)); }
   const RigidBody& at(int body) const { return world_.bodies()[index_of(body)]; }
-  const decltype(SceneBody::shape)& shape_of(int body) const
-  {
-    return world_.scene().bodies[index_of(body)].shape;
-  }
+  const Shape& shape_of(int body) const { return world_.scene().bodies[index_of(body)].shape; }
 
   const GameWorld& world_;
   BoundsTree tree_;

@@ -67,8 +67,7 @@ std::string read_shape_name(const JsonObject& object)
   return shape;
 }
 
-std::variant<BoxShape, SphereShape, PlaneShape>
-read_shape(const JsonObject& object, const std::string& shape)
+Shape read_shape(const JsonObject& object, const std::string& shape)
 {
   if (shape == "box")
   {

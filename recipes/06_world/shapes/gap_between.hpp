@@ -1,0 +1,95 @@
+#pragma once
+
+/// \file
+/// \brief How far apart any two shapes of bodies are, or how deep they overlap, as one signed
+/// number.
+
+#include "02_primitives/plain_points/plain_points.hpp"
+#include "02_primitives/shape_bounds/obb_bounds.hpp"
+#include "03_sphere_manifolds/sphere_box/sphere_box.hpp"
+#include "05_resolution/tunnelling/swept_box.hpp"
+#include "06_world/contacts/near_shapes.hpp"
+
+#include <limits>
+#include <variant>
+
+namespace cookbook
+{
+
+// [gap_of_two]
+/// The gap of two shapes where they are: see gap_between().
+inline Direction<double> gap_of(const Sphere<double>& a, const Sphere<double>& b)
+{
+  const Direction<double> centers = normalize<double>(b.center - a.center);
+  return {centers.unit, centers.length - a.radius - b.radius};
+}
+inline Direction<double> gap_of(const Sphere<double>& a, const Obb<double>& b)
+{
+  const Vector3<double> local = box_coordinates(b, a.center);
+  const Direction<double> to_surface = direction_to_box(local, b.axes, b.half_extents);
+  return {to_surface.unit, to_surface.length - a.radius};
+}
+inline Direction<double> gap_of(const Sphere<double>& a, const Plane<double>& b)
+{
+  return {-b.normal, signed_distance(b, a.center) - a.radius};
+}
+inline Direction<double> gap_of(const Obb<double>& a, const Obb<double>& b)
+{
+  return box_gap(a, b);
+}
+inline Direction<double> gap_of(const Obb<double>& a, const Plane<double>& b)
+{
+  return {-b.normal, signed_distance(b, a.center) - box_radius(a, b.normal)};
+}
+
+/// Two solids without bounds overlap without bounds.
+inline Direction<double> gap_of(const Plane<double>& a, const Plane<double>&)
+{
+  return {a.normal, -std::numeric_limits<double>::infinity()};
+}
+
+/// The same, the other way round.
+template <class A, class B>
+Direction<double> swapped_gap(const A& a, const B& b)
+{
+  const Direction<double> gap = gap_of(b, a);
+  return {-gap.unit, gap.length};
+}
+inline Direction<double> gap_of(const Obb<double>& a, const Sphere<double>& b)
+{
+  return swapped_gap(a, b);
+}
+inline Direction<double> gap_of(const Plane<double>& a, const Sphere<double>& b)
+{
+  return swapped_gap(a, b);
+}
+inline Direction<double> gap_of(const Plane<double>& a, const Obb<double>& b)
+{
+  return swapped_gap(a, b);
+}
+// [gap_of_two]
+
+// [gap_between]
+/// The direction from A to B along which two shapes are farthest apart, and how far [m] their
+/// projections are apart along it; below zero they overlap by that much along it.
+///
+/// No two points of A and B are closer than this gap, so that both may move towards each other by
+/// it before they touch. Two boxes that face each other with a corner or an edge may be farther
+/// apart than that, for their directions are those of the separating axis test.
+inline Direction<double>
+gap_between(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b)
+{
+  const auto gap = [&](const auto& shape_a, const auto& shape_b)
+  { return gap_of(placed(pose_a, shape_a), placed(pose_b, shape_b)); };
+  return std::visit(gap, a, b);
+}
+
+/// The same for two bodies.
+inline Direction<double>
+gap_between(const Shape& a, const RigidBody& body_a, const Shape& b, const RigidBody& body_b)
+{
+  return gap_between(a, pose_of(body_a), b, pose_of(body_b));
+}
+// [gap_between]
+
+} // namespace cookbook
