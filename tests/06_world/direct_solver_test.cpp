@@ -1055,7 +1055,7 @@ TEST_CASE(
       made.bound = point < 2 ? std::numeric_limits<double>::infinity() : point * (point - 2.0);
       made.bound_is_new = point < 2;
     }
-    system.contacts.push_back({0, 1, &contact, 0, system.points.size(), {10, 10}, 1});
+    system.contacts.push_back({0, 1, &contact, 0, system.points.size(), {10, 10}, 1, {}});
     find_residual(system);
     moved +=
         moved_bounds(system, 1, 0, {.friction_tolerance = 1e-9, .bounds_move = i % 2 == 0}) ? 1 : 0;

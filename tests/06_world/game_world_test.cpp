@@ -280,6 +280,13 @@ TEST_CASE(
   CHECK(
       reason(crate) ==
       "crate: angular_velocity must be zero, for mass 0 means fixed, got length 2");
+  crate.motion = MotionType::kinematic;
+  CHECK(reason(crate) == "none");
+  crate.motion = MotionType::fixed;
+  CHECK(
+      reason(crate) == "crate: angular_velocity must be zero, for the body is fixed, got length 2");
+  crate = {"crate", PlaneShape{{0, 1, 0}, 0}, 0, MotionType::kinematic};
+  CHECK(reason(crate) == "crate: motion must be fixed for a plane, got kinematic");
   crate = {"", BoxShape{{1, 1, 1}}, -1};
   CHECK(reason(crate) == "body 0: mass must be zero or more, got -1");
 }

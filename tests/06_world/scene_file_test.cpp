@@ -82,7 +82,7 @@ bool same(const SceneBody& a, const SceneBody& b)
          a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs() &&
          a.velocity == b.velocity && a.angular_velocity == b.angular_velocity &&
          a.friction == b.friction && a.restitution == b.restitution && a.damping == b.damping &&
-         a.angular_damping == b.angular_damping;
+         a.angular_damping == b.angular_damping && a.motion == b.motion;
 }
 
 } // namespace
@@ -215,6 +215,33 @@ TEST_CASE("a mass must be zero or more, and a plane's zero", "[scene_file]")
       answer(13, "\"mass\": 0,") ==
       "moon.json:16: velocity of box \"crate\" must be zero, for mass 0 means fixed, got "
       "another one");
+}
+
+TEST_CASE("a body may be said to be fixed, kinematic or dynamic; only the last needs a mass")
+{
+  const auto motion = [](const std::string& line)
+  {
+    std::vector<std::string> lines = good;
+    lines[12] = line;
+    const Scene scene = scene_of(joined(lines));
+    CHECK(scene_of(scene_json(scene)).bodies[1].motion == scene.bodies[1].motion);
+    CHECK(scene.bodies[1].velocity == Vector3<double>(4, 5, 6));
+    return motion_type(scene.bodies[1]);
+  };
+  CHECK(motion("\"motion\": \"kinematic\",") == MotionType::kinematic);
+  CHECK(motion("\"motion\": \"kinematic\", \"mass\": 5,") == MotionType::kinematic);
+  CHECK(motion("\"motion\": \"dynamic\", \"mass\": 5,") == MotionType::dynamic);
+  CHECK(
+      answer(13, "\"motion\": \"dynamic\",") ==
+      "moon.json:9: box \"crate\" needs a member \"mass\"");
+  CHECK(
+      answer(13, "\"mass\": 3, \"motion\": \"kinetic\",") ==
+      "moon.json:13: motion of box \"crate\" must be \"fixed\", \"kinematic\" or \"dynamic\", got "
+      "\"kinetic\"; did you mean kinematic?");
+  CHECK(
+      answer(13, "\"mass\": 3, \"motion\": \"fixed\",") ==
+      "moon.json:16: velocity of box \"crate\" must be zero, for the body is fixed, got another "
+      "one");
 }
 
 TEST_CASE("a shape must be whole: its own members, three half extents above zero", "[scene_file]")

@@ -553,31 +553,31 @@ TEST_CASE("a force that pulls as gravity does has a cube slide over flush tiles 
 }
 
 // [platform]
-TEST_CASE("a platform of 1,000 t carries crates and a ball up, and draws a crate along by friction")
+TEST_CASE("a platform carries crates and a ball up, and draws a crate along by friction")
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
   {
     const double half = 0.25;
-    Scene scene{.bodies = {box_body("platform", {3, 0.1, 3}, {0, -0.1, 0}, 1e6)}};
-    scene.bodies.push_back(box_body("crate", {half, half, half}, {1, half, 0}));
+    SceneBody platform = box_body("platform", {3, 0.1, 3}, {0, -0.1, 0}, 0);
+    platform.motion = MotionType::kinematic;
+    Scene scene{.bodies = {platform, box_body("crate", {half, half, half}, {1, half, 0})}};
     GameWorld sideways(scene, solver_named(solver));
     scene.bodies.push_back(box_body("upper crate", {half, half, half}, {1, 3 * half, 0}));
     scene.bodies.push_back(ball_body("ball", half, {-1, half, 0}));
     GameWorld up(scene, solver_named(solver));
+    up.set_velocity(0, {0, 0.5, 0}, {0, 0, 0});
+    sideways.set_velocity(0, {0.5, 0, 0}, {0, 0, 0});
     while (up.time() < 4)
     {
-      set_kinematic_velocity(up, 0, {0, 0.5, 0});
       up.step();
-      set_kinematic_velocity(sideways, 0, {0.5, 0, 0});
       sideways.step();
     }
     CAPTURE(solver);
-    CHECK(up.body(0).motion.center.y() == Catch::Approx(-0.1 + 0.5 * 4).margin(1e-5));
+    CHECK(up.body(0).motion.center.y() == Catch::Approx(-0.1 + 0.5 * 4).epsilon(1e-13));
     for (std::size_t i = 1; i < scene.bodies.size(); ++i)
     {
-      const Vector3<double> warm_start_impulse =
-          scene.bodies[i].position + Vector3<double>(0, 0.5 * 4, 0);
-      CHECK((up.body(i).motion.center - warm_start_impulse).norm() <= 0.002);
+      const Vector3<double> lifted = scene.bodies[i].position + Vector3<double>(0, 0.5 * 4, 0);
+      CHECK((up.body(i).motion.center - lifted).norm() <= 0.002);
     }
     // The crate is as fast as the platform once it has slipped by v² / (2 μ g), 2 cm.
     const double slipped = 1 + 0.5 * 4 - sideways.body(1).motion.center.x();

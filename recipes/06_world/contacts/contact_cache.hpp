@@ -67,7 +67,7 @@ void update_contacts(
     {
       ++known;
     }
-    if (ignores(scene, pair))
+    if (never_touch(scene, bodies, pair))
     {
       return;
     }

@@ -111,10 +111,11 @@ inline void integrate_rotation(RigidBody& body, double time)
   }
 }
 
-/// Damps a body's velocity and angular velocity for a time [s], at the rates of a scene; R32.
+/// Damps a body's velocity and angular velocity for a time [s], at the rates of a scene; R32. A
+/// kinematic one keeps its own.
 inline void apply_damping(RigidBody& body, const SceneBody& of, double time)
 {
-  if (of.damping > 0 || of.angular_damping > 0)
+  if (!is_fixed(body) && (of.damping > 0 || of.angular_damping > 0))
   {
     body.motion.velocity *= damping_factor(of.damping, time);
     body.motion.angular_velocity *= damping_factor(of.angular_damping, time);

@@ -5,7 +5,7 @@
 
 #include "02_primitives/shapes/shapes.hpp"
 #include "05_resolution/impulse/body.hpp"
-#include "05_resolution/restitution/restitution.hpp"
+#include "06_world/body/external_acceleration.hpp"
 #include "06_world/contacts/scene.hpp"
 #include "06_world/shapes/pose.hpp"
 
@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -28,6 +29,7 @@ using BodyId = std::uint64_t;
 struct RigidBody : Body<double>
 {
   bool is_sphere;                 ///< a sphere: where it touches does not turn with it
+  MotionType motion_type;         ///< fixed from the start or later, kinematic, or dynamic
   std::uint32_t generation;       ///< how many had its place in the world before
   Quaternion<double> orientation; ///< unit, body to world
   Quaternion<double>
@@ -54,57 +56,32 @@ inline Pose pose_of(const RigidBody& body)
   return {body.motion.center, body.axes};
 }
 
-/// True if no push moves the body.
+/// True if no push moves the body: it is fixed or kinematic.
 inline bool is_fixed(const RigidBody& body)
 {
   return body.inverse_mass == 0;
 }
 
-/// What pulls a body that is not fixed, in a step.
-struct ExternalAcceleration
+/// True if no push moves the body, but a game does.
+inline bool is_driven(const RigidBody& body)
 {
-  Vector3<double> acceleration = Vector3<double>::Zero();         ///< [m/s²], world
-  Vector3<double> angular_acceleration = Vector3<double>::Zero(); ///< [rad/s²], world
-};
-
-/// What the forces of a step do to the body at a place; nothing behind the end of their list.
-inline ExternalAcceleration
-force_on(std::span<const ExternalAcceleration> forces, std::size_t place)
-{
-  return place < forces.size() ? forces[place] : ExternalAcceleration{};
+  return body.motion_type == MotionType::kinematic &&
+         !(body.motion.velocity.isZero(0) && body.motion.angular_velocity.isZero(0));
 }
 
-/// Forces last as long as this, also where a step throws.
-struct ClearForces
+/// True if a body is where it is for a whole step, whatever happens.
+inline bool stays(const RigidBody& body)
 {
-  std::vector<ExternalAcceleration>& forces;
-
-  ~ClearForces() { forces.clear(); }
-};
-
-/// What gravity [m/s²] and the forces of a step do together to the body at a place.
-inline ExternalAcceleration acceleration_on(
-    const Vector3<double>& gravity, std::span<const ExternalAcceleration> forces, std::size_t place)
-{
-  ExternalAcceleration pull = force_on(forces, place);
-  pull.acceleration += gravity;
-  return pull;
+  return is_fixed(body) && !is_driven(body);
 }
 
-/// The fastest approach [m/s] that is a rest in a step [s], where what pulls parts two bodies at
-/// this acceleration [m/s²]: by gravity, or by what presses them, if that is more.
-inline double
-rest_threshold(const Vector3<double>& gravity, double separating_acceleration, double step)
+/// Whether two bodies of a scene, the smaller number first, pass through each other: they ignore
+/// each other, or no push moves either.
+inline bool
+never_touch(const Scene& scene, std::span<const RigidBody> bodies, const std::pair<int, int>& pair)
 {
-  return restitution_threshold(std::max(gravity.norm(), -separating_acceleration), step);
-}
-
-/// How a body moves once something has pulled it for a time [s], where it is.
-inline Motion<double>
-accelerated(const Motion<double>& motion, const ExternalAcceleration& by, double time)
-{
-  const auto& [center, velocity, spin] = motion;
-  return {center, velocity + time * by.acceleration, spin + time * by.angular_acceleration};
+  const auto fixed = [&](int i) { return is_fixed(bodies[static_cast<std::size_t>(i)]); };
+  return ignores(scene, pair) || (fixed(pair.first) && fixed(pair.second));
 }
 
 /// Has something pull a body for a time [s].
@@ -118,6 +95,7 @@ inline void fix(RigidBody& body)
 {
   body.motion.velocity.setZero();
   body.motion.angular_velocity.setZero();
+  body.motion_type = MotionType::fixed;
   body.inverse_mass = 0;
   body.moments.setZero();
   body.inverse_inertia.setZero();
@@ -174,14 +152,17 @@ inline MassProperties<double> mass_properties(const SceneBody& body)
 /// A body of a scene as it starts.
 inline RigidBody rigid_body(const SceneBody& body)
 {
-  const bool fixed = body.mass == 0, is_sphere = std::holds_alternative<SphereShape>(body.shape);
+  const MotionType type = motion_type(body);
+  const bool dynamic = type == MotionType::dynamic;
+  const bool is_sphere = std::holds_alternative<SphereShape>(body.shape);
   const Matrix3<double> axes = Matrix3<double>::Identity();
   const Motion<double> motion{body.position, body.velocity, body.angular_velocity};
-  const MassProperties<double> mass = mass_properties(body);
+  const MassProperties<double> mass =
+      dynamic ? mass_properties(body) : MassProperties<double>{0, Vector3<double>::Zero()};
   const Body<double> pushed =
-      fixed ? Body<double>{motion, 0, Matrix3<double>::Zero()} : dynamic_body(motion, mass, axes);
+      dynamic ? dynamic_body(motion, mass, axes) : Body<double>{motion, 0, Matrix3<double>::Zero()};
   const Quaternion<double> orientation = body.orientation.normalized();
-  RigidBody made{pushed, is_sphere, 0, orientation, orientation, mass.moments, axes};
+  RigidBody made{pushed, is_sphere, type, 0, orientation, orientation, mass.moments, axes};
   update_axes(made);
   return made;
 }

@@ -6,6 +6,8 @@
 #include "common/math/vector.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <variant>
@@ -37,12 +39,24 @@ struct PlaneShape
 /// How a body collides.
 using Shape = std::variant<BoxShape, SphereShape, PlaneShape>;
 
+/// What may change how a body moves.
+enum class MotionType : std::uint8_t
+{
+  fixed,     ///< nothing; it stays where it is
+  kinematic, ///< the game alone: it goes on with its velocity, pushes others, and nothing pushes it
+  dynamic    ///< forces and contacts
+};
+
+/// What motion types are called, in their order.
+inline constexpr std::array<const char*, 3> motion_names{"fixed", "kinematic", "dynamic"};
+
 /// What a body is, and how it starts.
 struct SceneBody
 {
-  std::string name;                                           ///< by which results name it
-  Shape shape;                                                ///< how it collides
-  double mass = 0;                                            ///< [kg]; 0: fixed
+  std::string name;                        ///< by which results name it
+  Shape shape;                             ///< how it collides
+  double mass = 0;                         ///< [kg], of a dynamic body; without one it is fixed
+  MotionType motion = MotionType::dynamic; ///< what may change how it moves, motion_type()
   Vector3<double> position = Vector3<double>::Zero();         ///< [m], world, centre of mass
   Quaternion<double> orientation{1, 0, 0, 0};                 ///< body to world; it is made unit
   Vector3<double> velocity = Vector3<double>::Zero();         ///< [m/s], world
@@ -52,6 +66,12 @@ struct SceneBody
   double damping = 0;         ///< [1/s], damping of its velocity, zero or more
   double angular_damping = 0; ///< [1/s], damping of its angular velocity, zero or more
 };
+
+/// The motion type of a body of a scene: a dynamic one without a mass is fixed.
+inline MotionType motion_type(const SceneBody& body)
+{
+  return body.motion == MotionType::dynamic && body.mass == 0 ? MotionType::fixed : body.motion;
+}
 
 /// Bodies and the world they are in.
 struct Scene

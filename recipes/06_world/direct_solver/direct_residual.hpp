@@ -17,7 +17,8 @@ namespace cookbook
 /// Presses the points of a contact at the velocities as they are.
 inline void update_point(DirectSystem& system, const DirectContact& contact)
 {
-  const Motion<double> a = motion_of(system, contact.a), b = motion_of(system, contact.b);
+  const Motion<double> a = motion_of(system, contact, contact.a);
+  const Motion<double> b = motion_of(system, contact, contact.b);
   for (std::size_t i = contact.first; i < contact.end; ++i)
   {
     DirectPoint& point = system.points[i];
@@ -99,7 +100,8 @@ inline double squared_radius(const DirectBody& body)
 }
 
 /// No load is so many times what the bodies of an island bring into a step, each by its motion and
-/// by what pulls it. More is the strain of bodies that are jammed between others which give no way.
+/// by what pulls it, and what kinematic bodies bring. More is the strain of bodies that are jammed
+/// between others which give no way.
 inline constexpr double over_constraint_ratio = 4;
 /// A machine, so many times as heavy as the lightest, brings only what pulls it: a game may renew
 /// its motion in every step.
@@ -123,6 +125,16 @@ inline bool is_over_constrained(const DirectSystem& system, double largest)
     const Vector3<double> velocity = brings.head<3>(), spin = brings.tail<3>();
     brought +=
         body.mass * std::sqrt(velocity.squaredNorm() + squared_radius(body) * spin.squaredNorm());
+  }
+  for (const DirectContact& contact : system.contacts)
+  {
+    if (contact.a < 0 || contact.b < 0)
+    {
+      const Arms<double>& arms = system.points[contact.first].arms;
+      const Vector3<double>& arm = contact.a < 0 ? arms.a : arms.b;
+      const Motion<double>& driven = contact.driven;
+      brought += contact.mass * (driven.velocity + driven.angular_velocity.cross(arm)).norm();
+    }
   }
   return largest > over_constraint_ratio * brought;
 }

@@ -28,7 +28,7 @@ struct DirectBody
   Vector6 pulled;          ///< [m/s, rad/s], how much of that its pull has given it
 };
 
-/// A contact of an island; its bodies by their numbers in the island, −1 where one is fixed.
+/// A contact of an island; its bodies by their numbers in the island, −1 where no push moves one.
 struct DirectContact
 {
   int a, b;                  ///< the two bodies
@@ -36,6 +36,7 @@ struct DirectContact
   std::size_t first, end;    ///< its points
   DirectStiffness stiffness; ///< of each
   double mass;               ///< [kg], reduced mass of the two: 1 / (1/m_A + 1/m_B)
+  Motion<double> driven;     ///< how that one moves which is not of the island, if any
 };
 
 /// All of an island.
@@ -86,7 +87,7 @@ inline void gather(
   }
   system.contacts.push_back(
       {number_in(island, contact.a), number_in(island, contact.b), &contact, first,
-       system.points.size(), stiffness, 1 / inverse_mass});
+       system.points.size(), stiffness, 1 / inverse_mass, is_fixed(a) ? a.motion : b.motion});
 }
 
 /// Empties a system, with room for all of an island.
@@ -131,10 +132,14 @@ inline void gather(
   }
 }
 
-/// How a body of an island moves, by its number there; a fixed one, −1, does not.
-inline Motion<double> motion_of(const DirectSystem& system, int body)
+/// How a body of a contact moves, by its number in the island; another, −1, as it is driven.
+inline Motion<double> motion_of(const DirectSystem& system, const DirectContact& contact, int body)
 {
-  const Vector6 velocity = body >= 0 ? system.velocities[index_of(body)] : Vector6(Vector6::Zero());
+  if (body < 0)
+  {
+    return contact.driven;
+  }
+  const Vector6& velocity = system.velocities[index_of(body)];
   return {Vector3<double>::Zero(), velocity.head<3>(), velocity.tail<3>()};
 }
 // [direct_system]

@@ -111,15 +111,15 @@ public:
   }
 
   /// Gives a body another velocity [m/s] and angular velocity [rad/s], world, and wakes it with all
-  /// that hangs together with it. A fixed one stays as it is. InvalidShape, and nothing changes, if
-  /// a number is not finite.
+  /// that hangs together with it. A kinematic one goes on with it until it is given another; a
+  /// fixed one stays as it is. InvalidShape, and nothing changes, if a number is not finite.
   void set_velocity(
       BodyId body, const Vector3<double>& velocity, const Vector3<double>& angular_velocity)
   {
     RigidBody& set = state_.bodies[index(body)];
     check_finite("velocity", velocity);
     check_finite("angular_velocity", angular_velocity);
-    if (!is_fixed(set))
+    if (set.motion_type != MotionType::fixed)
     {
       wake_island_of(body);
       set.motion = {set.motion.center, velocity, angular_velocity};
@@ -127,7 +127,7 @@ public:
   }
 
   /// Pulls a body in the next step, beside gravity, by an acceleration [m/s²] and an angular one
-  /// [rad/s²], world, more; otherwise as set_velocity().
+  /// [rad/s²], world, more; otherwise as set_velocity(), but a kinematic one stays as it is, too.
   void accelerate(BodyId body, const Vector3<double>& more, const Vector3<double>& angular_more)
   {
     const std::size_t i = index(body);

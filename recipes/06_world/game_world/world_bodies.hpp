@@ -1,9 +1,10 @@
 #pragma once
 
 /// \file
-/// \brief Bodies that are added, removed and teleported, and what wakes of it.
+/// \brief Bodies that are added, removed, teleported or moved by the game, and what wakes of it.
 
 #include "06_world/contacts/bounds.hpp"
+#include "06_world/contacts/integrate_body.hpp"
 #include "06_world/game_world/world_state.hpp"
 #include "06_world/islands/island.hpp"
 #include "06_world/sleeping/sleeping.hpp"
@@ -150,6 +151,40 @@ inline void teleport(
   world.scene.bodies[i].position = position;
   world.scene.bodies[i].orientation = body.orientation;
   wake_touched_by(world, bounds_now(world, i));
+}
+
+/// Moves all kinematic bodies on by a step, with the velocities that the game gave them; a spin
+/// stays as it is, whatever the shape.
+inline void move_driven(WorldState& world)
+{
+  const double step = world.scene.step;
+  for (RigidBody& body : world.bodies)
+  {
+    if (is_driven(body))
+    {
+      integrate_position(body, step);
+      body.lagged_orientation = body.orientation;
+    }
+  }
+}
+
+/// Puts islands that rest to sleep, and wakes the others: also all that touch a kinematic body in
+/// motion.
+inline void update_sleep(WorldState& world)
+{
+  if (!world.may_sleep)
+  {
+    return;
+  }
+  for (const WorldContact& contact : world.contacts)
+  {
+    const std::size_t a = index_of(contact.a), b = index_of(contact.b);
+    if (is_driven(world.bodies[a]) || is_driven(world.bodies[b]))
+    {
+      world.sleep[a] = world.sleep[b] = {};
+    }
+  }
+  update_sleep(world.sleep, world.islands.numbers(), SleepLimits<double>{});
 }
 // [world_bodies]
 

@@ -48,6 +48,10 @@ struct CheckShape
     {
       throw InvalidShape("mass", "0 for a plane", text_of(body.mass));
     }
+    if (body.motion == MotionType::kinematic)
+    {
+      throw InvalidShape("motion", "fixed for a plane", "kinematic");
+    }
   }
 };
 
@@ -63,12 +67,14 @@ inline void check_range(const std::string& member, double value, double least, d
 
 /// Throws InvalidShape if a fixed body has a velocity.
 inline void
-check_still_if_fixed(const std::string& member, const Vector3<double>& value, double mass)
+check_still_if_fixed(const std::string& member, const Vector3<double>& value, const SceneBody& body)
 {
-  if (mass == 0 && !value.isZero(0))
+  if (motion_type(body) == MotionType::fixed && !value.isZero(0))
   {
+    const bool told = body.motion == MotionType::fixed;
     throw InvalidShape(
-        member, "zero, for mass 0 means fixed", "length " + text_of(value.stableNorm()));
+        member, told ? "zero, for the body is fixed" : "zero, for mass 0 means fixed",
+        "length " + text_of(value.stableNorm()));
   }
 }
 
@@ -107,14 +113,14 @@ inline void check(const SceneBody& body)
   check_finite("position", body.position);
   check_finite("velocity", body.velocity);
   check_finite("angular_velocity", body.angular_velocity);
-  check_still_if_fixed("velocity", body.velocity, body.mass);
-  check_still_if_fixed("angular_velocity", body.angular_velocity, body.mass);
+  check_still_if_fixed("velocity", body.velocity, body);
+  check_still_if_fixed("angular_velocity", body.angular_velocity, body);
   check_orientation(body.orientation);
   check_range("friction", body.friction, 0, 1e6);
   check_range("restitution", body.restitution, 0, 1);
   check_range("damping", body.damping, 0, 1e6);
   check_range("angular_damping", body.angular_damping, 0, 1e6);
-  if (body.mass > 0)
+  if (motion_type(body) == MotionType::dynamic)
   {
     checked(mass_properties(body));
   }

@@ -52,16 +52,6 @@ inline void apply_torque(GameWorld& world, BodyId body, const Vector3<double>& t
   check_finite("torque", torque);
   world.accelerate(body, {0, 0, 0}, world.body(body).inverse_inertia * torque);
 }
-
-/// Has a heavy body move as a platform in the next step, at a velocity [m/s]: so fast, without
-/// spin, and held up against gravity. It is called once a step; a fixed body stays where it is.
-inline void
-set_kinematic_velocity(GameWorld& world, BodyId platform, const Vector3<double>& velocity)
-{
-  const Vector3<double> none = Vector3<double>::Zero();
-  world.set_velocity(platform, velocity, none);
-  world.accelerate(platform, -world.scene().gravity, none);
-}
 // [world_inputs]
 
 } // namespace cookbook

@@ -89,7 +89,7 @@ inline bool is_asleep(const WorldState& world, int body)
 /// Whether a body is left out, since it does not move.
 inline bool is_inactive(const WorldState& world, int body)
 {
-  return is_fixed(world.bodies[index_of(body)]) || is_asleep(world, body);
+  return stays(world.bodies[index_of(body)]) || is_asleep(world, body);
 }
 
 /// What pulls a body in the next step.

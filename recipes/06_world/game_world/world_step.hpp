@@ -180,11 +180,9 @@ COOKBOOK_WORLD_INLINE void step(WorldState& world, const WorldSolver& solver)
   world.falls.assign(world.bodies.size(), false);
   world.separated.assign(world.bodies.size(), false);
   world.islands.find(world.bodies, world.contacts);
-  if (world.may_sleep)
-  {
-    update_sleep(world.sleep, world.islands.numbers(), SleepLimits<double>{});
-  }
+  update_sleep(world);
   solve_islands(world, solver);
+  move_driven(world);
   sweep(world);
   keep_fastest(world.impacts);
   for (std::size_t i = 0; i < world.bodies.size(); ++i)

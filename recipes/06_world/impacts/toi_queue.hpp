@@ -45,7 +45,8 @@ public:
   void enqueue(int i, int j, double time)
   {
     const std::pair<int, int> pair = std::minmax(i, j);
-    if (is_dropped(pair) || ignores(step_.scene, pair) || end_within_tolerance(step_, ends_, pair))
+    if (is_dropped(pair) || never_touch(step_.scene, ends_, pair) ||
+        end_within_tolerance(step_, ends_, pair))
     {
       return;
     }

@@ -5,7 +5,7 @@
 /// their turn.
 
 #include "05_resolution/restitution/restitution.hpp"
-#include "06_world/islands/island_points.hpp"
+#include "06_world/islands/impact_energy.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -100,8 +100,8 @@ solve_impact(std::vector<ImpactPoint>& points, double fraction, double accuracy 
   }
 }
 
-/// Resolves impacts with as much restitution as adds no energy; with friction all of it may add
-/// some. False, and nothing changes, where even none does.
+/// Resolves impacts with as much restitution as adds no energy but the work of kinematic bodies;
+/// with friction all of it may add some. False, and nothing changes, where even none does.
 inline bool resolve_impacts(
     std::vector<ImpactPoint>& points, std::span<RigidBody* const> bodies,
     double accuracy = impact_tolerance)
@@ -112,20 +112,16 @@ inline bool resolve_impacts(
   {
     before.push_back(body->motion);
   }
-  const auto energy = [&]
-  {
-    double sum = 0;
-    for (const RigidBody* const body : bodies)
-    {
-      sum += kinetic_energy(*body);
-    }
-    return sum;
-  };
-  const double energy_before = energy();
+  const double energy_before = kinetic_energy_of(bodies);
   for (const double fraction : {1.0, 0.8, 0.6, 0.4, 0.2, 0.0})
   {
     solve_impact(points, fraction, accuracy);
-    if (energy() <= energy_before * (1 + 1e-9))
+    double work = 0;
+    for (const ImpactPoint& one : points)
+    {
+      work += work_of_driven(one.point);
+    }
+    if (kinetic_energy_of(bodies) - energy_before - work <= 1e-9 * (energy_before + std::abs(work)))
     {
       return true;
     }

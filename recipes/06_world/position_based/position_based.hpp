@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace cookbook
@@ -82,7 +84,21 @@ inline void end_substep(PositionPoint& one, double substep, double threshold)
   one.point.cached->friction = one.stored_slip * one.point.sliding.smallest / substep;
 }
 
-/// Moves the bodies of an island on by a step [s]; R15, R16.
+/// The kinematic bodies in motion that an island touches.
+inline std::set<int> driven_bodies(IslandView world, const Island& island)
+{
+  std::set<int> driven;
+  for (const int number : island.contacts)
+  {
+    const WorldContact& contact = world.contacts[index_of(number)];
+    driven.insert({contact.a, contact.b});
+  }
+  std::erase_if(driven, [&](int i) { return !is_driven(world.bodies[index_of(i)]); });
+  return driven;
+}
+
+/// Moves the bodies of an island on by a step [s]; R15, R16. Kinematic bodies go along, and back
+/// in the end, for they may touch other islands.
 ///
 /// Each small step lets the bodies fall, takes overlaps and slips back by moving them, and then
 /// asks with which velocities they have come there.
@@ -101,6 +117,11 @@ inline void position_based(
       change(before[i], island.bodies[i]);
     }
   };
+  std::vector<std::pair<int, RigidBody>> driven;
+  for (const int i : driven_bodies(world, island))
+  {
+    driven.emplace_back(i, world.bodies[index_of(i)]);
+  }
   for (int i = 0; i < settings.substeps; ++i)
   {
     std::for_each(points.begin(), points.end(), begin_substep);
@@ -111,6 +132,10 @@ inline void position_based(
           apply_forces(world, body, substep);
           integrate_position(world.bodies[index_of(body)], substep);
         });
+    for (const auto& [body, start] : driven)
+    {
+      integrate_position(world.bodies[index_of(body)], substep);
+    }
     for (int pass = 0; pass < settings.iterations; ++pass)
     {
       for (PositionPoint& point : points)
@@ -124,6 +149,10 @@ inline void position_based(
     std::for_each(
         points.begin(), points.end(),
         [&](PositionPoint& point) { end_substep(point, substep, threshold); });
+  }
+  for (const auto& [body, start] : driven)
+  {
+    world.bodies[index_of(body)] = start;
   }
 }
 // [position_based]

@@ -61,8 +61,8 @@ inline Vector3<double> predicted_displacement(const PredictedStep& step, int i, 
   const RigidBody& body = step.bodies[index_of(i)];
   const double time = step.scene.step;
   const Vector3<double> gained = fraction * time * force_on(step.forces, index_of(i)).acceleration;
-  return is_fixed(body) ? Vector3<double>::Zero()
-                        : Vector3<double>(time * (body.motion.velocity + gained));
+  return stays(body) ? Vector3<double>::Zero()
+                     : Vector3<double>(time * (body.motion.velocity + gained));
 }
 inline constexpr double held_fraction = 0, flying_fraction = 0.5,
                         pushed_fraction = 1; // for predicted_displacement()
@@ -78,7 +78,7 @@ inline Vector3<double> predicted_spin(const PredictedStep& step, int i)
 inline double predicted_rotation(const PredictedStep& step, int i)
 {
   const RigidBody& body = step.bodies[index_of(i)];
-  const bool turns = !body.is_sphere && !is_fixed(body);
+  const bool turns = !body.is_sphere && !stays(body);
   return turns ? rotation_displacement(step.scene, i, predicted_spin(step, i), step.scene.step) : 0;
 }
 
@@ -112,7 +112,7 @@ inline RigidBody predicted_body(const PredictedStep& step, int i, double fractio
 {
   RigidBody body = step.bodies[index_of(i)];
   body.motion.center += predicted_displacement(step, i, fraction);
-  if (!body.is_sphere && !is_fixed(body))
+  if (!body.is_sphere && !stays(body))
   {
     body.orientation = turned_by(body, step.scene.step * predicted_spin(step, i));
     body.axes = body.orientation.toRotationMatrix();

@@ -157,7 +157,7 @@ private:
   }
 
   /// Bodies have their places in the world; behind them is the null body, whose numbers are all
-  /// zero, as of what is fixed: nothing moves it.
+  /// zero, as of what is fixed: nothing moves it. A kinematic one only has its velocities.
   void take_bodies(IslandView world)
   {
     bodies_.assign(world.bodies.size() + 1, {});
@@ -169,6 +169,16 @@ private:
         put_motion(world.bodies[index_of(i)], body(i));
         put_inverse_masses(world.bodies[index_of(i)], body(i));
         body(i).inverse_inertia[3] = speed;
+      }
+    }
+    for (const int i : islands.contacts())
+    {
+      for (const int one : {world.contacts[index_of(i)].a, world.contacts[index_of(i)].b})
+      {
+        if (is_driven(world.bodies[index_of(one)]))
+        {
+          put_motion(world.bodies[index_of(one)], body(one));
+        }
       }
     }
   }

@@ -18,16 +18,26 @@ namespace cookbook
 inline bool fits_floats(IslandView world, const Island& island, double step)
 {
   constexpr double most = 1e15;
+  const auto motion_fits = [&](const Motion<double>& motion)
+  {
+    return motion.velocity.cwiseAbs().maxCoeff() <= most &&
+           motion.angular_velocity.cwiseAbs().maxCoeff() <= most;
+  };
   const auto fits = [&](int i)
   {
     const RigidBody& body = world.bodies[index_of(i)];
-    const Motion<double> motion = accelerated(body.motion, acceleration_on(world, i), step);
     const double turning = body.inverse_inertia.cwiseAbs().maxCoeff();
     return body.inverse_mass * most >= 1 && body.inverse_mass <= most && turning <= most * most &&
-           motion.velocity.cwiseAbs().maxCoeff() <= most &&
-           motion.angular_velocity.cwiseAbs().maxCoeff() <= most;
+           motion_fits(accelerated(body.motion, acceleration_on(world, i), step));
   };
-  return std::all_of(island.bodies.begin(), island.bodies.end(), fits);
+  const auto driven_fit = [&](int i)
+  {
+    const WorldContact& contact = world.contacts[index_of(i)];
+    const RigidBody &a = world.bodies[index_of(contact.a)], &b = world.bodies[index_of(contact.b)];
+    return (!is_driven(a) || motion_fits(a.motion)) && (!is_driven(b) || motion_fits(b.motion));
+  };
+  return std::all_of(island.bodies.begin(), island.bodies.end(), fits) &&
+         std::all_of(island.contacts.begin(), island.contacts.end(), driven_fit);
 }
 // [fits_floats]
 

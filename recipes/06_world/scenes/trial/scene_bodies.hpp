@@ -40,6 +40,14 @@ ball_body(const std::string& name, double radius, const Vector3<double>& positio
   return {.name = name, .shape = SphereShape{radius}, .mass = mass, .position = position};
 }
 
+/// A body that the game moves, without a mass, otherwise like another.
+inline SceneBody kinematic(SceneBody body)
+{
+  body.mass = 0;
+  body.motion = MotionType::kinematic;
+  return body;
+}
+
 /// The name of the one with a number, such as `box_7`.
 inline std::string numbered(const std::string& what, int number)
 {

@@ -6,6 +6,7 @@
 #include "06_world/contacts/scene.hpp"
 #include "tools/files/csv.hpp"
 
+#include <cstddef>
 #include <string>
 
 namespace cookbook
@@ -58,6 +59,10 @@ inline std::string body_json(const SceneBody& body)
   const auto add = [&text](const char* name, const std::string& value)
   { text.append(", \"").append(name).append("\": ").append(value); };
   add("mass", round_trip(body.mass));
+  if (body.motion != MotionType::dynamic)
+  {
+    add("motion", quoted(motion_names[static_cast<std::size_t>(body.motion)]));
+  }
   if (!std::holds_alternative<PlaneShape>(body.shape))
   {
     const Quaternion<double>& q = body.orientation;

@@ -4,6 +4,7 @@
 #include "06_world/scenes/trial/scene_text.hpp"
 #include "tools/files/json_object_file.hpp"
 
+#include <algorithm>
 #include <map>
 
 namespace cookbook
@@ -40,7 +41,7 @@ std::vector<std::string> body_members(const std::string& shape = "")
   add(shape == "box", {"half_extents"});
   add(shape == "sphere", {"radius"});
   add(shape == "plane", {"normal", "offset"});
-  add(shape != "plane", {"position", "orientation", "velocity", "angular_velocity"});
+  add(shape != "plane", {"motion", "position", "orientation", "velocity", "angular_velocity"});
   return names;
 }
 
@@ -80,12 +81,27 @@ Shape read_shape(const JsonObject& object, const std::string& shape)
   return PlaneShape{object.unit<3>("normal", std::nullopt), object.number("offset", places)};
 }
 
-/// The mass [kg], which a plane need not have.
-double read_mass(const JsonObject& object, const std::string& shape)
+/// What may change how a body moves; dynamic, if it does not say, and fixed then without a mass.
+MotionType read_motion_type(const JsonObject& object)
+{
+  const std::string name = object.find("motion") ? object.text("motion") : "dynamic";
+  const std::vector<std::string> names(motion_names.begin(), motion_names.end());
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+  {
+    object.wrong(
+        "motion", object.need("motion"), "\"fixed\", \"kinematic\" or \"dynamic\"",
+        "\"" + name.substr(0, 64) + "\"" + meant(name, names));
+  }
+  return static_cast<MotionType>(found - names.begin());
+}
+
+/// The mass [kg], which only a dynamic body must have.
+double read_mass(const JsonObject& object, const std::string& shape, MotionType motion)
 {
   const Limits any{-1e300, 1e300};
-  const double mass =
-      object.number("mass", any, shape == "plane" ? std::optional(0.0) : std::nullopt);
+  const bool needless = shape == "plane" || motion != MotionType::dynamic;
+  const double mass = object.number("mass", any, needless ? std::optional(0.0) : std::nullopt);
   if (mass != 0 && shape == "plane")
   {
     object.wrong("mass", object.need("mass"), "0, for a plane is fixed", round_trip(mass));
@@ -110,9 +126,13 @@ void read_motion(const JsonObject& object, SceneBody& body)
   body.angular_velocity = object.vector<3>("angular_velocity", places, zero);
   for (const char* const name : {"velocity", "angular_velocity"})
   {
-    if (body.mass == 0 && !object.vector<3>(name, places, zero).isZero(0))
+    const bool fixed = motion_type(body) == MotionType::fixed;
+    if (fixed && !object.vector<3>(name, places, zero).isZero(0))
     {
-      object.wrong(name, object.need(name), "zero, for mass 0 means fixed", "another one");
+      const bool told = body.motion == MotionType::fixed;
+      object.wrong(
+          name, object.need(name),
+          told ? "zero, for the body is fixed" : "zero, for mass 0 means fixed", "another one");
     }
   }
 }
@@ -127,7 +147,8 @@ SceneBody read_body(JsonObject object, const SceneBody& defaults)
   object.rename(shape + " \"" + body.name + "\"");
   object.allow_only(body_members(shape));
   body.shape = read_shape(object, shape);
-  body.mass = read_mass(object, shape);
+  body.motion = read_motion_type(object);
+  body.mass = read_mass(object, shape, body.motion);
   read_motion(object, body);
   body.friction = object.number("friction", frictions, defaults.friction);
   body.restitution = object.number("restitution", restitutions, defaults.restitution);

@@ -1,0 +1,38 @@
+#pragma once
+
+/// \file
+/// \brief What an impact does to the energy of bodies, and what part of it a game brings in.
+
+#include "06_world/islands/island_points.hpp"
+
+#include <span>
+
+namespace cookbook
+{
+
+// [impact_energy]
+/// The kinetic energy [J] of bodies together.
+inline double kinetic_energy_of(std::span<RigidBody* const> bodies)
+{
+  double sum = 0;
+  for (const RigidBody* const body : bodies)
+  {
+    sum += kinetic_energy(*body);
+  }
+  return sum;
+}
+
+/// The work [J] that a kinematic body does by the impulse at a point, J · v; zero without one.
+inline double work_of_driven(const IslandPoint& point)
+{
+  const Vector3<double> impulse = contact_impulse(point);
+  const auto along = [&](const RigidBody& body, const Vector3<double>& arm)
+  {
+    const auto& [center, velocity, spin] = body.motion;
+    return is_driven(body) ? impulse.dot(velocity + spin.cross(arm)) : 0.0;
+  };
+  return along(*point.a, point.arms.a) - along(*point.b, point.arms.b);
+}
+// [impact_energy]
+
+} // namespace cookbook
