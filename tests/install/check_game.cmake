@@ -1,5 +1,6 @@
 # Builds the game of the README, as a reader would: its CMake text and its C++ text are cut out of the
-# README, once with the cookbook as a folder of the game, once with the cookbook installed.
+# README, once with the cookbook as a folder of the game, once with the cookbook installed. Then the first
+# program of chapter 6 by the CMake text of its page, in both ways.
 #
 # cmake -D source=REPOSITORY -D build=BUILD_FOLDER -D work=EMPTY_FOLDER -D compiler=C++ -D generator=GENERATOR
 #   -P …
@@ -59,6 +60,17 @@ foreach(header ${headers})
   string(APPEND includes "#include \"${header}\"\n")
 endforeach()
 file(WRITE ${work}/installed/main.cpp "${includes}${cpp_text}")
-string(REPLACE "cookbook::sphere_manifolds" "cookbook::world" cmake_text "${cmake_text}")
+string(REPLACE "cookbook::sphere_manifolds" "cookbook::world_headers" cmake_text "${cmake_text}")
 file(WRITE ${work}/installed/CMakeLists.txt "${cmake_text}")
 build_game(${work}/installed -DCMAKE_PREFIX_PATH=${work}/prefix)
+
+# The world, compiled: as a part of the game, and as it was installed.
+file(READ ${source}/tests/install/game_of_the_world.cmake cmake_text)
+set(first_world ${source}/tests/06_world/first_world)
+file(READ ${first_world}.expected printed)
+foreach(way folder installed)
+  file(COPY_FILE ${first_world}.cpp ${work}/${way}/main.cpp)
+  file(WRITE ${work}/${way}/CMakeLists.txt "${cmake_text}")
+  build_game(${work}/${way} -DCMAKE_PREFIX_PATH=${work}/prefix)
+  string(REPLACE "add_subdirectory(cookbook)" "find_package(cookbook REQUIRED)" cmake_text "${cmake_text}")
+endforeach()

@@ -22,6 +22,13 @@ COOKBOOK_WORLD_INLINE WorldSolver soft_solver(const SoftSettings& how)
   return one_by_one([how](IslandView w, const Island& i, double h) { soft_steps(w, i, h, how); });
 }
 
+COOKBOOK_WORLD_INLINE WorldSolver wide_solver(const SoftSettings& how, const WidePasses& passes)
+{
+  return [how,
+          lanes = WideContacts(passes)](IslandView w, std::span<const Island> all, double h) mutable
+  { wide_steps(w, all, h, how, lanes); };
+}
+
 COOKBOOK_WORLD_INLINE WorldSolver solver_named(const std::string& name, int substeps)
 {
   if (substeps < 0)
@@ -39,9 +46,7 @@ COOKBOOK_WORLD_INLINE WorldSolver solver_named(const std::string& name, int subs
   }
   if (name == "wide_steps")
   {
-    return [how = SoftSettings{.substeps = or_else(4)},
-            lanes = WideContacts()](IslandView w, std::span<const Island> all, double h) mutable
-    { wide_steps(w, all, h, how, lanes); };
+    return wide_solver({.substeps = or_else(4)}, widest_passes());
   }
   if (name == "sequential_impulses" || name == "cold_impulses")
   {

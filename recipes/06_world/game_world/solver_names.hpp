@@ -12,6 +12,8 @@
 namespace cookbook
 {
 
+struct WidePasses;
+
 /// The names of all solvers, the recommended one first.
 inline std::vector<std::string> solver_names()
 {
@@ -26,5 +28,8 @@ COOKBOOK_WORLD_INLINE WorldSolver solver_named(const std::string& name, int subs
 
 /// Soft steps with settings of one's own.
 COOKBOOK_WORLD_INLINE WorldSolver soft_solver(const SoftSettings& how);
+
+/// Wide steps with settings of one's own, by these passes, such as widest_passes().
+COOKBOOK_WORLD_INLINE WorldSolver wide_solver(const SoftSettings& how, const WidePasses& passes);
 
 } // namespace cookbook

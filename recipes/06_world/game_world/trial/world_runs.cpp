@@ -19,6 +19,11 @@ std::size_t steps_of(const Scene& scene, double duration)
       std::llround((duration < 0 ? scene.duration : duration) / scene.step));
 }
 
+GameWorld wide_world(const Scene& scene, const WidePasses& passes, const SoftSettings& how)
+{
+  return GameWorld(scene, wide_solver(how, passes));
+}
+
 WorldRun run_world(
     const Scene& scene, const RunSettings& settings,
     const std::function<void(std::size_t)>& observer)

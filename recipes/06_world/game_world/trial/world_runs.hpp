@@ -55,8 +55,7 @@ WorldRun run_world(
     const Scene& scene, const RunSettings& settings = {},
     const std::function<void(std::size_t)>& observer = {});
 
-/// A world under wide steps by these passes, in registers of their width; compiled with the
-/// solvers.
+/// A world under wide steps by these passes, in registers of their width.
 GameWorld wide_world(const Scene& scene, const WidePasses& passes, const SoftSettings& how);
 
 /// The impulses [N s] that each body gets from all contacts with bodies before it in the scene,

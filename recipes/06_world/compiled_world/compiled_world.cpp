@@ -1,7 +1,5 @@
 /// \file
-/// \brief The world, compiled once for programs and tests.
-
-#include "04_obb_manifolds/box_oracles/trial/box_instances.hpp"
+/// \brief The step of the world, compiled once for all that link cookbook::world.
 
 // [compiled_once]
 #define COOKBOOK_WORLD_SOURCE
