@@ -6,12 +6,14 @@
 
 #include "04_obb_manifolds/box_box/box_box_in_registers.hpp"
 #include "04_obb_manifolds/feature_memory/feature_memory.hpp"
+#include "04_obb_manifolds/feature_memory/leaning_edges.hpp"
 #include "06_world/contacts/ghost_contact.hpp"
 #include "06_world/contacts/near_shapes.hpp"
 #include "06_world/contacts/world_contact.hpp"
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -32,6 +34,25 @@ std::optional<Manifold<double>> steady_manifold(int, const A& a, const B& b, dou
 /// together do not cross: where they did would be chance, and another place in every step.
 inline constexpr double parallel_tolerance = 1e-10;
 
+/// The manifold of two boxes that lean on each other with parallel edges at the face of an axis;
+/// its features are none of a face's own.
+inline std::optional<Manifold<double>>
+leaning_on(int axis, const Obb<double>& a, const Obb<double>& b, double margin)
+{
+  constexpr std::uint32_t first_feature = 32, features = 64; // a face's own end at 8 · 2 + 7
+  const double width = axis_margin(a, b, 0.0);
+  const bool of_a = axis_kind(axis) == AxisKind::face_of_a;
+  std::optional<Manifold<double>> leaning =
+      of_a ? leaning_manifold(a, b, axis, width, margin)
+           : swapped(leaning_manifold(b, a, axis - 3, width, margin));
+  if (leaning)
+  {
+    leaning->points[0].feature = features * static_cast<std::uint32_t>(axis) + first_feature;
+    leaning->points[1].feature = leaning->points[0].feature + 1;
+  }
+  return leaning;
+}
+
 /// That of two boxes, on the axis of the frame before, −1 if there was none, unless another is
 /// better, or a face nearly as good as a pair of edges.
 ///
@@ -48,6 +69,13 @@ steady_manifold(int before, const Obb<double>& a, const Obb<double>& b, double m
     return std::nullopt;
   }
   const auto [axis, overlap] = steady_axis(before, grown_a, grown_b, *found);
+  if (axis_kind(axis) != AxisKind::edges)
+  {
+    if (const std::optional<Manifold<double>> leaning = leaning_on(axis, a, b, margin))
+    {
+      return leaning;
+    }
+  }
   const Vector3<double> normal = axis_direction(a, b, axis);
   const double growth = margin / 2 *
                         ((a.axes.transpose() * normal).cwiseAbs().sum() +
