@@ -193,7 +193,7 @@ TEST_CASE("a ball that bounces on a cube that rests leaves the cube on its groun
       contact_at(bodies[1], bodies[2], {1, 2}, {0, 1, 0})};
   contacts[1].restitution = 1;
   constexpr std::array<int, 2> movable{1, 2}, both{0, 1};
-  std::vector<IslandPoint> room;
+  SolverScratch room;
   const IslandView view{bodies, contacts, {0, -9.81, 0}, room};
   CHECK(simultaneous_impacts(view, {movable, both}, 1.0 / 60));
   CHECK(bodies[1].motion.velocity.norm() <= 1e-12);

@@ -148,7 +148,7 @@ TEST_CASE("velocities found from two poses are those that led from one to the ot
     before.motion.angular_velocity = {any(random), any(random), any(random)};
     RigidBody now = before;
     integrate_position(now, 1.0 / 60);
-    derive_velocities(before, now, 1.0 / 60);
+    derive_velocities(state_of(before), now, 1.0 / 60);
     CHECK((now.motion.velocity - before.motion.velocity).norm() < 1e-11);
     CHECK((now.motion.angular_velocity - before.motion.angular_velocity).norm() < 1e-11);
   }
@@ -160,7 +160,7 @@ TEST_CASE(
   std::array<RigidBody, 2> bodies{rigid_body(ground()), rigid_body(cube_body("cube", {0, 0, 0}))};
   std::array<WorldContact, 1> contacts{WorldContact{0, 1, 0.5, 0, {0, 1, 0}, {WorldPoint{}}}};
   constexpr std::array<int, 1> movable{1}, contact{0};
-  std::vector<IslandPoint> room;
+  SolverScratch room;
   const IslandView view{bodies, contacts, {0, 0, 0}, room};
   PositionPoint point{points_of(view, {movable, contact})[0], {0, 0, 0}};
   stick(point);

@@ -84,7 +84,7 @@ TEST_CASE("what would give a needle energy that turns is forgotten; what would t
     std::array<WorldContact, 1> contacts{
         WorldContact{0, 1, 0.6, 0, {0, number == 0 ? -1.0 : 1.0, 0}, {point}}};
     const std::array<int, 1> movable{static_cast<int>(number)}, contact{0};
-    std::vector<IslandPoint> room;
+    SolverScratch room;
     const IslandView view{bodies, contacts, {0, 0, 0}, room};
     const Island island{movable, contact};
     const std::span<IslandPoint> points = points_of(view, island);

@@ -465,14 +465,6 @@ TEST_CASE("two balls that fall bounce at 0.5 m/s: gravity does not press them on
   }
 }
 
-TEST_CASE("what is moved aside alike is not parted, what is moved apart is")
-{
-  const Vector3<double> none(0, 0, 0), aside(1e-3, 0, 0);
-  CHECK_FALSE(were_separated({none, aside, 1e-9}, {none, aside, 1e-9}));
-  CHECK(were_separated({none, aside, 1e-9}, {none, -aside, 1e-9}));
-  CHECK(were_separated({none, aside, 1e-9}, {none, none, 1e-9}));
-}
-
 // [over_constrained]
 /// Up to six bodies in a row before a wall, and behind them a ram, which comes at 1 to 1,000 m/s.
 struct Press

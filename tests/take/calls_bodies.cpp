@@ -88,7 +88,7 @@ void print_piles(const char* name, Solver solver)
       }
       contacts.push_back(contact);
     }
-    std::vector<IslandPoint> room;
+    SolverScratch room;
     const IslandView view{bodies, contacts, Vector3<double>(0, -9.81, 0), room};
     Islands islands;
     islands.find(bodies, contacts);

@@ -3,6 +3,7 @@
 /// \file
 /// \brief All contacts of an island at once: Newton's method with an exact factorisation.
 
+#include "06_world/direct_solver/direct_answer.hpp"
 #include "06_world/direct_solver/direct_residual.hpp"
 #include "06_world/direct_solver/factored_points.hpp"
 #include "06_world/direct_solver/line_search.hpp"
@@ -70,33 +71,6 @@ moved_bounds(DirectSystem& system, double largest, double residual, const Direct
   }
   return off;
 }
-
-/// Writes the answer into the world. The residual is applied to the bodies, which keeps momentum to
-/// rounding.
-inline void scatter(
-    const DirectSystem& system, const std::vector<Vector6>& residual, bool over_constrained,
-    IslandView world, const Island& island)
-{
-  for (std::size_t i = 0; i < island.bodies.size(); ++i)
-  {
-    RigidBody& body = world.bodies[index_of(island.bodies[i])];
-    const Vector3<double> push = residual[i].head<3>(), turn = residual[i].tail<3>();
-    body.motion.velocity = system.velocities[i].head<3>() + body.inverse_mass * push;
-    body.motion.angular_velocity = system.velocities[i].tail<3>() + body.inverse_inertia * turn;
-  }
-  std::size_t point = 0;
-  for (const int i : island.contacts)
-  {
-    for (WorldPoint& of : world.contacts[index_of(i)].points)
-    {
-      of.impulse = of.warm_start_impulse = system.points[point].impulse;
-      of.friction = system.points[point].friction;
-      of.solved = true;
-      of.over_constrained = over_constrained;
-      ++point;
-    }
-  }
-}
 // [direct_bounds]
 
 // [direct_solver]
@@ -106,8 +80,8 @@ inline void scatter(
 class DirectSolver
 {
 public:
-  /// Sets the velocities of the bodies of an island, and the impulses of its contacts, to those
-  /// after a step [s]. False if they were not found; then nothing has changed.
+  /// Finds the velocities of the bodies of an island after a step [s], and sets the impulses of its
+  /// contacts. False if they were not found; then nothing has changed.
   bool
   solve(IslandView world, const Island& island, double step, const DirectSettings& settings = {})
   {
@@ -140,17 +114,25 @@ public:
       const bool moved = follows && moved_bounds(system_, most, small_, settings);
       if (found && !moved)
       {
-        scatter(system_, residual_, is_over_constrained(system_, most), world, island);
+        write_answer(system_, residual_, world, island, velocities_);
+        store(system_, is_over_constrained(system_, most), world, island);
         return true;
       }
     }
     return false;
   }
 
+  /// Solves an island once more without the speed that opens overlaps, friction bounded by what
+  /// pushed in the first answer; whether there is such an answer.
+  bool solve_without_opening(IslandView world, const Island& island, double step)
+  {
+    return solve(world, island, step, {.correction = 0, .residual = small_, .bounds_move = false});
+  }
+
+  /// The answer, body by body.
+  const std::vector<DirectVelocity>& velocities() const { return velocities_; }
   /// Whether any overlap was to open, with an answer or without.
   bool opens() const { return any_opens(system_); }
-  /// How much [N s] might be missing in the last answer.
-  double small() const { return small_; }
   /// How fast [m/s] any overlap opens by that answer.
   double opening() const { return fastest_opening(system_); }
 
@@ -192,6 +174,7 @@ private:
   BlockCholesky matrix_;
   FactoredPoints factored_;
   std::vector<Vector6> change_, residual_;
+  std::vector<DirectVelocity> velocities_;
   std::vector<std::pair<int, int>> coupled_, laid_out_;
   double small_ = 0;
 };

@@ -3,9 +3,7 @@
 /// \file
 /// \brief The recommended solver: direct, or by soft steps where that finds no answer.
 
-#include "06_world/contacts/integrate_body.hpp"
 #include "06_world/direct_solver/direct_solver.hpp"
-#include "06_world/direct_solver/open_overlaps.hpp"
 #include "06_world/soft_steps/soft_steps.hpp"
 
 #include <algorithm>
@@ -78,11 +76,6 @@ public:
   void operator()(IslandView world, const Island& island, double step)
   {
     Tries& tries = tries_of(world, island);
-    motions_.clear();
-    for (const int body : island.bodies)
-    {
-      motions_.push_back(world.bodies[index_of(body)].motion);
-    }
     const DirectAnswer answer = solved(tries, world, island, step);
     if (observer_)
     {
@@ -93,14 +86,11 @@ public:
       forget_over_constrained(world, island);
       return soft_steps(world, island, step, soft_);
     }
-    if (answer == DirectAnswer::exact && tries.direct.opening() > slow_opening)
-    {
-      return open_overlaps(tries.direct, world, island, step, motions_);
-    }
-    for (const int body : island.bodies)
-    {
-      integrate_position(world.bodies[index_of(body)], step);
-    }
+    first_ = tries.direct.velocities();
+    const bool opens = answer == DirectAnswer::exact && tries.direct.opening() > slow_opening &&
+                       tries.direct.solve_without_opening(world, island, step);
+    DirectStep stepped(world, island, first_, opens ? tries.direct.velocities() : first_);
+    run_substeps(world, {&island, 1}, step, stepped);
   }
 
   /// How many islands it remembers: none that has joined another one.
@@ -145,7 +135,7 @@ private:
     return tries;
   }
 
-  /// Sets the velocities of an island, unless it has to wait or no answer is found.
+  /// Finds the velocities of an island, unless it has to wait or no answer is found.
   static DirectAnswer solved(Tries& tries, IslandView world, const Island& island, double step)
   {
     if (tries.frames_to_wait > 0)
@@ -166,7 +156,7 @@ private:
   }
 
   SoftSettings soft_;
-  std::vector<Motion<double>> motions_; // of an island's bodies before a step
+  std::vector<DirectVelocity> first_; // of an island's bodies, in the first answer
   DirectObserver observer_;
   std::map<BodyId, Tries> tries_; // by the island's first body
   std::size_t kept_ = 16;         // how many there were, and some more, when it was last tidied up

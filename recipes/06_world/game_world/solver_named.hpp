@@ -51,23 +51,10 @@ COOKBOOK_WORLD_INLINE WorldSolver solver_named(const std::string& name, int subs
   if (name == "sequential_impulses" || name == "cold_impulses")
   {
     const bool warm_starting = name == "sequential_impulses";
-    const SequentialSettings how{.iterations = 8, .warm_starting = warm_starting};
-    const auto steps = [how, n = or_else(1)](IslandView w, const Island& i, double h)
-    {
-      const auto scale = [&](double by)
-      {
-        const std::span<IslandPoint> points = points_of(w, i);
-        scale_impulses(points, by);
-        store(points);
-      };
-      scale(1.0 / n);
-      for (int k = 0; k < n; ++k)
-      {
-        sequential_impulses(w, i, h / n, how);
-      }
-      scale(n);
-    };
-    return one_by_one(steps);
+    const SequentialSettings how{
+        .substeps = or_else(1), .iterations = 8, .warm_starting = warm_starting};
+    return one_by_one([how](IslandView w, const Island& i, double h)
+                      { sequential_impulses(w, i, h, how); });
   }
   if (name == "position_based")
   {

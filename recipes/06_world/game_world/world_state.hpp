@@ -48,20 +48,19 @@ struct WorldState
   std::vector<std::size_t> slots_to_free;   ///< places of those taken out since the last step
   std::vector<std::size_t> free_slots;      ///< places that may be given to others
   std::vector<bool> falls;                  ///< whether it fell freely in the last step
-  std::vector<bool> separated;           ///< whether it was moved out of an overlap, but not pushed
-  std::vector<SleepState<double>> sleep; ///< whether it rests; empty if none may sleep
-  std::vector<Bounds> bounds;            ///< of all that are there
-  std::vector<Prediction> prediction;    ///< where each goes if nothing pushes it
-  BroadPhase broad_phase;                ///< which pairs may touch
-  std::vector<WorldContact> contacts;    ///< of the last step
-  std::vector<WorldContact> begun;       ///< those that began with it
-  std::vector<Impact> impacts;           ///< of the last step
-  Islands islands;                       ///< which bodies are connected by contacts
-  std::vector<Island> awake_islands;     ///< those that a step gives to the solver
-  std::vector<IslandPoint> point_scratch; ///< for the points of an island
-  std::vector<Trajectory> trajectories;   ///< room for those of a sweep
-  std::vector<double> displacements;      ///< [m], how far any point of a body went
-  std::vector<bool> needs_sweep;          ///< left too deep by a solver, or swept
+  std::vector<SleepState<double>> sleep;    ///< whether it rests; empty if none may sleep
+  std::vector<Bounds> bounds;               ///< of all that are there
+  std::vector<Prediction> prediction;       ///< where each goes if nothing pushes it
+  BroadPhase broad_phase;                   ///< which pairs may touch
+  std::vector<WorldContact> contacts;       ///< of the last step
+  std::vector<WorldContact> begun;          ///< those that began with it
+  std::vector<Impact> impacts;              ///< of the last step
+  Islands islands;                          ///< which bodies are connected by contacts
+  std::vector<Island> awake_islands;        ///< those that a step gives to the solver
+  SolverScratch solver_scratch;             ///< room for islands that are solved
+  std::vector<Trajectory> trajectories;     ///< room for those of a sweep
+  std::vector<double> displacements;        ///< [m], how far any point of a body went
+  std::vector<bool> needs_sweep;            ///< left too deep by a solver, or swept
 };
 
 /// Whether a body is there: it was put in, and not taken out.

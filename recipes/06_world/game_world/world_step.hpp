@@ -39,60 +39,11 @@ inline void find_contacts(WorldState& world)
       [&](int body) { return is_inactive(world, body); });
 }
 
-/// Restores the free flight of bodies that no contact has pushed or moved out of an overlap.
-inline void restore_free_flight(WorldState& world, const Island& island)
-{
-  const double step = world.scene.step;
-  if (island.contacts.empty())
-  {
-    const std::size_t i = index_of(island.bodies.front());
-    world.falls[i] = true;
-    return integrate_free_flight(world.bodies[i], acceleration_on(world, i), step);
-  }
-  for (const int body : island.bodies)
-  {
-    const std::size_t i = index_of(body);
-    world.falls[i] =
-        !was_pushed(world.bodies[i], start_state(world, i), acceleration_on(world, i), step);
-  }
-  for (const int number : island.contacts)
-  {
-    const WorldContact& contact = world.contacts[index_of(number)];
-    const std::size_t a = index_of(contact.a), b = index_of(contact.b);
-    const auto pushed = [&](std::size_t i)
-    { return !world.falls[i] && !is_fixed(world.bodies[i]); };
-    const auto step_of = [&](std::size_t i)
-    {
-      return free_step(
-          world.bodies[i], start_state(world, i), acceleration_on(world, i).acceleration, step);
-    };
-    if (!pushed(a) && !pushed(b) && were_separated(step_of(a), step_of(b)))
-    {
-      world.separated[a] = world.separated[b] = true;
-    }
-  }
-  for (const int body : island.bodies)
-  {
-    const std::size_t i = index_of(body);
-    world.falls[i] = world.falls[i] && !world.separated[i];
-    if (world.falls[i])
-    {
-      world.bodies[i] = with_state(world.bodies[i], start_state(world, i));
-      integrate_free_flight(world.bodies[i], acceleration_on(world, i), step);
-    }
-    else if (!world.separated[i] && island.bodies.size() == 1)
-    {
-      correct_sliding(
-          world.bodies[i], start_state(world, i), acceleration_on(world, i).acceleration, step);
-    }
-  }
-}
-
 /// Solves all islands that are awake: impacts, contacts, free flight.
 inline void solve_islands(WorldState& world, const WorldSolver& solver)
 {
-  const IslandView view{
-      world.bodies, world.contacts, world.scene.gravity, world.point_scratch, world.forces};
+  const IslandView view{world.bodies,         world.contacts, world.scene.gravity,
+                        world.solver_scratch, world.forces,   &world.falls};
   world.awake_islands.clear();
   world.impacts.clear();
   const auto for_each_awake = [&](const auto& call)
@@ -109,21 +60,24 @@ inline void solve_islands(WorldState& world, const WorldSolver& solver)
   for_each_awake(
       [&](const Island& island)
       {
-        if (!island.contacts.empty())
+        if (island.contacts.empty())
         {
-          add_impacts(view, island, world.scene.step, world.impacts);
-          world.awake_islands.push_back(island);
-          if (simultaneous_impacts(view, island, world.scene.step))
+          const std::size_t i = index_of(island.bodies.front());
+          world.falls[i] = true;
+          integrate_free_flight(world.bodies[i], acceleration_on(world, i), world.scene.step);
+          return;
+        }
+        add_impacts(view, island, world.scene.step, world.impacts);
+        world.awake_islands.push_back(island);
+        if (simultaneous_impacts(view, island, world.scene.step))
+        {
+          for (const int i : island.bodies)
           {
-            for (const int i : island.bodies)
-            {
-              set_start_state(world.scene.bodies[index_of(i)], world.bodies[index_of(i)]);
-            }
+            set_start_state(world.scene.bodies[index_of(i)], world.bodies[index_of(i)]);
           }
         }
       });
   solver(view, world.awake_islands, world.scene.step);
-  for_each_awake([&](const Island& island) { restore_free_flight(world, island); });
 }
 
 /// Continuous collision detection: resolves the TOI events of the step, and wakes what is hit.
@@ -178,7 +132,6 @@ COOKBOOK_WORLD_INLINE void step(WorldState& world, const WorldSolver& solver)
     set_start_state(world.scene.bodies[i], world.bodies[i]);
   }
   world.falls.assign(world.bodies.size(), false);
-  world.separated.assign(world.bodies.size(), false);
   world.islands.find(world.bodies, world.contacts);
   update_sleep(world);
   solve_islands(world, solver);

@@ -4,14 +4,13 @@
 /// \brief The contact points of an island as solvers that go from point to point need them.
 
 #include "05_resolution/contact_constraint/contact_constraint.hpp"
-#include "06_world/islands/island.hpp"
+#include "06_world/islands/island_view.hpp"
+#include "06_world/islands/previous_state.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace cookbook
@@ -27,61 +26,22 @@ struct IslandPoint : ContactConstraint<double>
   WorldPoint* cached;          ///< its impulses, kept from frame to frame
 };
 
-/// What a solver may see and change.
-struct IslandView
+/// How a body moves in a substep before a solver pushes it.
+struct FreeMotion
 {
-  std::span<RigidBody> bodies;                    ///< all bodies of the world
-  std::span<WorldContact> contacts;               ///< all contacts of the world
-  Vector3<double> gravity;                        ///< [m/s²], world
-  std::vector<IslandPoint>& scratch;              ///< for the points of an island; scratch buffer
-  std::span<const ExternalAcceleration> forces{}; ///< of this step, force_on()
+  Vector3<double> velocity;         ///< [m/s], world, after the external acceleration
+  Vector3<double> angular_velocity; ///< [rad/s], world, the same
+  bool pushed;                      ///< whether the solver has changed it, or corrected the pose
 };
 
-/// The external acceleration of a body that is not fixed.
-inline ExternalAcceleration acceleration_on(IslandView world, int body)
+/// Room of a step that stays from step to step.
+struct SolverScratch
 {
-  return acceleration_on(world.gravity, world.forces, index_of(body));
-}
-
-/// Applies that for a time [s].
-inline void apply_forces(IslandView world, int body, double time)
-{
-  apply_forces(world.bodies[index_of(body)], acceleration_on(world, body), time);
-}
-
-/// The separating acceleration [m/s²] of two bodies along a contact normal; negative: they press.
-inline double separating_acceleration(IslandView world, const WorldContact& contact)
-{
-  const auto pulls = [&](int body)
-  {
-    const bool fixed = is_fixed(world.bodies[index_of(body)]);
-    return fixed ? 0.0 : acceleration_on(world, body).acceleration.dot(contact.normal);
-  };
-  return pulls(contact.b) - pulls(contact.a);
-}
-
-/// Moves the bodies of one island on by a step [s], and sets the impulses of its contacts.
-using IslandSolver = std::function<void(IslandView, const Island&, double)>;
-
-/// The same for any number of islands, none of which affects another.
-using WorldSolver = std::function<void(IslandView, std::span<const Island>, double)>;
-
-/// A solver that solves islands one after the other; none if there is none for one.
-inline WorldSolver one_by_one(IslandSolver solver)
-{
-  if (!solver)
-  {
-    return {};
-  }
-  return
-      [solver = std::move(solver)](IslandView world, std::span<const Island> islands, double step)
-  {
-    for (const Island& island : islands)
-    {
-      solver(world, island, step);
-    }
-  };
-}
+  std::vector<IslandPoint> points;  ///< of an island
+  std::vector<FreeMotion> free;     ///< of the bodies of islands, one island after the other
+  std::vector<PreviousState> moved; ///< how these have moved before poses are corrected
+  std::vector<int> pushed;          ///< the numbers of those that are pushed in a substep
+};
 
 /// Computes the effective masses of a point at the present orientations.
 inline void compute_masses(IslandPoint& point)
@@ -140,7 +100,7 @@ inline IslandPoint island_point(
 inline std::span<IslandPoint>
 points_of(IslandView world, const Island& island, FindAxes& find_axes = axes_now)
 {
-  std::vector<IslandPoint>& points = world.scratch;
+  std::vector<IslandPoint>& points = world.scratch.points;
   points.clear();
   for (const int number : island.contacts)
   {

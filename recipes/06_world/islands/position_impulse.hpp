@@ -23,7 +23,7 @@ inline void rotate(RigidBody& body, const Vector3<double>& rotation)
 }
 
 /// Gives a body the velocities that lead from where it was to where it is, in a time [s].
-inline void derive_velocities(const RigidBody& before, RigidBody& now, double time)
+inline void derive_velocities(const PreviousState& before, RigidBody& now, double time)
 {
   now.motion.velocity = (now.motion.center - before.motion.center) / time;
   now.motion.angular_velocity = turn_between<double>(before.orientation, now.orientation) / time;

@@ -5,10 +5,12 @@
 
 #include "05_resolution/restitution/restitution.hpp"
 #include "06_world/contacts/integrate_body.hpp"
+#include "06_world/islands/run_substeps.hpp"
 #include "06_world/position_based/position_point.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <set>
 #include <utility>
 #include <vector>
@@ -97,63 +99,101 @@ inline std::set<int> driven_bodies(IslandView world, const Island& island)
   return driven;
 }
 
-/// Moves the bodies of an island on by a step [s]; R15, R16. Kinematic bodies go along, and back
-/// in the end, for they may touch other islands.
+/// Corrected positions of one island, for run_substeps(); R15, R16. Kinematic bodies go along, and
+/// back in the end, for they may touch other islands.
 ///
 /// Each small step lets the bodies fall, takes overlaps and slips back by moving them, and then
 /// asks with which velocities they have come there.
-inline void position_based(
-    IslandView world, const Island& island, double step, const PositionSettings& settings)
+class PositionBased
 {
-  const double substep = step / settings.substeps;
-  const double compliance = settings.compliance / (substep * substep);
-  const double threshold = restitution_threshold(world.gravity.norm(), substep);
-  std::vector<PositionPoint> points = position_points(world, island, substep);
-  std::vector<RigidBody> before(island.bodies.size());
-  const auto each_body = [&](const auto& change)
+public:
+  static constexpr double rounding = velocity_rounding; ///< [1]
+
+  PositionBased(IslandView world, const Island& island, const PositionSettings& settings)
+      : world_(world), island_(island), settings_(settings)
   {
-    for (std::size_t i = 0; i < before.size(); ++i)
-    {
-      change(before[i], island.bodies[i]);
-    }
-  };
-  std::vector<std::pair<int, RigidBody>> driven;
-  for (const int i : driven_bodies(world, island))
-  {
-    driven.emplace_back(i, world.bodies[index_of(i)]);
   }
-  for (int i = 0; i < settings.substeps; ++i)
+
+  int prepare(double step)
   {
-    std::for_each(points.begin(), points.end(), begin_substep);
-    each_body(
-        [&](RigidBody& was, int body)
-        {
-          was = world.bodies[index_of(body)];
-          apply_forces(world, body, substep);
-          integrate_position(world.bodies[index_of(body)], substep);
-        });
-    for (const auto& [body, start] : driven)
+    points_ = position_points(world_, island_, step / settings_.substeps);
+    before_.resize(island_.bodies.size());
+    std::for_each(points_.begin(), points_.end(), begin_substep);
+    for (const int i : driven_bodies(world_, island_))
     {
-      integrate_position(world.bodies[index_of(body)], substep);
+      driven_.emplace_back(i, world_.bodies[index_of(i)]);
     }
-    for (int pass = 0; pass < settings.iterations; ++pass)
+    return settings_.substeps;
+  }
+
+  /// Remembers from where the bodies fall.
+  void solve(double)
+  {
+    for (std::size_t k = 0; k < before_.size(); ++k)
     {
-      for (PositionPoint& point : points)
+      before_[k] = state_of(world_.bodies[index_of(island_.bodies[k])]);
+    }
+  }
+
+  /// Takes overlaps and slips back.
+  void correct(double substep)
+  {
+    for (const auto& [body, start] : driven_)
+    {
+      integrate_position(world_.bodies[index_of(body)], substep);
+    }
+    const double compliance = settings_.compliance / (substep * substep);
+    for (int pass = 0; pass < settings_.iterations; ++pass)
+    {
+      for (PositionPoint& point : points_)
       {
-        solve_normal(point, compliance, settings.correction_speed * substep);
+        solve_normal(point, compliance, settings_.correction_speed * substep);
         solve_friction(point);
       }
     }
-    each_body([&](const RigidBody& was, int body)
-              { derive_velocities(was, world.bodies[index_of(body)], substep); });
-    std::for_each(
-        points.begin(), points.end(),
-        [&](PositionPoint& point) { end_substep(point, substep, threshold); });
   }
-  for (const auto& [body, start] : driven)
+
+  /// Gives the bodies that were corrected the velocities that have led them there.
+  void relax(double substep)
   {
-    world.bodies[index_of(body)] = start;
+    for (std::size_t k = 0; k < before_.size(); ++k)
+    {
+      if (world_.scratch.free[k].pushed)
+      {
+        derive_velocities(before_[k], world_.bodies[index_of(island_.bodies[k])], substep);
+      }
+    }
+    const double threshold = restitution_threshold(world_.gravity.norm(), substep);
+    for (PositionPoint& point : points_)
+    {
+      end_substep(point, substep, threshold);
+    }
+    std::for_each(points_.begin(), points_.end(), begin_substep);
   }
+
+  void store()
+  {
+    for (const auto& [body, start] : driven_)
+    {
+      world_.bodies[index_of(body)] = start;
+    }
+  }
+
+private:
+  IslandView world_;
+  const Island& island_;
+  const PositionSettings& settings_;
+  std::vector<PositionPoint> points_;
+  std::vector<PreviousState> before_;             // of each body, before a small step
+  std::vector<std::pair<int, RigidBody>> driven_; // before the step
+};
+
+/// Moves the bodies of an island on by a step [s].
+inline void position_based(
+    IslandView world, const Island& island, double step, const PositionSettings& settings)
+{
+  PositionBased solver(world, island, settings);
+  run_substeps(world, {&island, 1}, step, solver);
 }
 // [position_based]
 

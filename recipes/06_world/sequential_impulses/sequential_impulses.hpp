@@ -4,9 +4,9 @@
 /// \brief Many contacts by impulses: one point after the other, pass by pass, frame by frame.
 
 #include "05_resolution/position_correction/position_correction.hpp"
-#include "06_world/contacts/integrate_body.hpp"
 #include "06_world/islands/island_points.hpp"
 #include "06_world/islands/position_impulse.hpp"
+#include "06_world/islands/run_substeps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +19,7 @@ namespace cookbook
 /// How sequential impulses are run.
 struct SequentialSettings
 {
+  int substeps = 1;            ///< in a frame, one or more
   int iterations = 8;          ///< passes over the velocities in a frame
   bool warm_starting = true;   ///< whether a frame begins with the impulses of the one before
   double correction = 0.2;     ///< [1], fraction of an overlap that a frame pushes out
@@ -98,15 +99,10 @@ inline void position_pass(std::vector<SequentialPoint>& points, const Sequential
 // [position_pass]
 
 // [sequential_impulses]
-/// The points of an island, their bodies pulled for a step [s] and pushed once more as
-/// in the frame before, or not.
+/// The points of an island, pushed once more as in the step [s] before, or not.
 inline std::vector<SequentialPoint> sequential_points(
     IslandView world, const Island& island, double step, const SequentialSettings& settings)
 {
-  for (const int body : island.bodies)
-  {
-    apply_forces(world, body, step);
-  }
   std::vector<SequentialPoint> points;
   for (IslandPoint& point : points_of(world, island))
   {
@@ -124,29 +120,76 @@ inline std::vector<SequentialPoint> sequential_points(
   return points;
 }
 
-/// Moves the bodies of an island on by a step [s]; R7.
+/// Sequential impulses of one island, for run_substeps(); R7.
 ///
-/// Without iterations nothing holds the bodies but the impulses of the frame before.
+/// Without iterations nothing holds the bodies but the impulses of the step before.
+class SequentialImpulses
+{
+public:
+  static constexpr double rounding = velocity_rounding; ///< [1]
+
+  SequentialImpulses(IslandView world, const Island& island, const SequentialSettings& settings)
+      : world_(world), island_(island), settings_(settings)
+  {
+  }
+
+  int prepare(double)
+  {
+    scale(1.0 / settings_.substeps);
+    return settings_.substeps;
+  }
+
+  void solve(double substep)
+  {
+    points_ = sequential_points(world_, island_, substep, settings_);
+    for (int i = 0; i < settings_.iterations; ++i)
+    {
+      velocity_pass(points_);
+    }
+    for (const SequentialPoint& one : points_)
+    {
+      cookbook::store(std::span<const IslandPoint>(&one.point, 1));
+    }
+  }
+
+  void correct(double)
+  {
+    for (int i = 0; i < settings_.position_iterations; ++i)
+    {
+      position_pass(points_, settings_);
+    }
+  }
+
+  void relax(double) {}
+
+  void store() { scale(settings_.substeps); }
+
+private:
+  /// Turns impulses of a whole step into those of a substep, or back.
+  void scale(double by)
+  {
+    for (const int number : island_.contacts)
+    {
+      for (WorldPoint& point : world_.contacts[index_of(number)].points)
+      {
+        point.impulse = point.warm_start_impulse *= by;
+        point.friction *= by;
+      }
+    }
+  }
+
+  IslandView world_;
+  const Island& island_;
+  const SequentialSettings& settings_;
+  std::vector<SequentialPoint> points_;
+};
+
+/// Moves the bodies of an island on by a step [s].
 inline void sequential_impulses(
     IslandView world, const Island& island, double step, const SequentialSettings& settings)
 {
-  std::vector<SequentialPoint> points = sequential_points(world, island, step, settings);
-  for (int i = 0; i < settings.iterations; ++i)
-  {
-    velocity_pass(points);
-  }
-  for (const SequentialPoint& one : points)
-  {
-    store({&one.point, 1});
-  }
-  for (const int body : island.bodies)
-  {
-    integrate_position(world.bodies[static_cast<std::size_t>(body)], step);
-  }
-  for (int i = 0; i < settings.position_iterations; ++i)
-  {
-    position_pass(points, settings);
-  }
+  SequentialImpulses solver(world, island, settings);
+  run_substeps(world, {&island, 1}, step, solver);
 }
 // [sequential_impulses]
 

@@ -4,8 +4,8 @@
 /// \brief Many contacts by small steps: each contact a stiff damped spring, corrected in turn.
 
 #include "05_resolution/contact_constraint/soft_contact.hpp"
-#include "06_world/contacts/integrate_body.hpp"
 #include "06_world/islands/island_points.hpp"
+#include "06_world/islands/run_substeps.hpp"
 #include "06_world/islands/torsional_friction.hpp"
 #include "06_world/soft_steps/lagged_anchors.hpp"
 #include "06_world/soft_steps/soft_settings.hpp"
@@ -71,36 +71,44 @@ inline void store(std::span<IslandPoint> points, double substeps)
   }
 }
 
-/// Moves the bodies of an island on by a step [s]; R13, R16.
-///
-/// Each small step pushes with the springs, moves the bodies, and then relaxes: once more without
-/// the springs, so that the speed with which overlaps were taken away does not stay.
-inline void
-soft_steps(IslandView world, const Island& island, double step, const SoftSettings& settings)
+/// Soft steps of one island, for run_substeps(); R13, R16.
+class SoftSteps
 {
-  update_lagged_anchors(world, island, settings.anchor_lag);
-  const std::span<IslandPoint> points = points_of(world, island, lagged_axes);
-  const double substep = step / settings.substeps;
-  const Softness<double> spring = contact_spring(substep, settings);
-  const double correction_speed = island_correction_speed(world, island, step, settings);
-  scale_impulses(points, 1.0 / settings.substeps);
-  for (int i = 0; i < settings.substeps; ++i)
+public:
+  static constexpr double rounding = velocity_rounding; ///< [1]
+
+  SoftSteps(IslandView world, const Island& island, const SoftSettings& settings)
+      : world_(world), island_(island), settings_(settings)
   {
-    for (const int body : island.bodies)
+  }
+
+  /// Takes the contacts of the island; so many substeps a step [s] has.
+  int prepare(double step)
+  {
+    update_lagged_anchors(world_, island_, settings_.anchor_lag);
+    points_ = points_of(world_, island_, lagged_axes);
+    correction_speed_ = island_correction_speed(world_, island_, step, settings_);
+    scale_impulses(points_, 1.0 / settings_.substeps);
+    return settings_.substeps;
+  }
+
+  /// Pushes with the springs.
+  void solve(double substep)
+  {
+    const Softness<double> spring = contact_spring(substep, settings_);
+    warm_start(world_, island_, substep, points_);
+    for (IslandPoint& point : points_)
     {
-      apply_forces(world, body, substep);
+      solve_contact<double>(*point.a, *point.b, point, spring, substep, correction_speed_);
     }
-    warm_start(world, island, substep, points);
-    for (IslandPoint& point : points)
-    {
-      solve_contact<double>(*point.a, *point.b, point, spring, substep, correction_speed);
-    }
-    for (const int body : island.bodies)
-    {
-      integrate_position(world.bodies[static_cast<std::size_t>(body)], substep);
-    }
-    const bool turned = any_turns_too_far(world, island, substep);
-    for (IslandPoint& point : points)
+  }
+
+  /// Solves once more without the springs, so that the speed with which overlaps were taken away
+  /// does not stay.
+  void relax(double substep)
+  {
+    const bool turned = any_turns_too_far(world_, island_, substep);
+    for (IslandPoint& point : points_)
     {
       point.separation += substep * separating_velocity(point);
       if (turned)
@@ -108,14 +116,34 @@ soft_steps(IslandView world, const Island& island, double step, const SoftSettin
         compute_masses(point);
       }
     }
-    for (IslandPoint& point : points)
+    for (IslandPoint& point : points_)
     {
-      solve_contact<double>(*point.a, *point.b, point, rigid<double>(), substep, correction_speed);
+      solve_contact<double>(*point.a, *point.b, point, rigid<double>(), substep, correction_speed_);
       point.total_impulse += point.impulse;
     }
   }
-  store(points, settings.substeps);
-  apply_torsional_friction(world, island, settings.torsional_radius);
+
+  /// Writes down the impulses of the step.
+  void store()
+  {
+    cookbook::store(points_, settings_.substeps);
+    apply_torsional_friction(world_, island_, settings_.torsional_radius);
+  }
+
+private:
+  IslandView world_;
+  const Island& island_;
+  const SoftSettings& settings_;
+  std::span<IslandPoint> points_;
+  double correction_speed_ = 0; // [m/s]
+};
+
+/// Moves the bodies of an island on by a step [s].
+inline void
+soft_steps(IslandView world, const Island& island, double step, const SoftSettings& settings)
+{
+  SoftSteps solver(world, island, settings);
+  run_substeps(world, {&island, 1}, step, solver);
 }
 // [soft_steps]
 

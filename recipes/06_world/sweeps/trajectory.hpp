@@ -6,6 +6,7 @@
 #include "01_math/turning/turn_between.hpp"
 #include "06_world/contacts/world_contact.hpp"
 #include "06_world/islands/free_flight.hpp"
+#include "06_world/islands/previous_state.hpp"
 
 #include <span>
 
@@ -46,6 +47,20 @@ inline bool are_forced(const PredictedStep& step, int i, int j)
 // [predictions]
 
 // [trajectory]
+/// The acceleration [m/s²] of a body that is pulled along others, by what its velocity changed in a
+/// step [s]: a part of the pull, and what is held of that lies across it, but for a share by
+/// friction. Zero where it does not slide like that.
+inline Vector3<double> sliding_acceleration(
+    const RigidBody& now, const PreviousState& start, const Vector3<double>& pull, double step,
+    double friction)
+{
+  const Vector3<double> changed = (now.motion.velocity - start.motion.velocity) / step;
+  const double constrained = (pull - changed).dot(changed) / pull.squaredNorm();
+  const bool slides = !is_fixed(now) && changed.norm() > 0.05 * pull.norm() &&
+                      constrained > -1e-4 && constrained < friction;
+  return slides ? changed : Vector3<double>(Vector3<double>::Zero());
+}
+
 /// A body's way through a step, or through what is left of it: the centre along a parabola, or
 /// straight where nothing of its pull is left; the body turns steadily.
 struct Trajectory

@@ -130,6 +130,18 @@ public:
         });
   }
 
+  /// Takes how the bodies of all islands move.
+  void put_motions(std::span<const RigidBody> bodies)
+  {
+    islands.for_each_body([&](int i) { put_motion(bodies[index_of(i)], body(i)); });
+  }
+
+  /// Gives them back how they are pushed here.
+  void take_motions(std::span<RigidBody> bodies)
+  {
+    islands.for_each_body([&](int i) { take_motion(body(i), bodies[index_of(i)]); });
+  }
+
   /// A body of the world, to be pushed here.
   LaneBody& body(int number) { return bodies_[index_of(number)]; }
 
@@ -166,7 +178,6 @@ private:
       const float speed = static_cast<float>(islands.correction_speeds()[island]);
       for (const int i : islands.all()[island].bodies)
       {
-        put_motion(world.bodies[index_of(i)], body(i));
         put_inverse_masses(world.bodies[index_of(i)], body(i));
         body(i).inverse_inertia[3] = speed;
       }

@@ -1,11 +1,10 @@
 #pragma once
 
 /// \file
-/// \brief Bodies of a world that move on, as many at a time as a register has doubles.
+/// \brief Bodies of a world that turn, as many at a time as a register has doubles.
 
 #include "06_world/contacts/integrate_body.hpp"
 #include "06_world/lanes/turn_in_lanes.hpp"
-#include "06_world/wide_solver/islands_together.hpp"
 #include "06_world/wide_solver/wide_view.hpp"
 
 #include <algorithm>
@@ -17,8 +16,8 @@ namespace cookbook
 {
 
 // [wide_rotations]
-/// Moves bodies on as move() does; those that turn little, many at a time, balls and cubes among
-/// them: these by the right angle to a ten-millionth.
+/// Turns bodies as integrate_rotation() does; those that turn little, many at a time, balls and
+/// cubes among them: these by the right angle to a ten-millionth.
 class WideRotations
 {
 public:
@@ -27,29 +26,24 @@ public:
   {
   }
 
-  /// Moves the bodies of islands with their velocities, which `take(number, body)` may give them
-  /// first, for a time [s]; their matrices are left for update_axes().
-  template <class Take>
-  void
-  move(std::span<RigidBody> bodies, const IslandsTogether& islands, double time, const Take& take)
+  /// Turns these bodies with their velocities for a time [s]; their matrices are left for
+  /// update_axes().
+  void rotate(std::span<RigidBody> bodies, std::span<const int> which, double time)
   {
     little_.clear();
     little_.reserve(bodies.size());
-    islands.for_each_body(
-        [&](int i)
-        {
-          RigidBody& body = bodies[index_of(i)];
-          take(i, body);
-          body.motion.center += time * body.motion.velocity;
-          if (turns_little(body, time))
-          {
-            little_.push_back(&body);
-          }
-          else
-          {
-            integrate_rotation(body, time);
-          }
-        });
+    for (const int i : which)
+    {
+      RigidBody& body = bodies[index_of(i)];
+      if (turns_little(body, time))
+      {
+        little_.push_back(&body);
+      }
+      else
+      {
+        integrate_rotation(body, time);
+      }
+    }
     for (std::size_t first = 0; first < little_.size(); first += lanes_)
     {
       turn(first, time);

@@ -7,6 +7,7 @@
 #include "06_world/wide_solver/wide_contacts.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -42,19 +43,13 @@ inline bool fits_floats(IslandView world, const Island& island, double step)
 // [fits_floats]
 
 // [wide_bodies]
-/// Has forces pull all bodies for a small step [s]; those that turn noticeably in it.
-inline std::vector<TurningBody> apply_forces(IslandView world, double substep, WideContacts& lanes)
+/// Those bodies that turn noticeably in a small step [s].
+inline std::vector<TurningBody>
+find_turning(IslandView world, double substep, const IslandsTogether& islands)
 {
   std::vector<TurningBody> turning;
-  lanes.islands.for_each_body(
-      [&](int i)
-      {
-        RigidBody& body = world.bodies[index_of(i)];
-        take_motion(lanes.body(i), body);
-        apply_forces(world, i, substep);
-        put_motion(body, lanes.body(i));
-        add_turning(i, body, substep, turning);
-      });
+  islands.for_each_body([&](int i)
+                        { add_turning(i, world.bodies[index_of(i)], substep, turning); });
   return turning;
 }
 
@@ -75,28 +70,18 @@ inline void warm_start(IslandView world, std::span<TurningBody> turning, WideCon
     return;
   }
   lanes.discard_warm_start(world, {turning.begin(), cold});
-  lanes.islands.for_each_body([&](int i) { put_motion(world.bodies[index_of(i)], lanes.body(i)); });
+  lanes.put_motions(world.bodies);
   lanes.warm_start();
 }
 
-/// Moves all bodies on by a small step [s], and finds what impulses feel, where any of an island
-/// turns by what is noticed.
-inline void move(IslandView world, double substep, WideContacts& lanes)
+/// Finds what impulses feel where any body of an island has turned by what is noticed in a small
+/// step [s].
+inline void update_masses(IslandView world, double substep, WideContacts& lanes)
 {
-  lanes.turns.move(
-      world.bodies, lanes.islands, substep,
-      [&](int i, RigidBody& body) { take_motion(lanes.body(i), body); });
   bool any = false;
   for (const Island& island : lanes.islands.all())
   {
-    bool turned = false;
-    for (const int i : island.bodies)
-    {
-      const RigidBody& body = world.bodies[index_of(i)];
-      put_motion(body, lanes.body(i));
-      turned = turned || turns_too_far(body, substep);
-    }
-    if (turned)
+    if (any_turns_too_far(world, island, substep))
     {
       any = true;
       for (const int i : island.bodies)
@@ -114,8 +99,66 @@ inline void move(IslandView world, double substep, WideContacts& lanes)
 // [wide_bodies]
 
 // [wide_steps]
-/// Moves the bodies of islands on by a step [s], as soft_steps() does, a contact in every lane of a
-/// pack of floats; R13, R16. They may be of different islands: none feels that there are others.
+/// Soft steps of the islands that `lanes` has, a contact in every lane of a pack of floats, for
+/// run_substeps(); R13, R16.
+class WideSteps
+{
+public:
+  static constexpr double rounding = 8 * std::numeric_limits<float>::epsilon(); ///< [1]
+
+  WideSteps(IslandView world, const SoftSettings& settings, WideContacts& lanes)
+      : world_(world), settings_(settings), lanes_(lanes)
+  {
+  }
+
+  int prepare(double)
+  {
+    lanes_.take(world_, settings_.substeps);
+    return settings_.substeps;
+  }
+
+  void solve(double substep)
+  {
+    std::vector<TurningBody> turning = find_turning(world_, substep, lanes_.islands);
+    lanes_.put_motions(world_.bodies);
+    warm_start(world_, turning, lanes_);
+    lanes_.solve(contact_spring(substep, settings_), substep, false);
+    lanes_.take_motions(world_.bodies);
+  }
+
+  /// Turns bodies, as many at a time as there are lanes.
+  void rotate(std::span<const int> pushed, double substep)
+  {
+    lanes_.turns.rotate(world_.bodies, pushed, substep);
+  }
+
+  void relax(double substep)
+  {
+    lanes_.put_motions(world_.bodies);
+    update_masses(world_, substep, lanes_);
+    lanes_.update_separations(substep);
+    lanes_.solve(rigid<double>(), substep, true);
+    lanes_.take_motions(world_.bodies);
+  }
+
+  void store()
+  {
+    lanes_.islands.for_each_body([&](int i) { update_axes(world_.bodies[index_of(i)]); });
+    lanes_.store(world_, settings_.substeps);
+    for (const Island& island : lanes_.islands.all())
+    {
+      apply_torsional_friction(world_, island, settings_.torsional_radius);
+    }
+  }
+
+private:
+  IslandView world_;
+  const SoftSettings& settings_;
+  WideContacts& lanes_;
+};
+
+/// Moves the bodies of islands on by a step [s], as soft_steps() does. They may be of different
+/// islands: none feels that there are others.
 ///
 /// Contacts come colour by colour, so that the order differs from that of soft_steps(), and with it
 /// the answer; poses stay in double. What does not fit into floats is left to soft_steps(). `lanes`
@@ -137,28 +180,8 @@ inline void wide_steps(
       soft_steps(world, island, step, settings);
     }
   }
-  const double substep = step / settings.substeps;
-  lanes.take(world, settings.substeps);
-  for (int i = 0; i < settings.substeps; ++i)
-  {
-    std::vector<TurningBody> turning = apply_forces(world, substep, lanes);
-    warm_start(world, turning, lanes);
-    lanes.solve(contact_spring(substep, settings), substep, false);
-    move(world, substep, lanes);
-    lanes.update_separations(substep);
-    lanes.solve(rigid<double>(), substep, true);
-  }
-  lanes.islands.for_each_body(
-      [&](int i)
-      {
-        take_motion(lanes.body(i), world.bodies[index_of(i)]);
-        update_axes(world.bodies[index_of(i)]);
-      });
-  lanes.store(world, settings.substeps);
-  for (const Island& island : lanes.islands.all())
-  {
-    apply_torsional_friction(world, island, settings.torsional_radius);
-  }
+  WideSteps solver(world, settings, lanes);
+  run_substeps(world, lanes.islands.all(), step, solver);
 }
 // [wide_steps]
 

@@ -10,6 +10,7 @@
 #include "06_world/sequential_impulses/sequential_impulses.hpp"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace cookbook
@@ -55,10 +56,11 @@ inline std::vector<double> residuals(int cubes, int passes)
   }
   std::vector<RigidBody> bodies = world.bodies();
   std::vector<WorldContact> contacts = world.contacts();
-  std::vector<IslandPoint> room;
+  SolverScratch room;
   const IslandView view{bodies, contacts, world.scene().gravity, room};
   Islands islands;
   islands.find(bodies, contacts);
+  accelerate(view, std::array{islands[0]}, world.scene().step);
   std::vector<SequentialPoint> points =
       sequential_points(view, islands[0], world.scene().step, {.warm_starting = false});
   std::vector<double> all{complementarity_residual(points)};
