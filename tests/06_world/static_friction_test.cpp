@@ -9,9 +9,8 @@
 
 #include "tests/catch.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 #include <string>
 
@@ -91,7 +90,47 @@ double sunk(const Scene& scene, const std::string& solver)
   return scene.bodies.back().position.y() - end.y();
 }
 
+/// A crate at a radius [m] on a table, kinematic or of 1000 t, that turns so fast that the crate
+/// asks a fraction of the friction that it has.
+Scene turntable(double fraction, double radius, bool kinematic_table)
+{
+  const double friction = 0.6, spin = std::sqrt(fraction * friction * 9.81 / radius);
+  SceneBody table = rough(box_body("table", {3, 0.5, 3}, {0, 0.5, 0}, 1e6), friction);
+  table.angular_velocity = {0, spin, 0};
+  SceneBody crate = rough(box_body("crate", {0.25, 0.25, 0.25}, {radius, 1.25, 0}, 10), friction);
+  crate.velocity = {0, 0, -spin * radius};
+  crate.angular_velocity = table.angular_velocity;
+  return {.bodies = {plane({0, 1, 0}, 0, 0), kinematic_table ? kinematic(table) : table, crate}};
+}
+
 } // namespace
+
+TEST_CASE(
+    "A crate on a turning table keeps its radius within 1 % for a minute at 90 % of its friction",
+    "[friction][R6]")
+{
+  const std::string solver = GENERATE(std::string("soft_steps"), "wide_steps");
+  const bool kinematic_table = GENERATE(false, true);
+  const double fraction = GENERATE(0.3, 0.667, 0.9), radius = GENERATE(1.0, 2.0);
+  CAPTURE(solver, kinematic_table, fraction, radius);
+  GameWorld world(turntable(fraction, radius, kinematic_table), solver_named(solver));
+  double off = 0;
+  while (world.time() < 60)
+  {
+    world.step();
+    Vector3<double> from = world.bodies()[2].motion.center - world.bodies()[1].motion.center;
+    from.y() = 0;
+    off = std::max(off, std::abs(from.norm() - radius));
+  }
+  CHECK(off < 0.01 * radius);
+}
+
+TEST_CASE("A crate that asks 1.05 times the friction that it has leaves a turning table")
+{
+  const std::string solver = recommended();
+  const GameWorld world = after(turntable(1.05, 2, true), solver, 30);
+  CHECK((world.bodies()[2].motion.center - Vector3<double>(0, 1, 0)).norm() > 4);
+}
 
 TEST_CASE("A block stands on a slope at 1.05 tan of its angle, and slides at .95", "[friction][R6]")
 {

@@ -24,6 +24,9 @@ struct ContactConstraint
   Vector2<Real> friction;    ///< [N s], accumulated on B along the surface
   Real normal_mass;          ///< [kg], effective mass along the normal
   SlidingMass<Real> sliding; ///< [kg], effective mass along the surface
+  /// [m/s²], along the surface: how fast the sliding velocity grows that friction allows, where a
+  /// body turns
+  Vector2<Real> drift = Vector2<Real>::Zero();
 };
 
 /// Computes the effective masses of a contact point for the present orientations; R1.
@@ -53,12 +56,15 @@ void add_impulse(Body<Real>& a, Body<Real>& b, ContactConstraint<Real>& contact,
   contact.impulse = sum;
 }
 
-/// Ends the sliding at a point by an impulse within the friction cone; R6.
+/// Ends the sliding at a point by an impulse within the friction cone, a time [s] after its arms
+/// were taken; R6.
 template <class Real>
-void add_friction(Body<Real>& a, Body<Real>& b, ContactConstraint<Real>& contact)
+void add_friction(
+    Body<Real>& a, Body<Real>& b, ContactConstraint<Real>& contact, const Real& elapsed = Real(0))
 {
+  const Vector2<Real> sliding = sliding_velocity(a, b, contact.surface, contact.arms);
   const Vector2<Real> sum = friction_impulse<Real>(
-      sliding_velocity(a, b, contact.surface, contact.arms), contact.sliding, contact.friction,
+      sliding - elapsed * contact.drift, contact.sliding, contact.friction,
       contact.coefficient * contact.impulse);
   apply_impulse<Real>(a, b, contact.arms, contact.surface.in_world(sum - contact.friction));
   contact.friction = sum;

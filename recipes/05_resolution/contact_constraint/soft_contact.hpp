@@ -13,11 +13,12 @@ namespace cookbook
 
 // [soft_contact]
 /// Solves a contact point once: a damped spring where the surfaces overlap; where they are
-/// separated, a stop that lets the gap close within one substep [s], R14. Then its friction.
+/// separated, a stop that lets the gap close within one substep [s], R14. Then its friction, a time
+/// [s] after its arms were taken.
 template <class Real>
 void solve_contact(
     Body<Real>& a, Body<Real>& b, ContactConstraint<Real>& contact, const Softness<Real>& spring,
-    const Real& substep, const Real& correction_speed)
+    const Real& substep, const Real& correction_speed, const Real& elapsed = Real(0))
 {
   using std::min;
   const auto closed = contact.separation <= Real(0);
@@ -31,7 +32,7 @@ void solve_contact(
       a, b, contact,
       soft_change<Real>(
           soft, contact.normal_mass, separating_velocity(a, b, contact), bias, contact.impulse));
-  add_friction(a, b, contact);
+  add_friction(a, b, contact, elapsed);
 }
 // [soft_contact]
 

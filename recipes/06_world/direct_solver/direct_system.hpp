@@ -7,6 +7,7 @@
 #include "06_world/direct_solver/direct_blocks.hpp"
 #include "06_world/direct_solver/direct_softening.hpp"
 #include "06_world/lanes/reserve_space.hpp"
+#include "06_world/soft_steps/stick_drift.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,6 +81,8 @@ inline void gather(
     made.solved = point.solved;
     made.stored_friction =
         kept_friction(contact, point, opening * stiffness.push, settings.softening);
+    made.stored_friction +=
+        stiffness.friction_state * step / 2 * stick_drift(a, b, contact.normal, made.arms, step);
     made.coefficient = settings.opening_friction || opening <= slow_opening ? contact.friction : 0;
     made.bound_is_new = point.impulse == 0 && made.coefficient > 0;
     made.bound = made.bound_is_new ? std::numeric_limits<double>::infinity()

@@ -9,6 +9,7 @@
 #include "06_world/islands/torsional_friction.hpp"
 #include "06_world/soft_steps/lagged_anchors.hpp"
 #include "06_world/soft_steps/soft_settings.hpp"
+#include "06_world/soft_steps/stick_drift.hpp"
 #include "06_world/soft_steps/warm_starting.hpp"
 
 #include <algorithm>
@@ -89,6 +90,11 @@ public:
     points_ = points_of(world_, island_, lagged_axes);
     correction_speed_ = island_correction_speed(world_, island_, step, settings_);
     scale_impulses(points_, 1.0 / settings_.substeps);
+    for (IslandPoint& point : points_)
+    {
+      point.drift = drift_of(point, *point.a, *point.b, step / settings_.substeps);
+    }
+    elapsed_ = -step / settings_.substeps / 2;
     return settings_.substeps;
   }
 
@@ -97,9 +103,11 @@ public:
   {
     const Softness<double> spring = contact_spring(substep, settings_);
     warm_start(world_, island_, substep, points_);
+    elapsed_ += substep;
     for (IslandPoint& point : points_)
     {
-      solve_contact<double>(*point.a, *point.b, point, spring, substep, correction_speed_);
+      solve_contact<double>(
+          *point.a, *point.b, point, spring, substep, correction_speed_, elapsed_);
     }
   }
 
@@ -118,7 +126,8 @@ public:
     }
     for (IslandPoint& point : points_)
     {
-      solve_contact<double>(*point.a, *point.b, point, rigid<double>(), substep, correction_speed_);
+      solve_contact<double>(
+          *point.a, *point.b, point, rigid<double>(), substep, correction_speed_, elapsed_);
       point.total_impulse += point.impulse;
     }
   }
@@ -136,6 +145,7 @@ private:
   const SoftSettings& settings_;
   std::span<IslandPoint> points_;
   double correction_speed_ = 0; // [m/s]
+  double elapsed_ = 0;          // [s], from the taking of arms to the middle of the small step
 };
 
 /// Moves the bodies of an island on by a step [s].

@@ -82,14 +82,14 @@ struct PassesInLanes
   }
 
   [[gnu::flatten]] static void
-  solve(const WideView& all, const Softness<float>& spring, float substep, bool last)
+  solve(const WideView& all, const Softness<float>& spring, float substep, float elapsed, bool last)
   {
     const Softness<Lanes> how{spring.bias_rate, spring.mass_scale, spring.impulse_scale};
     look_at_each<Lanes>(
         all, true,
         [&](WideContact<Lanes>& of, ContactConstraint<Lanes>& at, float* numbers)
         {
-          solve_contact<Lanes>(of.a, of.b, at, how, substep, of.correction_speed);
+          solve_contact<Lanes>(of.a, of.b, at, how, substep, of.correction_speed, elapsed);
           at.total_impulse += last ? at.impulse : Lanes(0);
           WriteLanes<Lanes> write{numbers + lanes_of<Lanes> * separation_numbers};
           each_pushed(at, write);

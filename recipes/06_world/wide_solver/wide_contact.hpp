@@ -56,6 +56,7 @@ void each_stored(ContactConstraint<Real>& at, Call& call)
 {
   each_number(at.arms.a, call);
   each_number(at.arms.b, call);
+  each_number(at.drift, call);
 }
 
 inline constexpr std::size_t contact_numbers = 4;    ///< numbers of a contact's each_stored()
@@ -63,7 +64,7 @@ inline constexpr std::size_t separation_numbers = 1; ///< a point's gap
 inline constexpr std::size_t impulse_numbers = 4;    ///< numbers of each_pushed()
 inline constexpr std::size_t point_masses = 5;       ///< numbers of each_mass()
 inline constexpr std::size_t point_numbers =
-    separation_numbers + impulse_numbers + point_masses + 6; ///< of a point
+    separation_numbers + impulse_numbers + point_masses + 8; ///< of a point
 // [wide_contact]
 
 } // namespace cookbook

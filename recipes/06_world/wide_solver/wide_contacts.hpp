@@ -3,6 +3,7 @@
 /// \file
 /// \brief The contacts of islands side by side, colour by colour, and all that is done to them.
 
+#include "06_world/soft_steps/stick_drift.hpp"
 #include "06_world/wide_solver/islands_together.hpp"
 #include "06_world/wide_solver/lane_numbers.hpp"
 #include "06_world/wide_solver/passes_in_lanes.hpp"
@@ -42,8 +43,9 @@ public:
   IslandsTogether islands; ///< those whose contacts are taken
   WideRotations turns;     ///< how their bodies move on
 
-  /// Takes the contacts of all islands, their impulses as they are for one of so many small steps.
-  void take(IslandView world, int substeps)
+  /// Takes the contacts of all islands, their impulses as they are for one of so many small steps
+  /// [s].
+  void take(IslandView world, double substep, int substeps)
   {
     const double fraction = 1.0 / substeps;
     take_bodies(world);
@@ -63,6 +65,7 @@ public:
             ContactConstraint<double> at = constraint_of(a, b, contact, frame, point);
             at.impulse *= fraction;
             at.friction *= fraction;
+            at.drift = drift_of(at, a, b, substep);
             numbers_.put(at, place++, lane);
           }
         });
@@ -94,14 +97,15 @@ public:
         });
   }
 
-  /// Corrects every point once, with a spring, in a small step [s]; whether that is the last time.
-  void solve(const Softness<double>& spring, double substep, bool last)
+  /// Corrects every point once, with a spring, in a small step [s], whose middle is a time [s]
+  /// after arms were taken; whether that is the last time.
+  void solve(const Softness<double>& spring, double substep, double elapsed, bool last)
   {
     const auto rounded = [](double number) { return static_cast<float>(number); };
     passes_.solve(
         view(),
         {rounded(spring.bias_rate), rounded(spring.mass_scale), rounded(spring.impulse_scale)},
-        rounded(substep), last);
+        rounded(substep), rounded(elapsed), last);
   }
 
   /// Carries all gaps on for a small step [s].

@@ -111,9 +111,10 @@ public:
   {
   }
 
-  int prepare(double)
+  int prepare(double step)
   {
-    lanes_.take(world_, settings_.substeps);
+    lanes_.take(world_, step / settings_.substeps, settings_.substeps);
+    elapsed_ = -step / settings_.substeps / 2;
     return settings_.substeps;
   }
 
@@ -122,7 +123,8 @@ public:
     std::vector<TurningBody> turning = find_turning(world_, substep, lanes_.islands);
     lanes_.put_motions(world_.bodies);
     warm_start(world_, turning, lanes_);
-    lanes_.solve(contact_spring(substep, settings_), substep, false);
+    elapsed_ += substep;
+    lanes_.solve(contact_spring(substep, settings_), substep, elapsed_, false);
     lanes_.take_motions(world_.bodies);
   }
 
@@ -137,7 +139,7 @@ public:
     lanes_.put_motions(world_.bodies);
     update_masses(world_, substep, lanes_);
     lanes_.update_separations(substep);
-    lanes_.solve(rigid<double>(), substep, true);
+    lanes_.solve(rigid<double>(), substep, elapsed_, true);
     lanes_.take_motions(world_.bodies);
   }
 
@@ -155,6 +157,7 @@ private:
   IslandView world_;
   const SoftSettings& settings_;
   WideContacts& lanes_;
+  double elapsed_ = 0; // [s], from the taking of arms to the middle of the small step
 };
 
 /// Moves the bodies of islands on by a step [s], as soft_steps() does. They may be of different

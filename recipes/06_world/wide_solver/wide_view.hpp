@@ -42,7 +42,8 @@ struct WidePasses
   /// Pushes as the frame before, or the step before, has ended.
   void (*warm_start)(const WideView& all);
   /// Corrects each point once, with a spring, in a small step [s], the last time or not.
-  void (*solve)(const WideView& all, const Softness<float>& spring, float substep, bool last);
+  void (*solve)(
+      const WideView& all, const Softness<float>& spring, float substep, float elapsed, bool last);
   /// Carries gaps on by the speeds at which surfaces part, for a small step [s].
   void (*update_separations)(const WideView& all, float substep);
   /// Turns as many bodies as a register has doubles, each a TurningLane, for a time [s].
