@@ -3,6 +3,7 @@
 
 #include "06_world/game_world/solvers.hpp"
 #include "06_world/game_world/world_inputs.hpp"
+#include "06_world/islands/island_points.hpp"
 #include "06_world/scenes/trial/scene_bodies.hpp"
 #include "06_world/scenes/trial/world_scenes.hpp"
 

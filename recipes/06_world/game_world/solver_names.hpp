@@ -3,7 +3,8 @@
 /// \file
 /// \brief What the solvers of this chapter are called.
 
-#include "06_world/game_world/world_state.hpp"
+#include "06_world/game_world/compiled_once.hpp"
+#include "06_world/islands/world_solver.hpp"
 #include "06_world/soft_steps/soft_settings.hpp"
 
 #include <string>

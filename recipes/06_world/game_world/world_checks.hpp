@@ -5,24 +5,16 @@
 
 #include "05_resolution/mass_properties/checked_mass.hpp"
 #include "06_world/contacts/rigid_body.hpp"
+#include "06_world/game_world/invalid_scene.hpp"
 
 #include <algorithm>
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
 
 namespace cookbook
 {
-
-/// What a scene with impossible numbers is answered with; it names the body, the member, what that
-/// must be, and what it is.
-class InvalidScene : public std::invalid_argument
-{
-public:
-  using std::invalid_argument::invalid_argument;
-};
 
 /// Checks a body's shape.
 struct CheckShape

@@ -4,6 +4,7 @@
 /// \brief What a game does to the bodies of a world between two steps: impulses, forces,
 /// velocities.
 
+#include "02_primitives/shapes/checked_shapes.hpp"
 #include "06_world/game_world/game_world.hpp"
 
 namespace cookbook

@@ -10,6 +10,7 @@
 #include "02_primitives/shapes/checked_more_shapes.hpp"
 #include "05_resolution/tunnelling/swept_sphere.hpp"
 #include "06_world/contacts/near_shapes.hpp"
+#include "06_world/contacts/tree_overlaps.hpp"
 #include "06_world/game_world/game_world.hpp"
 
 #include <algorithm>

@@ -16,20 +16,6 @@
 #include <string>
 #include <vector>
 
-// What takes long to compile, step() and solver_named(), is compiled in every source that includes
-// it; or once, if all sources are compiled with COOKBOOK_WORLD_COMPILED and one of them begins with
-// #define COOKBOOK_WORLD_SOURCE.
-#ifdef COOKBOOK_WORLD_COMPILED
-#define COOKBOOK_WORLD_INLINE
-#else
-#define COOKBOOK_WORLD_INLINE inline
-#endif
-#if !defined(COOKBOOK_WORLD_COMPILED) || defined(COOKBOOK_WORLD_SOURCE)
-#define COOKBOOK_WORLD_BODIES 1
-#else
-#define COOKBOOK_WORLD_BODIES 0
-#endif
-
 namespace cookbook
 {
 
@@ -128,6 +114,6 @@ inline void update_sleep_timer(WorldState& world, std::size_t i)
 // [world_state]
 
 /// Goes on by one step of the scene.
-COOKBOOK_WORLD_INLINE void step(WorldState& world, const WorldSolver& solver);
+inline void step(WorldState& world, const WorldSolver& solver);
 
 } // namespace cookbook

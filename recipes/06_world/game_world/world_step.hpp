@@ -118,7 +118,7 @@ inline void finish_body(WorldState& world, std::size_t i)
   update_sleep_timer(world, i);
 }
 
-COOKBOOK_WORLD_INLINE void step(WorldState& world, const WorldSolver& solver)
+inline void step(WorldState& world, const WorldSolver& solver)
 {
   const ClearForces forces{world.forces};
   find_contacts(world); // first: it throws where all are in one place; damping only adds to gaps

@@ -4,6 +4,7 @@
 /// \brief The hit events of a step: which bodies, where, and how fast.
 
 #include "05_resolution/restitution/restitution.hpp"
+#include "06_world/impacts/hit_event.hpp"
 #include "06_world/islands/island_points.hpp"
 
 #include <algorithm>
@@ -14,16 +15,6 @@ namespace cookbook
 {
 
 // [impact]
-/// Two bodies that have hit each other in a step.
-struct Impact
-{
-  int a;                  ///< the point of body A in the world's lists
-  int b;                  ///< that of body B, greater than a
-  Vector3<double> point;  ///< [m], world, where they met
-  Vector3<double> normal; ///< [1], unit, world, from A to B
-  double speed;           ///< [m/s], at which they closed there, along the normal
-};
-
 /// Whether two bodies that close at a speed [m/s] do more in a step [s] than their rounding, which
 /// is less than a millionth of their size [m].
 inline bool is_hit(double speed, double step, double size)

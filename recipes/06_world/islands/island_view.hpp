@@ -4,8 +4,8 @@
 /// \brief What a solver of islands is given, and what it is called by.
 
 #include "06_world/islands/island.hpp"
+#include "06_world/islands/world_solver.hpp"
 
-#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -49,12 +49,6 @@ inline double separating_acceleration(IslandView world, const WorldContact& cont
   };
   return pulls(contact.b) - pulls(contact.a);
 }
-
-/// Moves the bodies of one island on by a step [s], and sets the impulses of its contacts.
-using IslandSolver = std::function<void(IslandView, const Island&, double)>;
-
-/// The same for any number of islands, none of which affects another.
-using WorldSolver = std::function<void(IslandView, std::span<const Island>, double)>;
 
 /// A solver that solves islands one after the other; none if there is none for one.
 inline WorldSolver one_by_one(IslandSolver solver)

@@ -5,6 +5,7 @@
 /// is missing.
 
 #include "06_world/game_world/game_world.hpp"
+#include "06_world/islands/previous_state.hpp"
 #include "06_world/scenes/trial/frames.hpp"
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 #include "06_world/game_world/solvers.hpp"
 #include "06_world/game_world/trial/world_cost_measured.hpp"
 #include "06_world/game_world/trial/world_measures.hpp"
+#include "06_world/islands/island_points.hpp"
 #include "06_world/scenes/trial/scene_bodies.hpp"
 
 #include <algorithm>

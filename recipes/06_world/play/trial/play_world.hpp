@@ -8,6 +8,7 @@
 #include "06_world/game_world/solver_names.hpp"
 #include "06_world/game_world/world_inputs.hpp"
 #include "06_world/game_world/world_queries.hpp"
+#include "06_world/islands/island_points.hpp"
 #include "06_world/play/trial/play_scenes.hpp"
 
 #include <memory>
