@@ -1,9 +1,9 @@
 /// \file
 /// Who makes energy out of nothing: random scenes that nothing drives, under every solver.
 
+#include "05_resolution/mass_properties/mass_properties.hpp"
 #include "06_world/contacts/integrate_body.hpp"
 #include "06_world/game_world/solver_names.hpp"
-#include "05_resolution/mass_properties/mass_properties.hpp"
 #include "06_world/game_world/solvers.hpp"
 #include "06_world/game_world/trial/world_measures.hpp"
 #include "06_world/game_world/trial/world_runs.hpp"

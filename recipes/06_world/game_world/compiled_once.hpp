@@ -3,9 +3,9 @@
 /// \file
 /// \brief Whether the world is compiled in every source, or once.
 
-// What takes long to compile, the members of GameWorld and solver_named(), is compiled in every source
-// that includes it; or once, if all sources are compiled with COOKBOOK_WORLD_COMPILED and one of them begins with
-// #define COOKBOOK_WORLD_SOURCE.
+// What takes long to compile, the members of GameWorld and solver_named(), is compiled in every
+// source that includes it; or once, if all sources are compiled with COOKBOOK_WORLD_COMPILED and
+// one of them begins with #define COOKBOOK_WORLD_SOURCE.
 #ifdef COOKBOOK_WORLD_COMPILED
 #define COOKBOOK_WORLD_INLINE
 #else

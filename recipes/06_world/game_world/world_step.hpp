@@ -118,6 +118,7 @@ inline void finish_body(WorldState& world, std::size_t i)
   update_sleep_timer(world, i);
 }
 
+/// Goes on by one step of the scene.
 inline void step(WorldState& world, const WorldSolver& solver)
 {
   const ClearForces forces{world.forces};
