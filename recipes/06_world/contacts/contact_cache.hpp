@@ -44,28 +44,35 @@ inline WorldContact new_contact(const Scene& scene, int a, int b)
 ///
 /// What is known already keeps its place in the list, as long as no pair before it begins or ends.
 /// `inactive(i)` says that a body has not moved since; a contact of two such bodies stays as it is.
-/// `begun` is room for those that begin.
+/// `begun` is room for those that begin. `changes` says what is no longer there.
 template <class EachPair, class MarginsOf, class Inactive>
 void update_contacts(
-    std::vector<WorldContact>& contacts, std::vector<WorldContact>& begun, const Scene& scene,
-    std::span<const RigidBody> bodies, const EachPair& each_pair, const MarginsOf& margins_of,
-    const Inactive& inactive)
+    std::vector<WorldContact>& contacts, std::vector<WorldContact>& begun, ContactChanges& changes,
+    const Scene& scene, std::span<const RigidBody> bodies, const EachPair& each_pair,
+    const MarginsOf& margins_of, const Inactive& inactive)
 {
   begun.clear();
+  changes.clear();
   const auto updated = [&](WorldContact& contact)
   {
     const std::size_t a = index_of(contact.a), b = index_of(contact.b);
-    const UpdateContact points{contact, bodies[a], bodies[b], margins_of(contact.a, contact.b)};
+    const UpdateContact points{
+        contact, bodies[a], bodies[b], margins_of(contact.a, contact.b), &changes};
     std::visit(points, scene.bodies[a].shape, scene.bodies[b].shape);
     return !contact.points.empty();
   };
   auto kept = contacts.begin(), known = contacts.begin();
+  const auto drop = [&]
+  {
+    note_lost(&changes, *known, bodies[index_of(known->a)], bodies[index_of(known->b)]).all();
+    ++known;
+  };
   const auto update = [&](const std::pair<int, int>& pair)
   {
     const bool both_inactive = inactive(pair.first) && inactive(pair.second);
     while (known != contacts.end() && pair_of(*known) < pair)
     {
-      ++known;
+      drop();
     }
     if (never_touch(scene, bodies, pair))
     {
@@ -77,6 +84,7 @@ void update_contacts(
       {
         *kept = std::move(*known);
       }
+      ++known;
       kept += both_inactive || updated(*kept) ? 1 : 0;
     }
     else if (!both_inactive)
@@ -89,6 +97,10 @@ void update_contacts(
     }
   };
   each_pair(update);
+  while (known != contacts.end())
+  {
+    drop();
+  }
   contacts.erase(kept, contacts.end());
   merge_sorted(contacts, std::span(begun));
 }

@@ -53,6 +53,26 @@ leaning_on(int axis, const Obb<double>& a, const Obb<double>& b, double margin)
   return leaning;
 }
 
+/// How much more [m] two boxes overlap along an axis, 0 … 14, once both have grown by half a margin
+/// [m].
+inline double growth_on(const Obb<double>& a, const Obb<double>& b, int axis, double margin)
+{
+  const Vector3<double> normal = axis_direction(a, b, axis);
+  return margin / 2 *
+         ((a.axes.transpose() * normal).cwiseAbs().sum() +
+          (b.axes.transpose() * normal).cwiseAbs().sum());
+}
+
+/// The manifold of two boxes on an axis, 0 … 14, along which they overlap by a depth [m], below
+/// zero where they are apart; its points are those within a margin [m].
+inline std::optional<Manifold<double>>
+manifold_on(const Obb<double>& a, const Obb<double>& b, int axis, double depth, double margin)
+{
+  const double separation = growth_on(a, b, axis, margin) + margin;
+  const double tolerance = parallel_tolerance * tolerances_of(a, b).size;
+  return box_box_on<RowInRegisters<double>>(a, b, axis, depth, separation, tolerance);
+}
+
 /// That of two boxes, on the axis of the frame before, −1 if there was none, unless another is
 /// better, or a face nearly as good as a pair of edges.
 ///
@@ -76,13 +96,7 @@ steady_manifold(int before, const Obb<double>& a, const Obb<double>& b, double m
       return leaning;
     }
   }
-  const Vector3<double> normal = axis_direction(a, b, axis);
-  const double growth = margin / 2 *
-                        ((a.axes.transpose() * normal).cwiseAbs().sum() +
-                         (b.axes.transpose() * normal).cwiseAbs().sum());
-  const double tolerance = parallel_tolerance * tolerances_of(a, b).size;
-  return box_box_on<RowInRegisters<double>>(
-      a, b, axis, overlap - growth, growth + margin, tolerance);
+  return manifold_on(a, b, axis, overlap - growth_on(a, b, axis, margin), margin);
 }
 
 /// The axis on which the manifold of a contact was built in the frame before; −1 if it had none.
@@ -111,23 +125,35 @@ struct ContactMargins
 
 /// Writes where each point of a contact is on the surfaces of its two bodies, as its manifold says.
 inline void set_anchors(
-    WorldContact& contact, const Manifold<double>& manifold, const RigidBody& a, const RigidBody& b)
+    WorldContact& contact, const Manifold<double>& manifold, const RigidBody& a, const RigidBody& b,
+    const NoteLost& note)
 {
   for (std::size_t i = 0; i < manifold.points.size(); ++i)
   {
     const ContactPoint<double>& point = manifold.points[i];
+    WorldPoint& known = contact.points[i];
     const Vector3<double> half = manifold.normal * (point.depth / 2);
-    contact.points[i].anchor_a = a.axes.transpose() * (point.position + half - a.motion.center);
-    contact.points[i].anchor_b = b.axes.transpose() * (point.position - half - b.motion.center);
+    const Vector3<double> anchor_a = a.axes.transpose() * (point.position + half - a.motion.center);
+    const Vector3<double> anchor_b = b.axes.transpose() * (point.position - half - b.motion.center);
+    const Vector3<double>& now = note.moving(anchor_a, anchor_b);
+    const Vector3<double> moved = now - note.moving(known.anchor_a, known.anchor_b);
+    if (moved.squaredNorm() > stays_in_place * stays_in_place * now.squaredNorm())
+    {
+      note(known);
+    }
+    known.anchor_a = anchor_a;
+    known.anchor_b = anchor_b;
   }
 }
 
 /// Gives a contact the normal and points of a manifold of its two bodies: a point with a feature
-/// that was there before keeps what was known of it.
+/// that was there before keeps what was known of it. Points that are no longer where they were on a
+/// body are noted as lost.
 inline void update_points(
-    WorldContact& contact, const Manifold<double>& manifold, const RigidBody& a, const RigidBody& b)
+    WorldContact& contact, const Manifold<double>& manifold, const RigidBody& a, const RigidBody& b,
+    ContactChanges* changes = nullptr)
 {
-  contact.normal = manifold.normal;
+  const NoteLost note = note_lost(changes, contact, a, b);
   if (!has_same_features(contact, manifold))
   {
     PerPoint<WorldPoint> points =
@@ -136,13 +162,22 @@ inline void update_points(
     {
       points[i].feature = manifold.points[i].feature;
     }
+    for (const WorldPoint& point : contact.points)
+    {
+      const auto same = [&](const auto& one) { return one.feature == point.feature; };
+      if (std::none_of(manifold.points.begin(), manifold.points.end(), same))
+      {
+        note(point);
+      }
+    }
     if (contact.points.capacity() > manifold.points.size())
     {
       contact.points = std::vector<WorldPoint>(); // a list is as long as what is in it
     }
     contact.points.assign(points.begin(), points.begin() + manifold.points.size());
   }
-  set_anchors(contact, manifold, a, b);
+  set_anchors(contact, manifold, a, b, note);
+  contact.normal = manifold.normal;
 }
 
 /// Brings the points of a contact up to date with where its bodies are; none where they are too far
@@ -153,6 +188,7 @@ struct UpdateContact
   const RigidBody& a;
   const RigidBody& b;
   ContactMargins margins;
+  ContactChanges* changes = nullptr; ///< where it is noted what is no contact
 
   template <class ShapeA, class ShapeB>
   void operator()(const ShapeA& shape_a, const ShapeB& shape_b) const
@@ -161,11 +197,18 @@ struct UpdateContact
     const auto placed_b = placed(b, shape_b);
     const std::optional<Manifold<double>> found =
         steady_manifold(previous_axis(contact), placed_a, placed_b, margins.contact);
-    if (!found || is_ghost(placed_a, placed_b, found->normal, -found->depth, margins.ghost))
+    const bool ghost =
+        found && is_ghost(placed_a, placed_b, found->normal, -found->depth, margins.ghost);
+    if (!found || ghost)
     {
+      note_lost(changes, contact, a, b).all();
+      if (ghost && changes != nullptr && !a.is_sphere && !b.is_sphere && stays(a) != stays(b))
+      {
+        changes->ghosts.push_back(pair_of(contact));
+      }
       return contact.points.clear();
     }
-    update_points(contact, *found, a, b);
+    update_points(contact, *found, a, b, changes);
   }
   void operator()(const PlaneShape&, const PlaneShape&) const { contact.points.clear(); }
 };

@@ -82,4 +82,72 @@ inline double separation_of(
 }
 // [world_contact]
 
+// [lost_points]
+/// A point of a fixed body and one that moves which is no longer where it was on the latter.
+struct LostPoint
+{
+  int moving;             ///< the place of the body that moves
+  Vector3<double> anchor; ///< [m], in that body's frame, where it was
+  Vector3<double> normal; ///< [1], unit, world, towards that body
+  WorldPoint point;       ///< what a solver knew of it
+};
+
+/// A point stays where it is on a body if it moves by no more than this fraction of its distance
+/// from the centre: what rounding makes of it.
+inline constexpr double stays_in_place = 1e-9;
+
+/// Whether a solver has seen a point before.
+inline bool is_known(const WorldPoint& point)
+{
+  return point.solved || is_active(point) || point.warm_start_impulse > 0;
+}
+
+/// What becomes of contacts of bodies that move with fixed ones in a step, beside their list.
+struct ContactChanges
+{
+  std::vector<LostPoint> lost;             ///< points that are no longer where they were
+  std::vector<std::pair<int, int>> ghosts; ///< boxes that were taken for ghosts, is_ghost()
+
+  /// Forgets those of the step before.
+  void clear()
+  {
+    lost.clear();
+    ghosts.clear();
+  }
+};
+
+/// Notes points that are lost of a contact of two bodies, one of which is fixed.
+struct NoteLost
+{
+  ContactChanges* changes; ///< where; nowhere, if this is null
+  const WorldContact& contact;
+  bool fixed_a, fixed_b;
+
+  /// Where a point is on the body that moves, by where it is on both.
+  const Vector3<double>& moving(const Vector3<double>& on_a, const Vector3<double>& on_b) const
+  {
+    return fixed_a ? on_b : on_a;
+  }
+  /// Notes a point.
+  void operator()(const WorldPoint& point) const
+  {
+    if (changes != nullptr && fixed_a != fixed_b && is_known(point))
+    {
+      changes->lost.push_back(
+          {fixed_a ? contact.b : contact.a, moving(point.anchor_a, point.anchor_b),
+           fixed_a ? contact.normal : Vector3<double>(-contact.normal), point});
+    }
+  }
+  /// Notes all points.
+  void all() const { std::for_each(contact.points.begin(), contact.points.end(), *this); }
+};
+
+/// That for a contact of two bodies.
+inline NoteLost note_lost(
+    ContactChanges* changes, const WorldContact& contact, const RigidBody& a, const RigidBody& b)
+{
+  return {changes, contact, is_fixed(a), is_fixed(b)};
+}
+// [lost_points]
+
 } // namespace cookbook

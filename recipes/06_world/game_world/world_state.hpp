@@ -8,6 +8,7 @@
 #include "06_world/impacts/impact.hpp"
 #include "06_world/islands/island_points.hpp"
 #include "06_world/islands/previous_state.hpp"
+#include "06_world/seams/seams.hpp"
 #include "06_world/sleeping/sleeping.hpp"
 #include "06_world/sweeps/trajectory.hpp"
 
@@ -40,6 +41,7 @@ struct WorldState
   BroadPhase broad_phase;                   ///< which pairs may touch
   std::vector<WorldContact> contacts;       ///< of the last step
   std::vector<WorldContact> begun;          ///< those that began with it
+  Seams seams;                              ///< scratch, for bodies on flush tiles
   std::vector<Impact> impacts;              ///< of the last step
   Islands islands;                          ///< which bodies are connected by contacts
   std::vector<Island> awake_islands;        ///< those that a step gives to the solver

@@ -9,6 +9,7 @@
 #include "06_world/impacts/toi_solver.hpp"
 #include "06_world/islands/free_flight.hpp"
 #include "06_world/islands/simultaneous_impacts.hpp"
+#include "06_world/seams/join_flush_faces.hpp"
 #include "06_world/sweeps/deep_overlaps.hpp"
 #include "06_world/sweeps/predicted_contacts.hpp"
 
@@ -33,9 +34,12 @@ inline void find_contacts(WorldState& world)
     bound.box = predicted_bounds(step, bound.body, margin);
   }
   update_contacts(
-      world.contacts, world.begun, scene, world.bodies,
+      world.contacts, world.begun, world.seams.changes, scene, world.bodies,
       [&](const auto& call) { world.broad_phase.each_pair(world.bounds, call); },
       [&](int a, int b) { return predicted_margins(step, a, b, margin); },
+      [&](int body) { return is_inactive(world, body); });
+  join_flush_faces(
+      world.seams, scene, world.bodies, world.contacts, margin,
       [&](int body) { return is_inactive(world, body); });
 }
 
@@ -136,6 +140,7 @@ inline void step(WorldState& world, const WorldSolver& solver)
   world.islands.find(world.bodies, world.contacts);
   update_sleep(world);
   solve_islands(world, solver);
+  return_points(world.seams, world.contacts);
   move_driven(world);
   sweep(world);
   keep_fastest(world.impacts);
