@@ -12,6 +12,18 @@ namespace cookbook
 {
 
 // [ghost_contact]
+/// An axis is across a normal where they are 60° or more apart; a nearer one has mostly the overlap
+/// along the normal itself.
+inline constexpr double across_cosine = 0.5;
+/// Boxes nearer along the normal than this fraction of the margin are about to touch, and pass each
+/// other only if they overlap across it by that fraction: solvers leave overlaps of less.
+inline constexpr double near_fraction = 0.1;
+/// A sphere touches where its separation is no more than this fraction of its radius: rounding.
+inline constexpr double touching_separation = 1e-9;
+/// It is above a face where 1 − cos between its normal and the face's is no more than this, 1.4e-6
+/// rad: more than rounding makes of a normal up to 1e9 radii from the origin.
+inline constexpr double above_face = 1e-12;
+
 /// True if two boxes that are a gap [m] apart along a normal are about to pass each other, not to
 /// meet: across the normal they overlap by no more than a margin [m] and by no more than half of
 /// either, or, once the gap is below a tenth of the margin, by no more than a tenth of both.
@@ -21,12 +33,12 @@ inline bool is_ghost(
     const Obb<double>& a, const Obb<double>& b, const Vector3<double>& normal, double separation,
     double margin)
 {
-  const double fraction = separation > 0.1 * margin ? 1 : 0.1;
+  const double fraction = separation > near_fraction * margin ? 1 : near_fraction;
   const auto passes = [&](const Vector3<double>& axis)
   {
     const double reach_a = box_radius(a, axis), reach_b = box_radius(b, axis);
     const double overlap = reach_a + reach_b - std::abs(axis.dot(b.center - a.center));
-    return std::abs(axis.dot(normal)) < 0.5 &&
+    return std::abs(axis.dot(normal)) < across_cosine &&
            overlap <= fraction * std::min({margin, reach_a, reach_b});
   };
   for (int i = 0; i < 3; ++i)
@@ -46,7 +58,7 @@ inline bool is_ghost(
     double separation, double)
 {
   const double upright = (box.axes.transpose() * normal).cwiseAbs().maxCoeff();
-  return separation > 1e-9 * sphere.radius && upright < 1 - 1e-12;
+  return separation > touching_separation * sphere.radius && upright < 1 - above_face;
 }
 
 /// The same, the other way round.
