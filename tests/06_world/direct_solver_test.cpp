@@ -1001,16 +1001,18 @@ TEST_CASE("islands that have joined another one are no longer remembered")
   CHECK(solver.remembered() == 1);
 }
 
-TEST_CASE("where there is no answer, the direct solver pauses for 1, 2, 4, 8 and 16 frames")
+TEST_CASE("where there is no answer, the direct solver pauses for 1, 2, 4 and 8 frames; and after "
+          "2 s for "
+          "4 s, then 16 s")
 {
-  // Failures come in frames 1, 3, 6, 11, 20 and 37.
+  // Failures come in frames 1, 3, 6, 11, 20 and 61, and frames are of 0.1 s.
   CHECK(frames_passed_after(0) == 0);
   CHECK(frames_passed_after(1) == 1);
   CHECK(frames_passed_after(3) == 2);
   CHECK(frames_passed_after(6) == 4);
   CHECK(frames_passed_after(11) == 8);
-  CHECK(frames_passed_after(20) == 16);
-  CHECK(frames_passed_after(37) == 16);
+  CHECK(frames_passed_after(20) == 40);
+  CHECK(frames_passed_after(61) == 160);
 }
 
 TEST_CASE("a bound that a point has not had before is set, and again if it was set too early")

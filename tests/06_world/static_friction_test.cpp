@@ -109,7 +109,7 @@ TEST_CASE(
     "A crate on a turning table keeps its radius within 1 % for a minute at 90 % of its friction",
     "[friction][R6]")
 {
-  const std::string solver = GENERATE(std::string("soft_steps"), "wide_steps");
+  const std::string solver = recommended();
   const bool kinematic_table = GENERATE(false, true);
   const double fraction = GENERATE(0.3, 0.667, 0.9), radius = GENERATE(1.0, 2.0);
   CAPTURE(solver, kinematic_table, fraction, radius);

@@ -81,4 +81,50 @@ inline double next_softening(double softening, bool solved)
 }
 // [direct_softening]
 
+/// Watches whether exact answers of an island last. Where they do not, as in a heap of jammed
+/// spheres, softening would squeeze it again and again, and it would gain energy where overlaps
+/// open.
+class Restlessness
+{
+public:
+  /// After a try of a step [s]: for how long [s] the island is now left to soft steps, or 0.
+  double watch(bool found, bool softened, double step)
+  {
+    exact_time_ = found && !softened ? exact_time_ + step : 0;
+    restless_time_ += step;
+    failures_ += found ? 0 : 1;
+    if (exact_time_ >= lasting)
+    {
+      *this = {};
+    }
+    const bool often = restless_time_ > patience && failures_ > 1;
+    if (!often && !(left_ && !found))
+    {
+      return 0;
+    }
+    const double absence = absence_;
+    *this = {};
+    absence_ = std::min(4 * absence, last_absence);
+    left_ = true;
+    return absence;
+  }
+
+  /// After a step [s] without a try.
+  void wait(double step) { restless_time_ += left_ ? 0 : step; }
+
+  /// Whether it was left, and exact answers have not lasted since.
+  bool left() const { return left_; }
+
+private:
+  static constexpr double lasting = 0.5;      // [s], of exact answers, after which all is well
+  static constexpr double patience = 2;       // [s], without that and with failures
+  static constexpr double last_absence = 256; // [s], after four times as long each time
+
+  double exact_time_ = 0;    // [s], of exact answers without a break
+  double restless_time_ = 0; // [s], since they have lasted
+  int failures_ = 0;         // since then
+  double absence_ = 4;       // [s], the next one
+  bool left_ = false;
+};
+
 } // namespace cookbook

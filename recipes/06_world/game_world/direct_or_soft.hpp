@@ -59,8 +59,10 @@ using DirectObserver = std::function<void(const Island&, DirectAnswer)>;
 ///
 /// An island of few bodies is tried once more, without friction where overlaps open. Where it has
 /// not found an answer it lets some frames pass before it tries again: 1, 2, 4, up to 16;
-/// then with soft contacts, which become stiff from frame to frame. A copy remembers what the
-/// original did, and goes on by itself.
+/// then with soft contacts, which become stiff from frame to frame. An island for which exact
+/// answers do not last, such as a heap of jammed spheres, would be squeezed by that again and
+/// again, and gain energy where it opens: it is left to soft steps, for a time that grows. A copy
+/// remembers what the original did, and goes on by itself.
 class DirectOrSoft
 {
 public:
@@ -68,6 +70,7 @@ public:
   /// solved. `observer`, if given, hears of every island and frame.
   explicit DirectOrSoft(int substeps, DirectObserver observer = {})
       : soft_{.substeps = substeps, .anchor_lag = 0, .torsional_radius = 0},
+        resting_{.substeps = substeps},
         observer_(std::move(observer))
   {
   }
@@ -84,7 +87,7 @@ public:
     if (answer == DirectAnswer::none)
     {
       forget_over_constrained(world, island);
-      return soft_steps(world, island, step, soft_);
+      return soft_steps(world, island, step, tries.rest.left() ? resting_ : soft_);
     }
     first_ = tries.direct.velocities();
     const bool opens = answer == DirectAnswer::exact && tries.direct.opening() > slow_opening &&
@@ -105,6 +108,7 @@ private:
     int frames_to_wait = 0;
     int pause = 1;        // frames to wait after the next failure
     double softening = 0; // how soft contacts are in the next try
+    Restlessness rest;
   };
 
   /// What is known of an island; of those that it was made of no more is, nor of what is gone.
@@ -141,6 +145,7 @@ private:
     if (tries.frames_to_wait > 0)
     {
       --tries.frames_to_wait;
+      tries.rest.wait(step);
       return DirectAnswer::none;
     }
     const bool soft = tries.softening > 0;
@@ -152,10 +157,16 @@ private:
     tries.frames_to_wait = found ? 0 : tries.pause;
     tries.pause = found ? 1 : std::min(2 * tries.pause, 16);
     tries.softening = next_softening(tries.softening, found);
+    if (const double absence = tries.rest.watch(found, soft, step); absence > 0)
+    {
+      tries.frames_to_wait = static_cast<int>(std::min(absence / step, 1e9));
+      tries.softening = 0;
+    }
     return !found ? DirectAnswer::none : soft ? DirectAnswer::softened : DirectAnswer::exact;
   }
 
-  SoftSettings soft_;
+  SoftSettings soft_;                 // of single frames, between others
+  SoftSettings resting_;              // of an island that is left to them
   std::vector<DirectVelocity> first_; // of an island's bodies, in the first answer
   DirectObserver observer_;
   std::map<BodyId, Tries> tries_; // by the island's first body

@@ -92,7 +92,7 @@ inline PreviousState start_state(const WorldState& world, std::size_t i)
 }
 
 /// Watches whether a body rests, if any may sleep: what is pulled and falls freely does not, nor
-/// what is moved out of an overlap, whatever its velocity.
+/// what is moved out of an overlap, whatever its velocity. Damps what nearly rests.
 inline void update_sleep_timer(WorldState& world, std::size_t i)
 {
   if (!world.may_sleep)
@@ -100,7 +100,7 @@ inline void update_sleep_timer(WorldState& world, std::size_t i)
     return;
   }
   const double step = world.scene.step;
-  const RigidBody& body = world.bodies[i];
+  RigidBody& body = world.bodies[i];
   const PreviousState start = start_state(world, i);
   const auto larger = [](const Vector3<double>& one, const Vector3<double>& other)
   { return one.squaredNorm() > other.squaredNorm() ? one : other; };
@@ -108,6 +108,13 @@ inline void update_sleep_timer(WorldState& world, std::size_t i)
   const Vector3<double> turn = turn_between<double>(start.orientation, body.orientation);
   const bool falls = world.falls[i] && !acceleration_on(world, i).acceleration.isZero(0);
   const double radius = bounds_of(body, world.scene.bodies[i].shape, 0).sizes().norm() / 2;
+  if (!world.falls[i])
+  {
+    const double slower = rest_damping<double>(
+        body.motion.velocity, body.motion.angular_velocity, radius, step, SleepLimits<double>{});
+    body.motion.velocity *= slower;
+    body.motion.angular_velocity *= slower;
+  }
   const SleepState<double> before = falls ? SleepState<double>{} : world.sleep[i];
   world.sleep[i] = update_sleep_state<double>(
       before, larger(body.motion.velocity, displacement / step),

@@ -4,6 +4,7 @@
 /// \brief Bodies that rest may sleep: when islands of them fall asleep, and what wakes them.
 
 #include "03_sphere_manifolds/collision/motion.hpp"
+#include "05_resolution/damping/damping.hpp"
 #include "06_world/islands/find_islands.hpp"
 #include "common/math/vector.hpp"
 
@@ -23,6 +24,7 @@ struct SleepLimits
   Real displacement = Real(0.002); ///< [m], all that its fastest point goes in the time
   Real change = Real(0.005);       ///< [m/s], between its velocity at the start and at any time
   Real time = Real(0.5);           ///< [s]
+  Real damping = Real(2);          ///< [1/s], of what is not faster and lies on something
 };
 
 /// What is known of a body that is watched until it rests.
@@ -36,6 +38,19 @@ struct SleepState
   bool asleep = false;      ///< whether the body is left out of the simulation
   bool island_rests = true; ///< at the first body of an island: whether all of it may sleep
 };
+
+/// By what the velocities of a body that lies on something are multiplied in a step [s]; R32.
+///
+/// A sphere that rolls on the spot in a heap, or spins there, would do so for ever, and keep all
+/// awake: no friction opposes that. So slow a motion is what sleep ends anyway.
+template <class Real>
+Real rest_damping(
+    const Vector3<Real>& velocity, const Vector3<Real>& angular_velocity, const Real& radius,
+    const Real& step, const SleepLimits<Real>& limits)
+{
+  const bool slow = fastest_point(velocity, angular_velocity, radius) <= limits.speed;
+  return slow ? damping_factor(limits.damping, step) : Real(1);
+}
 
 /// The watch of an awake body a step [s] later; it begins anew where the body has moved too much.
 ///
