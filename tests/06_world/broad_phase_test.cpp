@@ -2,6 +2,7 @@
 /// Which bodies may touch: by a tree, and sorted and swept, against every pair.
 
 #include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
+#include "06_world/contacts/start_body.hpp"
 #include "06_world/islands/free_flight.hpp"
 #include "06_world/scenes/trial/scene_bodies.hpp"
 #include "06_world/sweeps/ccd_pairs.hpp"

@@ -4,6 +4,7 @@
 
 #include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "05_resolution/impulse/trial/conserved.hpp"
+#include "06_world/contacts/start_body.hpp"
 #include "06_world/direct_solver/direct_solver.hpp"
 #include "06_world/direct_solver/trial/direct_solver_scenes.hpp"
 #include "06_world/game_world/direct_or_soft.hpp"

@@ -3,6 +3,7 @@
 /// more.
 
 #include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
+#include "06_world/contacts/start_body.hpp"
 #include "06_world/game_world/game_world.hpp"
 #include "06_world/game_world/solvers.hpp"
 #include "06_world/game_world/trial/impacts.hpp"

@@ -2,6 +2,7 @@
 /// What the world's solvers do at one contact point: friction, however the scene is turned, a gap
 /// that closes in one small step, and bounces beside points that rest.
 
+#include "06_world/contacts/start_body.hpp"
 #include "06_world/islands/simultaneous_impacts.hpp"
 #include "06_world/scenes/trial/scene_bodies.hpp"
 #include "06_world/soft_steps/soft_steps.hpp"

@@ -5,6 +5,7 @@
 #include "01_math/turning/turning.hpp"
 #include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "06_world/contacts/narrow_phase.hpp"
+#include "06_world/contacts/start_body.hpp"
 #include "06_world/game_world/solver_names.hpp"
 #include "06_world/game_world/trial/world_runs.hpp"
 #include "06_world/scenes/trial/scene_bodies.hpp"
@@ -39,6 +40,10 @@ struct FromSurface
   double operator()(const BoxShape& box) const
   {
     return std::abs(signed_distance_box<double>(point, box.half_extents).length);
+  }
+  double operator()(const ConvexShape& shape) const
+  {
+    return std::abs(distance(shape, point).length);
   }
   double operator()(const PlaneShape& plane) const
   {

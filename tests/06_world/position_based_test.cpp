@@ -1,6 +1,7 @@
 /// \file
 /// What holds for corrected positions: formulas R15 and R16, and how stacks stand on them.
 
+#include "06_world/contacts/start_body.hpp"
 #include "06_world/position_based/position_based.hpp"
 #include "06_world/position_based/trial/position_based_pitfalls.hpp"
 #include "06_world/position_based/trial/position_based_scenes.hpp"

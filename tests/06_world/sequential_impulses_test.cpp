@@ -3,6 +3,7 @@
 /// without.
 
 #include "05_resolution/contact_constraint/trial/columns.hpp"
+#include "06_world/contacts/start_body.hpp"
 #include "06_world/position_based/trial/solvers_cases.hpp"
 #include "06_world/scenes/trial/motion_scenes.hpp"
 #include "06_world/sequential_impulses/sequential_impulses.hpp"

@@ -1,6 +1,7 @@
 /// \file
 /// Soft steps: a cube sinks as a spring says, twice the substeps sink a quarter, towers stand.
 
+#include "06_world/contacts/start_body.hpp"
 #include "06_world/islands/free_flight.hpp"
 #include "06_world/scenes/trial/scene_bodies.hpp"
 #include "06_world/soft_steps/soft_steps.hpp"

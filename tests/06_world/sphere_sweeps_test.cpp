@@ -2,6 +2,7 @@
 /// Balls on their way through a step: nothing is passed, nothing hangs in the air, and a bounce has
 /// its friction.
 
+#include "06_world/contacts/start_body.hpp"
 #include "06_world/game_world/solvers.hpp"
 #include "06_world/game_world/trial/world_measures.hpp"
 #include "06_world/impacts/toi_substeps.hpp"

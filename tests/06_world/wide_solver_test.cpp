@@ -4,6 +4,7 @@
 
 #include "04_obb_manifolds/box_workloads/trial/random_boxes.hpp"
 #include "06_world/contact_graph/trial/contact_graph_scenes.hpp"
+#include "06_world/contacts/start_body.hpp"
 #include "06_world/direct_solver/trial/direct_solver_scenes.hpp"
 #include "06_world/game_world/solvers.hpp"
 #include "06_world/wide_passes/wide_passes.hpp"

@@ -3,6 +3,7 @@
 
 #include "05_resolution/mass_properties/mass_properties.hpp"
 #include "06_world/contacts/integrate_body.hpp"
+#include "06_world/contacts/start_body.hpp"
 #include "06_world/game_world/solver_names.hpp"
 #include "06_world/game_world/solvers.hpp"
 #include "06_world/game_world/trial/world_measures.hpp"

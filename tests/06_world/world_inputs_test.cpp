@@ -1,6 +1,7 @@
 /// \file
 /// What a game does to a world between two steps: bodies put in and taken out, pushed, watched.
 
+#include "06_world/contacts/start_body.hpp"
 #include "06_world/game_world/solvers.hpp"
 #include "06_world/game_world/world_inputs.hpp"
 #include "06_world/islands/island_points.hpp"

@@ -256,6 +256,26 @@ function(cookbook_refusal name words)
   endif()
 endfunction()
 
+# cookbook_does_not_compile(NAME DEFINITION WORDS): tests/CHAPTER/NAME.cpp compiles, and does not where the
+# definition is made: the compiler then says the words.
+function(cookbook_does_not_compile name definition words)
+  if(NOT COOKBOOK_TESTS OR NOT COOKBOOK_UNIT_TESTS)
+    return()
+  endif()
+  set(compile ${CMAKE_CXX_COMPILER} -std=c++20 -fsyntax-only -I${PROJECT_SOURCE_DIR}
+    -I${PROJECT_SOURCE_DIR}/recipes
+    -isystem$<JOIN:$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>,$<SEMICOLON>-isystem>
+    ${PROJECT_SOURCE_DIR}/tests/${COOKBOOK_CHAPTER}/${name}.cpp)
+  if(NOT TEST ${name}.compiles)
+    add_test(NAME ${name}.compiles COMMAND ${compile} COMMAND_EXPAND_LISTS)
+  endif()
+  add_test(NAME ${name}.${definition} COMMAND ${compile} -D${definition} COMMAND_EXPAND_LISTS)
+  set_tests_properties(${name}.${definition} PROPERTIES
+    PASS_REGULAR_EXPRESSION "error: static[ _]assert[a-z ]*:? *\"?${words}")
+  set_tests_properties(${name}.compiles ${name}.${definition} PROPERTIES
+    LABELS "${COOKBOOK_CHAPTER};${name}" TIMEOUT 300)
+endfunction()
+
 # cookbook_chart(NAME [LIBRARY…]): a program that measures time; its chart belongs to the book and is
 # built with it. Only its unit tests run in ctest; sanitizers leave them out, for what they link is
 # large.

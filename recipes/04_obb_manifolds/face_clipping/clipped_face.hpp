@@ -23,16 +23,17 @@ struct PolygonCorner
 };
 
 /// A convex polygon over a face; four sides cut at four lines have at most eight corners.
-template <class Real>
+template <class Real, int Capacity = 8>
 struct FacePolygon
 {
-  std::array<PolygonCorner<Real>, 8> corners; ///< the first `size`
-  int size = 0;                               ///< how many there are
+  std::array<PolygonCorner<Real>, std::size_t(Capacity)> corners; ///< the first `size`
+  int size = 0;                                                   ///< how many there are
 
-  /// Adds a corner. A ninth can only come from rounding, is then close to another, and left out.
+  /// Adds a corner. One too many can only come from rounding, is then close to another, and left
+  /// out.
   void add(const PolygonCorner<Real>& corner)
   {
-    if (size < 8)
+    if (size < Capacity)
     {
       corners[static_cast<std::size_t>(size++)] = corner;
     }
@@ -65,20 +66,16 @@ FacePolygon<Real> seen_from(const BoxFace<Real>& reference, const BoxFace<Real>&
 // [seen_from]
 
 // [cut_at_side]
-/// The part of a polygon within side 0 … 3 of the reference face; Sutherland and Hodgman, O11.
+/// The part of a polygon on the inner side of a line, beyond which `distance(corner)` [m] is above
+/// zero; Sutherland and Hodgman, O11. What runs along the line becomes the edge `edge`.
 ///
-/// A corner within `tolerance` [m] of the side is on it, and stays as it is. A polygon of two
+/// A corner within `tolerance` [m] of the line is on it, and stays as it is. A polygon of two
 /// corners is a segment: it is cut on the way there, not again on the way back.
-template <class Real>
-FacePolygon<Real> cut_at_side(
-    const FacePolygon<Real>& polygon, const BoxFace<Real>& reference, int side, Real tolerance)
+template <class Real, int Capacity, class Distance>
+FacePolygon<Real, Capacity> cut_at_line(
+    const FacePolygon<Real, Capacity>& polygon, const Distance& distance, int edge, Real tolerance)
 {
-  const int k = side % 2 == 0 ? 1 : 0;
-  const Real sign = side == 1 || side == 2 ? Real(1) : Real(-1);
-  const int edge = reference.edges[static_cast<std::size_t>(side)];
-  const auto distance = [&](const PolygonCorner<Real>& corner) -> Real
-  { return sign * corner.point[k] - reference.half_sides[k]; };
-  FacePolygon<Real> inside;
+  FacePolygon<Real, Capacity> inside;
   for (int i = 0; i < polygon.size; ++i)
   {
     const PolygonCorner<Real>&a = polygon[i], &b = polygon[i + 1];
@@ -94,6 +91,18 @@ FacePolygon<Real> cut_at_side(
     }
   }
   return inside;
+}
+
+/// The part of a polygon within side 0 … 3 of the reference face.
+template <class Real>
+FacePolygon<Real> cut_at_side(
+    const FacePolygon<Real>& polygon, const BoxFace<Real>& reference, int side, Real tolerance)
+{
+  const int k = side % 2 == 0 ? 1 : 0;
+  const Real sign = side == 1 || side == 2 ? Real(1) : Real(-1);
+  const auto distance = [&](const PolygonCorner<Real>& corner) -> Real
+  { return sign * corner.point[k] - reference.half_sides[k]; };
+  return cut_at_line(polygon, distance, reference.edges[static_cast<std::size_t>(side)], tolerance);
 }
 // [cut_at_side]
 

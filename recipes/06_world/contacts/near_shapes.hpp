@@ -8,7 +8,9 @@
 #include "03_sphere_manifolds/sphere_box/sphere_box.hpp"
 #include "03_sphere_manifolds/sphere_plane/sphere_plane.hpp"
 #include "03_sphere_manifolds/sphere_sphere/sphere_sphere.hpp"
-#include "06_world/contacts/rigid_body.hpp"
+#include "06_world/contacts/start_body.hpp"
+#include "06_world/shapes/convex_manifold.hpp"
+#include "06_world/shapes/gap_between.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -16,29 +18,18 @@
 namespace cookbook
 {
 
-/// A box at a place.
-inline Obb<double> placed(const Pose& pose, const BoxShape& box)
-{
-  return {pose.center, pose.axes, box.half_extents};
-}
-
-/// A sphere at a place.
-inline Sphere<double> placed(const Pose& pose, const SphereShape& sphere)
-{
-  return {pose.center, sphere.radius};
-}
-
-/// A plane, which is where it is.
-inline Plane<double> placed(const Pose&, const PlaneShape& plane)
-{
-  return {plane.normal, plane.offset};
-}
-
 /// A shape where its body is.
 template <class Shape>
 auto placed(const RigidBody& body, const Shape& shape)
 {
   return placed(pose_of(body), shape);
+}
+
+/// The signed gap of two bodies.
+inline Direction<double>
+gap_between(const Shape& a, const RigidBody& body_a, const Shape& b, const RigidBody& body_b)
+{
+  return gap_between(a, pose_of(body_a), b, pose_of(body_b));
 }
 
 /// A shape with its surface moved out by a margin [m].
@@ -113,6 +104,56 @@ std::optional<Manifold<double>> manifold_within(const A& a, const B& b, double m
     }
   }
   return manifold;
+}
+
+/// The manifold of a sphere and any convex shape, by the distance of its centre.
+inline std::optional<Manifold<double>>
+manifold_within(const Sphere<double>& a, const Placed<ConvexShape>& b, double margin)
+{
+  const Direction<double> out = distance(b, a.center);
+  const Direction<double> to_surface{-out.unit, out.length};
+  const SphereOverlap<double> overlap = sphere_overlap<double>(to_surface, a.radius, 0);
+  return overlap.depth >= -margin
+             ? std::optional(Manifold<double>{
+                   overlap.normal, overlap.depth,
+                   ContactPoint<double>{a.center + overlap.position, overlap.depth, 0}})
+             : std::nullopt;
+}
+
+/// The manifold of a plane and any convex shape.
+inline std::optional<Manifold<double>>
+manifold_within(const Plane<double>& a, const Placed<ConvexShape>& b, double margin)
+{
+  return convex_manifold(a, b, margin);
+}
+
+/// The manifold of a box and any convex shape.
+inline std::optional<Manifold<double>>
+manifold_within(const Obb<double>& a, const Placed<ConvexShape>& b, double margin)
+{
+  const BoxShape box{a.half_extents};
+  return convex_manifold(Placed<BoxShape>{box, {a.center, a.axes}}, b, margin);
+}
+
+/// The manifold of any two convex shapes.
+inline std::optional<Manifold<double>>
+manifold_within(const Placed<ConvexShape>& a, const Placed<ConvexShape>& b, double margin)
+{
+  return convex_manifold(a, b, margin);
+}
+
+/// The same, the other way round.
+inline std::optional<Manifold<double>>
+manifold_within(const Placed<ConvexShape>& a, const Sphere<double>& b, double margin)
+{
+  return swapped(manifold_within(b, a, margin));
+}
+
+/// The same, the other way round.
+inline std::optional<Manifold<double>>
+manifold_within(const Placed<ConvexShape>& a, const Obb<double>& b, double margin)
+{
+  return swapped(manifold_within(b, a, margin));
 }
 
 /// The same, the other way round.

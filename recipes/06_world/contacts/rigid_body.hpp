@@ -7,7 +7,6 @@
 #include "05_resolution/impulse/body.hpp"
 #include "06_world/body/external_acceleration.hpp"
 #include "06_world/contacts/scene.hpp"
-#include "06_world/shapes/pose.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -133,38 +132,6 @@ inline double kinetic_energy(const RigidBody& body)
   return (body.motion.velocity.squaredNorm() / body.inverse_mass +
           spin.cwiseProduct(body.moments).dot(spin)) /
          2;
-}
-
-/// Mass and moments of a shape; a plane has none.
-inline MassProperties<double> mass_properties(const SceneBody& body)
-{
-  if (const BoxShape* box = std::get_if<BoxShape>(&body.shape))
-  {
-    return solid_box<double>(body.mass, box->half_extents);
-  }
-  if (const SphereShape* sphere = std::get_if<SphereShape>(&body.shape))
-  {
-    return solid_sphere<double>(body.mass, sphere->radius);
-  }
-  return {0, Vector3<double>::Zero()};
-}
-
-/// A body of a scene as it starts.
-inline RigidBody rigid_body(const SceneBody& body)
-{
-  const MotionType type = motion_type(body);
-  const bool dynamic = type == MotionType::dynamic;
-  const bool is_sphere = std::holds_alternative<SphereShape>(body.shape);
-  const Matrix3<double> axes = Matrix3<double>::Identity();
-  const Motion<double> motion{body.position, body.velocity, body.angular_velocity};
-  const MassProperties<double> mass =
-      dynamic ? mass_properties(body) : MassProperties<double>{0, Vector3<double>::Zero()};
-  const Body<double> pushed =
-      dynamic ? dynamic_body(motion, mass, axes) : Body<double>{motion, 0, Matrix3<double>::Zero()};
-  const Quaternion<double> orientation = body.orientation.normalized();
-  RigidBody made{pushed, is_sphere, type, 0, orientation, orientation, mass.moments, axes};
-  update_axes(made);
-  return made;
 }
 // [rigid_body]
 

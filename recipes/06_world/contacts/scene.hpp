@@ -3,6 +3,7 @@
 /// \file
 /// \brief A scene as plain data: bodies with shapes, gravity, the time step.
 
+#include "06_world/shapes/shape.hpp"
 #include "common/math/vector.hpp"
 
 #include <algorithm>
@@ -10,35 +11,12 @@
 #include <cstdint>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace cookbook
 {
 
 // [scene]
-/// A solid box about the body's centre of mass.
-struct BoxShape
-{
-  Vector3<double> half_extents; ///< [m], greater than zero
-};
-
-/// A solid ball about the body's centre of mass.
-struct SphereShape
-{
-  double radius; ///< [m], greater than zero
-};
-
-/// All that lies below a plane; only a fixed body can have this shape.
-struct PlaneShape
-{
-  Vector3<double> normal; ///< [1], unit, world, out of the solid
-  double offset;          ///< [m], of the plane from the origin, along the normal
-};
-
-/// How a body collides.
-using Shape = std::variant<BoxShape, SphereShape, PlaneShape>;
-
 /// What may change how a body moves.
 enum class MotionType : std::uint8_t
 {

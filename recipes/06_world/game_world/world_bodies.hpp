@@ -5,6 +5,7 @@
 
 #include "06_world/contacts/bounds.hpp"
 #include "06_world/contacts/integrate_body.hpp"
+#include "06_world/contacts/start_body.hpp"
 #include "06_world/game_world/world_state.hpp"
 #include "06_world/islands/island.hpp"
 #include "06_world/sleeping/sleeping.hpp"

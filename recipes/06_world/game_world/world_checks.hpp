@@ -4,7 +4,7 @@
 /// \brief Whether a scene makes sense, before anything moves in it.
 
 #include "05_resolution/mass_properties/checked_mass.hpp"
-#include "06_world/contacts/rigid_body.hpp"
+#include "06_world/contacts/start_body.hpp"
 #include "06_world/game_world/invalid_scene.hpp"
 
 #include <algorithm>
@@ -31,6 +31,16 @@ struct CheckShape
     if (!(sphere.radius > 0))
     {
       throw InvalidShape("radius", "greater than zero", text_of(sphere.radius));
+    }
+  }
+  void operator()(const ConvexShape& shape) const
+  {
+    const auto [inner, outer] = extent(shape);
+    check_finite("extent.outer", outer);
+    if (!(inner > 0 && inner <= outer))
+    {
+      throw InvalidShape(
+          "extent.inner", "greater than zero, and no more than " + text_of(outer), text_of(inner));
     }
   }
   void operator()(const PlaneShape& plane) const

@@ -8,10 +8,10 @@
 #include "02_primitives/overlaps/overlaps.hpp"
 #include "02_primitives/shape_bounds/shape_bounds.hpp"
 #include "02_primitives/shapes/checked_more_shapes.hpp"
-#include "05_resolution/tunnelling/swept_sphere.hpp"
 #include "06_world/contacts/near_shapes.hpp"
 #include "06_world/contacts/tree_overlaps.hpp"
 #include "06_world/game_world/game_world.hpp"
+#include "06_world/shapes/sphere_sweep.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -130,23 +130,6 @@ public:
   }
 
 private:
-  static auto
-  sweep(const Sphere<double>& sphere, const Vector3<double>& displacement, const Obb<double>& box)
-  {
-    return swept_sphere_box(sphere, displacement, box);
-  }
-  static auto sweep(
-      const Sphere<double>& sphere, const Vector3<double>& displacement, const Plane<double>& plane)
-  {
-    return swept_sphere_plane(sphere, displacement, plane);
-  }
-  static auto sweep(
-      const Sphere<double>& sphere, const Vector3<double>& displacement,
-      const Sphere<double>& other)
-  {
-    return swept_sphere_sphere(sphere, displacement, other);
-  }
-
   /// The first hit of a sphere of a radius [m] along a ray, up to so many lengths of the ray.
   template <class Found, class Filter, class When, class Meet>
   std::optional<Found> first_hit(

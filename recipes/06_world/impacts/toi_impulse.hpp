@@ -41,6 +41,7 @@ struct BoxToiManifold
                ? std::nullopt
                : steady_manifold(-1, here, there, 2 * separation + 1e-3 * inner_radius_of(box));
   }
+  ToiManifold operator()(const BoxShape&, const ConvexShape&) const { return std::nullopt; }
   template <class Shape, class Other>
   ToiManifold operator()(const Shape&, const Other&) const
   {

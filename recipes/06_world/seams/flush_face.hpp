@@ -52,6 +52,13 @@ face_towards(const RigidBody&, const SphereShape&, const Vector3<double>&)
   return std::nullopt;
 }
 
+/// None whose edges are known.
+inline std::optional<Face>
+face_towards(const RigidBody&, const ConvexShape&, const Vector3<double>&)
+{
+  return std::nullopt;
+}
+
 /// Whether two unit vectors differ by no more than an angle [rad], which is small.
 inline bool are_parallel(const Vector3<double>& one, const Vector3<double>& other, double angle)
 {

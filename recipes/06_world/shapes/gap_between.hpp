@@ -8,7 +8,9 @@
 #include "02_primitives/shape_bounds/obb_bounds.hpp"
 #include "03_sphere_manifolds/sphere_box/sphere_box.hpp"
 #include "05_resolution/tunnelling/swept_box.hpp"
-#include "06_world/contacts/near_shapes.hpp"
+#include "06_world/shapes/convex_gap.hpp"
+#include "06_world/shapes/plane_shape.hpp"
+#include "06_world/shapes/sphere_shape.hpp"
 
 #include <limits>
 #include <variant>
@@ -42,6 +44,27 @@ inline Direction<double> gap_of(const Obb<double>& a, const Plane<double>& b)
   return {-b.normal, signed_distance(b, a.center) - box_radius(a, b.normal)};
 }
 
+/// Of any convex shape: of a sphere by the distance of its centre, of a plane by the lowest point.
+inline Direction<double> gap_of(const Sphere<double>& a, const Placed<ConvexShape>& b)
+{
+  const Direction<double> out = distance(b, a.center);
+  return {-out.unit, out.length - a.radius};
+}
+inline Direction<double> gap_of(const Plane<double>& a, const Placed<ConvexShape>& b)
+{
+  const Vector3<double> lowest = b.pose.center + support_arm(b, -a.normal);
+  return {a.normal, signed_distance(a, lowest)};
+}
+inline Direction<double> gap_of(const Obb<double>& a, const Placed<ConvexShape>& b)
+{
+  const BoxShape box{a.half_extents};
+  return convex_gap(Placed<BoxShape>{box, {a.center, a.axes}}, b).gap;
+}
+inline Direction<double> gap_of(const Placed<ConvexShape>& a, const Placed<ConvexShape>& b)
+{
+  return convex_gap(a, b).gap;
+}
+
 /// Two solids without bounds overlap without bounds.
 inline Direction<double> gap_of(const Plane<double>& a, const Plane<double>&)
 {
@@ -67,6 +90,11 @@ inline Direction<double> gap_of(const Plane<double>& a, const Obb<double>& b)
 {
   return swapped_gap(a, b);
 }
+template <class B>
+Direction<double> gap_of(const Placed<ConvexShape>& a, const B& b)
+{
+  return swapped_gap(a, b);
+}
 // [gap_of_two]
 
 // [gap_between]
@@ -84,11 +112,11 @@ gap_between(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose
   return std::visit(gap, a, b);
 }
 
-/// The same for two bodies.
-inline Direction<double>
-gap_between(const Shape& a, const RigidBody& body_a, const Shape& b, const RigidBody& body_b)
+/// Whether a convex shape overlaps or touches a sphere or a box.
+template <class Other>
+bool overlaps(const Placed<ConvexShape>& shape, const Other& other)
 {
-  return gap_between(a, pose_of(body_a), b, pose_of(body_b));
+  return gap_of(shape, other).length <= 0;
 }
 // [gap_between]
 

@@ -20,6 +20,10 @@ inline double bounding_radius_of(const BoxShape& box)
 {
   return box.half_extents.norm();
 }
+inline double bounding_radius_of(const ConvexShape& shape)
+{
+  return extent(shape).outer;
+}
 inline double bounding_radius_of(const PlaneShape&)
 {
   return 0;
@@ -33,6 +37,10 @@ inline double inner_radius_of(const SphereShape& sphere)
 inline double inner_radius_of(const BoxShape& box)
 {
   return box.half_extents.minCoeff();
+}
+inline double inner_radius_of(const ConvexShape& shape)
+{
+  return extent(shape).inner;
 }
 inline double inner_radius_of(const PlaneShape&)
 {

@@ -117,7 +117,11 @@ struct BoxToi
     };
     return advance_boxes(from / step, tolerance, query);
   }
-  /// Only boxes.
+  /// Only boxes, and no other convex shapes.
+  std::optional<SweptHit<double>> operator()(const BoxShape&, const ConvexShape&) const
+  {
+    return std::nullopt;
+  }
   template <class Shape, class Other>
   std::optional<SweptHit<double>> operator()(const Shape&, const Other&) const
   {

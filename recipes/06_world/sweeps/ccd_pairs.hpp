@@ -55,9 +55,8 @@ swept_bounds(const StepTrajectories& step, int i, const RigidBody& end)
   const double rotation = step.scene.step * trajectory.spin.norm();
   const double wider =
       bulge + std::min(1.0, rotation * rotation / 8) * bounding_radius(step.scene, i);
-  const auto axes = [&] { return trajectory.from.orientation.toRotationMatrix(); };
-  return bounds_at(trajectory.from.motion.center, axes, shape, wider)
-      .merged(bounds_of(end, shape, wider));
+  const Pose start{trajectory.from.motion.center, trajectory.from.orientation.toRotationMatrix()};
+  return bounds_at(start, shape, wider).merged(bounds_of(end, shape, wider));
 }
 
 /// Whether two bodies may touch from a time [s] to the end of the step: whether, as they fly on,

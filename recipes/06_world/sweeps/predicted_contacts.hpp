@@ -33,7 +33,7 @@ struct DepthBetween
   template <class Shape, class Other>
   double operator()(const Shape& shape, const Other& other) const
   {
-    return -direction_between(placed(a, shape), placed(b, other)).length;
+    return -gap_of(placed(a, shape), placed(b, other)).length;
   }
   template <class Shape>
   double operator()(const PlaneShape& plane, const Shape& other) const

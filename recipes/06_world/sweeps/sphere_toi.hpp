@@ -5,6 +5,7 @@
 
 #include "05_resolution/tunnelling/swept_sphere.hpp"
 #include "06_world/contacts/near_shapes.hpp"
+#include "06_world/shapes/gap_between.hpp"
 #include "06_world/sweeps/body_sizes.hpp"
 #include "06_world/sweeps/trajectory.hpp"
 
@@ -32,6 +33,11 @@ inline Direction<double> direction_between(const Sphere<double>& sphere, const O
   const Direction<double> direction = direction_to_box(local, box.axes, box.half_extents);
   return {direction.unit, direction.length - sphere.radius};
 }
+inline Direction<double>
+direction_between(const Sphere<double>& sphere, const Placed<ConvexShape>& shape)
+{
+  return gap_of(sphere, shape);
+}
 // [sphere_direction]
 
 // [placed_at]
@@ -44,6 +50,11 @@ inline Sphere<double>
 placed_at(const Trajectory& trajectory, double time, const SphereShape& sphere)
 {
   return {trajectory.place_at(time), sphere.radius};
+}
+inline Placed<ConvexShape>
+placed_at(const Trajectory& trajectory, double time, const ConvexShape& shape)
+{
+  return placed(trajectory.pose_at(time), shape);
 }
 /// A plane stays where it is.
 inline Plane<double> placed_at(const Trajectory& trajectory, double, const PlaneShape& plane)

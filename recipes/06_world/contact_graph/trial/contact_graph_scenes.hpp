@@ -6,6 +6,7 @@
 
 #include "06_world/contact_graph/contact_graph.hpp"
 #include "06_world/contacts/rigid_body.hpp"
+#include "06_world/contacts/start_body.hpp"
 #include "06_world/contacts/world_contact.hpp"
 #include "06_world/game_world/trial/world_runs.hpp"
 #include "06_world/scenes/trial/world_scenes.hpp"

@@ -4,6 +4,7 @@
 #include "06_world/ladder/trial/ladder_rungs.hpp"
 #include "05_resolution/small_world/small_world.hpp"
 #include "05_resolution/small_world/trial/small_scenes.hpp"
+#include "06_world/contacts/start_body.hpp"
 #include "06_world/contacts/tree_overlaps.hpp"
 #include "06_world/game_world/solvers.hpp"
 #include "06_world/game_world/trial/world_runs.hpp"
