@@ -31,7 +31,7 @@ template <class Real, class Support>
 SupportPoint<Real>
 try_direction(Expansion<Real>& expansion, const Support& support, const Vector3<Real>& unit)
 {
-  const SupportPoint<Real> found = support(unit);
+  SupportPoint<Real> found = support(unit);
   const Real extent = unit.dot(found.point);
   ++expansion.steps;
   if (extent < expansion.depth)

@@ -91,7 +91,7 @@ steady_manifold(int before, const Obb<double>& a, const Obb<double>& b, double m
   const auto [axis, overlap] = steady_axis(before, grown_a, grown_b, *found);
   if (axis_kind(axis) != AxisKind::edges)
   {
-    if (const std::optional<Manifold<double>> leaning = leaning_on(axis, a, b, margin))
+    if (std::optional<Manifold<double>> leaning = leaning_on(axis, a, b, margin))
     {
       return leaning;
     }

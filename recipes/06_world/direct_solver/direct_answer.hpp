@@ -23,6 +23,18 @@ struct DirectVelocity
   bool pushed;                      ///< whether any contact pushes it
 };
 
+/// Marks two bodies of an island as pushed; none where one is -1.
+inline void mark_pushed(int a, int b, std::vector<DirectVelocity>& answer)
+{
+  for (const int body : {a, b})
+  {
+    if (body >= 0)
+    {
+      answer[index_of(body)].pushed = true;
+    }
+  }
+}
+
 /// Marks the two bodies of a contact that pushes at any point.
 inline void mark_pushed(
     const DirectSystem& system, const DirectContact& contact, std::vector<DirectVelocity>& answer)
@@ -33,13 +45,7 @@ inline void mark_pushed(
   { return point.impulse > 0 || !point.friction.isZero(0); };
   if (std::any_of(begin, end, pushes))
   {
-    for (const int body : {contact.a, contact.b})
-    {
-      if (body >= 0)
-      {
-        answer[index_of(body)].pushed = true;
-      }
-    }
+    mark_pushed(contact.a, contact.b, answer);
   }
 }
 
@@ -63,6 +69,10 @@ inline void write_answer(
   {
     mark_pushed(system, contact, answer);
   }
+  for (const DirectRow& row : system.rows)
+  {
+    mark_pushed(row.a, row.b, answer);
+  }
 }
 
 /// Stores the impulses of an answer.
@@ -80,6 +90,16 @@ store(const DirectSystem& system, bool over_constrained, IslandView world, const
       of.over_constrained = over_constrained;
       ++point;
     }
+  }
+  std::vector<double> impulses;
+  for (auto row = system.rows.begin(); row != system.rows.end();)
+  {
+    const ConstraintPair& pair = *row->of;
+    for (impulses.clear(); row != system.rows.end() && row->of == &pair; ++row)
+    {
+      impulses.push_back(row->impulse);
+    }
+    world.sets[pair.set]->store_rows(pair.number, impulses);
   }
 }
 // [direct_answer]

@@ -19,6 +19,7 @@ struct DirectSettings
 {
   double compliance = 1e-7;         ///< [1], of the inverse masses that meet at a contact
   double correction = 0.2;          ///< [1], fraction of an overlap that a step takes away
+  double row_correction = 1;        ///< [1], the same of the error of a joint
   double correction_speed = 0.5;    ///< [m/s], no overlap is taken away faster
   double tolerance = 1e-9;          ///< [1], of the largest impulse: what may be missing
   double friction_tolerance = 1e-6; ///< [1], of the same: how far friction may be off its cone

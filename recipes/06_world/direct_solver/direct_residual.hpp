@@ -69,6 +69,10 @@ inline void find_residual(DirectSystem& system)
     update_point(system, contact);
     add_impulses(system, contact, 1);
   }
+  for (DirectRow& row : system.rows)
+  {
+    update_row(row, system.velocities, system.residual);
+  }
 }
 // [direct_residual]
 
@@ -80,6 +84,10 @@ inline double largest_impulse(const DirectSystem& system)
   for (const DirectPoint& point : system.points)
   {
     most = std::max(most, point.impulse);
+  }
+  for (const DirectRow& row : system.rows)
+  {
+    most = std::max(most, std::abs(row.impulse));
   }
   return most;
 }
@@ -185,6 +193,10 @@ inline double rounding_of(const DirectSystem& system)
   for (const DirectContact& contact : system.contacts)
   {
     stiffest = std::max(stiffest, contact.stiffness.push);
+  }
+  for (const DirectRow& row : system.rows)
+  {
+    stiffest = std::max(stiffest, row.stiffness);
   }
   return 8 * std::numeric_limits<double>::epsilon() * fastest * stiffest;
 }

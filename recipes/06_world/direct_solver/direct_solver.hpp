@@ -96,7 +96,8 @@ public:
     bool fresh = false; // whether the matrix was factored in this step
     for (int i = 0; i < settings.iterations; ++i)
     {
-      const bool at_hand = (i > 0 ? fresh : stiff) && factored_.are_those_of(system_.points);
+      const bool at_hand =
+          (i > 0 ? fresh : stiff && system_.rows.empty()) && factored_.are_those_of(system_.points);
       if (!at_hand && !factor())
       {
         return false;
@@ -159,6 +160,13 @@ private:
       if (contact.a >= 0 && contact.b >= 0)
       {
         coupled_.emplace_back(contact.a, contact.b);
+      }
+    }
+    for (const DirectRow& row : system_.rows)
+    {
+      if (row.a >= 0 && row.b >= 0)
+      {
+        coupled_.emplace_back(row.a, row.b);
       }
     }
     if (coupled_ != laid_out_ || matrix_.size() != system_.bodies.size())

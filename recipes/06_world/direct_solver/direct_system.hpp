@@ -5,6 +5,7 @@
 
 #include "05_resolution/mass_properties/mass_properties.hpp"
 #include "06_world/direct_solver/direct_blocks.hpp"
+#include "06_world/direct_solver/direct_rows.hpp"
 #include "06_world/direct_solver/direct_softening.hpp"
 #include "06_world/lanes/reserve_space.hpp"
 #include "06_world/soft_steps/stick_drift.hpp"
@@ -46,20 +47,13 @@ struct DirectSystem
   std::vector<DirectBody> bodies;
   std::vector<DirectContact> contacts;
   std::vector<DirectPoint> points;
+  std::vector<DirectRow> rows;
   std::vector<Vector6> velocities; ///< [m/s, rad/s], as they are found
   std::vector<Vector6> residual;   ///< [N s, N m s], at these velocities
 
   std::vector<ContactState> states_before; ///< room for how points pushed before a change
   std::vector<Vector6> velocities_before;  ///< room for the velocities before it
 };
-
-/// The number in an island of a body of the world; −1 if it is none of its bodies.
-inline int number_in(const Island& island, int body)
-{
-  const auto found = std::lower_bound(island.bodies.begin(), island.bodies.end(), body);
-  const bool there = found != island.bodies.end() && *found == body;
-  return there ? static_cast<int>(found - island.bodies.begin()) : -1;
-}
 
 /// Adds a contact and its points to a system.
 inline void gather(
@@ -110,6 +104,7 @@ inline void clear(DirectSystem& system, IslandView world, const Island& island)
   empty(system.velocities, island.bodies.size());
   empty(system.contacts, island.contacts.size());
   empty(system.points, points);
+  system.rows.clear();
 }
 
 /// Makes a system of an island, at the velocities before the step [s].
@@ -121,10 +116,8 @@ inline void gather(
   for (const int i : island.bodies)
   {
     const RigidBody& body = world.bodies[index_of(i)];
-    const auto velocities = [](const Motion<double>& motion) -> Vector6
-    { return (Vector6() << motion.velocity, motion.angular_velocity).finished(); };
-    const Vector6 before = velocities(body.motion);
-    const Vector6 free = velocities(accelerated(body.motion, acceleration_on(world, i), step));
+    const Vector6 before = velocities_of(body.motion);
+    const Vector6 free = velocities_of(accelerated(body.motion, acceleration_on(world, i), step));
     system.velocities.push_back(before);
     system.bodies.push_back(
         {1 / body.inverse_mass, world_inertia(body.moments, body.axes), free, free - before});
@@ -132,6 +125,10 @@ inline void gather(
   for (const int i : island.contacts)
   {
     gather(system, world, island, world.contacts[index_of(i)], step, settings);
+  }
+  for (const int i : island.constraints)
+  {
+    gather(system.rows, world, island, world.constraints[index_of(i)], step, settings);
   }
 }
 
@@ -178,6 +175,7 @@ inline void assemble(const DirectSystem& system, BlockCholesky& matrix)
       matrix.add_coupling(contact.a, contact.b, blocks.ab);
     }
   }
+  add_rows(system.rows, matrix);
 }
 // [direct_assemble]
 

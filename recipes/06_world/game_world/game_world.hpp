@@ -20,6 +20,8 @@
 namespace cookbook
 {
 
+class ConstraintSet;
+
 // [world]
 /// Bodies in motion, from a scene that makes sense. No body of it becomes NaN or infinite. A copy
 /// goes on as the original would, to the bit.
@@ -72,6 +74,20 @@ public:
   /// Adds a body and returns its id; InvalidScene, and nothing changes, if it makes no sense.
   /// Bodies that sleep where it is put wake.
   BodyId add(const SceneBody& body);
+
+  /// Adds a set of constraints, such as ball joints, and returns its place among all; their bodies
+  /// wake. Bodies of a pair that does not touch are ignored as by ignore(), until stop_ignoring().
+  /// std::out_of_range, and nothing changes, where one is of a body that is not there. The
+  /// constraints of a body that is removed are dropped.
+  std::size_t add(const ConstraintSet& set);
+  /// A set by its place, to be read or changed; std::out_of_range where there is none.
+  ConstraintSet& constraint_set(std::size_t place);
+  /// The same of a kind; std::bad_cast where it is of another.
+  template <class Set>
+  Set& constraints(std::size_t place)
+  {
+    return dynamic_cast<Set&>(constraint_set(place));
+  }
 
   /// Removes a body, and wakes what touches it; after the next step its slot is free.
   void remove(BodyId body);

@@ -6,6 +6,7 @@
 #include "06_world/contacts/bounds.hpp"
 #include "06_world/contacts/integrate_body.hpp"
 #include "06_world/contacts/start_body.hpp"
+#include "06_world/game_world/waking.hpp"
 #include "06_world/game_world/world_state.hpp"
 #include "06_world/islands/island.hpp"
 #include "06_world/sleeping/sleeping.hpp"
@@ -17,61 +18,6 @@
 
 namespace cookbook
 {
-
-/// Wakes bodies, with all that hangs together with them. For those that are awake it is enough to
-/// begin their watch anew.
-inline void wake_islands_of(WorldState& world, std::span<const int> bodies)
-{
-  const auto asleep = [&](int body) { return is_asleep(world, body); };
-  if (std::any_of(bodies.begin(), bodies.end(), asleep))
-  {
-    world.islands.find(world.bodies, world.contacts);
-    wake(world.sleep, world.islands.numbers(), bodies);
-  }
-  else if (world.may_sleep)
-  {
-    for (const int body : bodies)
-    {
-      world.sleep[index_of(body)] = {};
-    }
-  }
-}
-
-/// Wakes a body, whatever touches it, and all that hangs together with them.
-inline void wake_around(WorldState& world, int body)
-{
-  if (!world.may_sleep)
-  {
-    return;
-  }
-  std::vector<int> awake_islands{body};
-  for (const WorldContact& contact : world.contacts)
-  {
-    if (contact.a == body || contact.b == body)
-    {
-      awake_islands.push_back(contact.a + contact.b - body);
-    }
-  }
-  wake_islands_of(world, awake_islands);
-}
-
-/// Wakes what sleeps in the bounds of a body, with all that hangs together with it.
-inline void wake_touched_by(WorldState& world, const Bounds& bound)
-{
-  if (!world.may_sleep)
-  {
-    return;
-  }
-  std::vector<int> touched;
-  for (const Bounds& other : world.bounds)
-  {
-    if (is_asleep(world, other.body) && other.box.intersects(bound.box))
-    {
-      touched.push_back(other.body);
-    }
-  }
-  wake_islands_of(world, touched);
-}
 
 // [world_bodies]
 /// A body's bounds where it is.
@@ -124,6 +70,11 @@ inline void remove_body(WorldState& world, std::size_t i)
   fix(world.bodies[i]);
   world.spheres -= world.bodies[i].is_sphere ? 1 : 0;
   world.removed[i] = true;
+  for (ClonedSet& set : world.sets)
+  {
+    set->remove_body(static_cast<int>(i));
+  }
+  find_constraints(world);
   world.slots_to_free.push_back(i);
   std::erase_if(world.bounds, [&](const Bounds& bound) { return index_of(bound.body) == i; });
   std::erase_if(
@@ -180,6 +131,14 @@ inline void update_sleep(WorldState& world)
   for (const WorldContact& contact : world.contacts)
   {
     const std::size_t a = index_of(contact.a), b = index_of(contact.b);
+    if (is_driven(world.bodies[a]) || is_driven(world.bodies[b]))
+    {
+      world.sleep[a] = world.sleep[b] = {};
+    }
+  }
+  for (const ConstraintPair& pair : world.constraints)
+  {
+    const std::size_t a = index_of(pair.a), b = index_of(pair.b);
     if (is_driven(world.bodies[a]) || is_driven(world.bodies[b]))
     {
       world.sleep[a] = world.sleep[b] = {};

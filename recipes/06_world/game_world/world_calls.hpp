@@ -125,6 +125,21 @@ COOKBOOK_WORLD_INLINE BodyId GameWorld::add(const SceneBody& body)
   return id(place);
 }
 
+COOKBOOK_WORLD_INLINE std::size_t GameWorld::add(const ConstraintSet& set)
+{
+  WorldState with = inside_->state;
+  with.sets.emplace_back(set);
+  find_constraints(with);
+  inside_->state = std::move(with);
+  wake_joined(inside_->state, inside_->state.sets.size() - 1);
+  return inside_->state.sets.size() - 1;
+}
+
+COOKBOOK_WORLD_INLINE ConstraintSet& GameWorld::constraint_set(std::size_t place)
+{
+  return *inside_->state.sets.at(place);
+}
+
 COOKBOOK_WORLD_INLINE void GameWorld::remove(BodyId body)
 {
   remove_body(inside_->state, index(body));

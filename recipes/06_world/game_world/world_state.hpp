@@ -43,6 +43,8 @@ struct WorldState
   std::vector<WorldContact> begun;          ///< those that began with it
   Seams seams;                              ///< scratch, for bodies on flush tiles
   std::vector<Impact> impacts;              ///< of the last step
+  std::vector<ClonedSet> sets;              ///< of constraints beside contacts, such as joints
+  std::vector<ConstraintPair> constraints;  ///< of all sets, in their order
   Islands islands;                          ///< which bodies are connected by contacts
   std::vector<Island> awake_islands;        ///< those that a step gives to the solver
   SolverScratch solver_scratch;             ///< room for islands that are solved

@@ -46,8 +46,8 @@ inline void find_contacts(WorldState& world)
 /// Solves all islands that are awake: impacts, contacts, free flight.
 inline void solve_islands(WorldState& world, const WorldSolver& solver)
 {
-  const IslandView view{world.bodies,         world.contacts, world.scene.gravity,
-                        world.solver_scratch, world.forces,   &world.falls};
+  const IslandView view{world.bodies, world.contacts, world.scene.gravity, world.solver_scratch,
+                        world.forces, &world.falls,   world.constraints,   world.sets};
   world.awake_islands.clear();
   world.impacts.clear();
   const auto for_each_awake = [&](const auto& call)
@@ -64,7 +64,7 @@ inline void solve_islands(WorldState& world, const WorldSolver& solver)
   for_each_awake(
       [&](const Island& island)
       {
-        if (island.contacts.empty())
+        if (island.contacts.empty() && island.constraints.empty())
         {
           const std::size_t i = index_of(island.bodies.front());
           world.falls[i] = true;
@@ -137,7 +137,8 @@ inline void step(WorldState& world, const WorldSolver& solver)
     set_start_state(world.scene.bodies[i], world.bodies[i]);
   }
   world.falls.assign(world.bodies.size(), false);
-  world.islands.find(world.bodies, world.contacts);
+  find_constraints(world);
+  world.islands.find(world.bodies, world.contacts, world.constraints);
   update_sleep(world);
   solve_islands(world, solver);
   return_points(world.seams, world.contacts);

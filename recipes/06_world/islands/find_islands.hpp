@@ -19,10 +19,10 @@ namespace cookbook
 /// Writes the island of every body: the lowest number of all bodies that hang together with it by
 /// contacts between movable bodies; −1 for a body that cannot move, which joins none.
 ///
-/// `moves(i)` says whether a body can. `pairs` say which two bodies touch, by pair_of(); their
-/// order changes nothing.
-template <class Moves, class Pairs>
-void find_islands(std::vector<int>& island_of, const Moves& moves, const Pairs& pairs)
+/// `moves(i)` says whether a body can. Lists of `pairs` say which two bodies touch or are joined,
+/// by pair_of(); their order changes nothing.
+template <class Moves, class... Pairs>
+void find_islands(std::vector<int>& island_of, const Moves& moves, const Pairs&... pairs)
 {
   std::iota(island_of.begin(), island_of.end(), 0);
   const auto up = [&](int i) -> int& { return island_of[static_cast<std::size_t>(i)]; };
@@ -34,15 +34,19 @@ void find_islands(std::vector<int>& island_of, const Moves& moves, const Pairs& 
     }
     return i;
   };
-  for (const auto& one : pairs)
+  const auto join_all = [&](const auto& list)
   {
-    const auto [a, b] = pair_of(one);
-    if (moves(a) && moves(b))
+    for (const auto& one : list)
     {
-      const int root_a = root(a), root_b = root(b);
-      up(std::max(root_a, root_b)) = std::min(root_a, root_b);
+      const auto [a, b] = pair_of(one);
+      if (moves(a) && moves(b))
+      {
+        const int root_a = root(a), root_b = root(b);
+        up(std::max(root_a, root_b)) = std::min(root_a, root_b);
+      }
     }
-  }
+  };
+  (join_all(pairs), ...);
   for (int i = 0; i < static_cast<int>(island_of.size()); ++i)
   {
     up(i) = moves(i) ? root(i) : -1;

@@ -3,6 +3,7 @@
 /// \file
 /// \brief Bodies of a world that hang together by contacts, found anew in each step.
 
+#include "06_world/constraints/constraint_set.hpp"
 #include "06_world/contacts/world_contact.hpp"
 #include "06_world/islands/find_islands.hpp"
 #include "06_world/lanes/groups.hpp"
@@ -16,11 +17,12 @@ namespace cookbook
 {
 
 // [island]
-/// Movable bodies that hang together, and their contacts; both in order of number.
+/// Movable bodies that hang together, their contacts and other constraints; all in order of number.
 struct Island
 {
-  std::span<const int> bodies;   ///< numbers of bodies
-  std::span<const int> contacts; ///< numbers of contacts
+  std::span<const int> bodies;        ///< numbers of bodies
+  std::span<const int> contacts;      ///< numbers of contacts
+  std::span<const int> constraints{}; ///< numbers of constraint pairs
 };
 
 /// All islands of a world, in order of their first bodies; a body that touches nothing is one too.
@@ -28,11 +30,13 @@ class Islands
 {
 public:
   /// Finds them anew, in the room that there is.
-  void find(std::span<const RigidBody> bodies, std::span<const WorldContact> contacts)
+  void find(
+      std::span<const RigidBody> bodies, std::span<const WorldContact> contacts,
+      std::span<const ConstraintPair> constraints = {})
   {
     numbers_.resize(bodies.size());
     find_islands(
-        numbers_, [&](int i) { return !is_fixed(bodies[index_of(i)]); }, contacts);
+        numbers_, [&](int i) { return !is_fixed(bodies[index_of(i)]); }, contacts, constraints);
     count_ = 0;
     place_.resize(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -45,19 +49,21 @@ public:
       return number >= 0 ? place_[index_of(number)] : -1;
     };
     bodies_.sort(count_, bodies.size(), [&](std::size_t i) { return group(static_cast<int>(i)); });
-    contacts_.sort(
-        count_, contacts.size(),
-        [&](std::size_t i) { return std::max(group(contacts[i].a), group(contacts[i].b)); });
+    const auto group_of = [&](const auto& pair) { return std::max(group(pair.a), group(pair.b)); };
+    contacts_.sort(count_, contacts.size(), [&](std::size_t i) { return group_of(contacts[i]); });
+    constraints_.sort(
+        count_, constraints.size(), [&](std::size_t i) { return group_of(constraints[i]); });
   }
 
   std::size_t size() const { return count_; }                  ///< how many there are
   const std::vector<int>& numbers() const { return numbers_; } ///< of every body, as `islands`
-  Island operator[](std::size_t i) const { return {bodies_[i], contacts_[i]}; } ///< one of them
+  /// One of them.
+  Island operator[](std::size_t i) const { return {bodies_[i], contacts_[i], constraints_[i]}; }
 
 private:
   std::size_t count_ = 0;
   std::vector<int> numbers_, place_;
-  Groups bodies_, contacts_;
+  Groups bodies_, contacts_, constraints_;
 };
 // [island]
 

@@ -25,6 +25,8 @@ struct IslandView
   SolverScratch& scratch;                         ///< room
   std::span<const ExternalAcceleration> forces{}; ///< of this step, force_on()
   std::vector<bool>* falls = nullptr; ///< where given: of each body, whether nothing pushed it
+  std::span<const ConstraintPair> constraints{}; ///< beside contacts, of all sets
+  std::span<const ClonedSet> sets{};             ///< what these are of
 };
 
 /// The external acceleration of a body that is not fixed.

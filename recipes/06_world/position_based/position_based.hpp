@@ -5,6 +5,7 @@
 
 #include "05_resolution/restitution/restitution.hpp"
 #include "06_world/contacts/integrate_body.hpp"
+#include "06_world/islands/island_constraints.hpp"
 #include "06_world/islands/run_substeps.hpp"
 #include "06_world/position_based/position_point.hpp"
 
@@ -145,6 +146,7 @@ public:
     const double compliance = settings_.compliance / (substep * substep);
     for (int pass = 0; pass < settings_.iterations; ++pass)
     {
+      correct_constraints(world_, island_);
       for (PositionPoint& point : points_)
       {
         solve_normal(point, compliance, settings_.correction_speed * substep);

@@ -92,7 +92,7 @@ inline std::optional<Face> continued_face(const SeamView& view, std::size_t i)
     {
       continue;
     }
-    const std::optional<Face> face = flush_face(view, of, *seams.faces[j]);
+    std::optional<Face> face = flush_face(view, of, *seams.faces[j]);
     if (!face || was_built_on(view, of, *face))
     {
       continue;

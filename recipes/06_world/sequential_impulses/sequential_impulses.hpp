@@ -4,6 +4,7 @@
 /// \brief Many contacts by impulses: one point after the other, pass by pass, frame by frame.
 
 #include "05_resolution/position_correction/position_correction.hpp"
+#include "06_world/islands/island_constraints.hpp"
 #include "06_world/islands/island_points.hpp"
 #include "06_world/islands/position_impulse.hpp"
 #include "06_world/islands/run_substeps.hpp"
@@ -136,14 +137,17 @@ public:
   int prepare(double)
   {
     scale(1.0 / settings_.substeps);
+    prepare_constraints(world_, island_, settings_.substeps);
     return settings_.substeps;
   }
 
   void solve(double substep)
   {
     points_ = sequential_points(world_, island_, substep, settings_);
+    warm_start_constraints(world_, island_, substep);
     for (int i = 0; i < settings_.iterations; ++i)
     {
+      solve_constraints(world_, island_, {settings_.correction / substep, 1, 0});
       velocity_pass(points_);
     }
     for (const SequentialPoint& one : points_)
@@ -162,7 +166,11 @@ public:
 
   void relax(double) {}
 
-  void store() { scale(settings_.substeps); }
+  void store()
+  {
+    scale(settings_.substeps);
+    store_constraints(world_, island_, settings_.substeps);
+  }
 
 private:
   /// Turns impulses of a whole step into those of a substep, or back.

@@ -4,6 +4,7 @@
 /// \brief Many contacts by small steps: each contact a stiff damped spring, corrected in turn.
 
 #include "05_resolution/contact_constraint/soft_contact.hpp"
+#include "06_world/islands/island_constraints.hpp"
 #include "06_world/islands/island_points.hpp"
 #include "06_world/islands/run_substeps.hpp"
 #include "06_world/islands/torsional_friction.hpp"
@@ -41,6 +42,13 @@ inline constexpr double max_correction_turn = 1;
 inline Softness<double> contact_spring(double substep, const SoftSettings& settings)
 {
   return softness(settings.frequency / substep, settings.damping_ratio, substep);
+}
+
+/// The spring of joints in small steps [s], as stiff as a step can be: critically damped, a quarter
+/// of the substeps' rate.
+inline Softness<double> joint_spring(double substep)
+{
+  return softness(0.25 / substep, 1.0, substep);
 }
 
 /// How fast [m/s] overlaps of an island are taken away in a step [s].
@@ -95,6 +103,7 @@ public:
       point.drift = drift_of(point, *point.a, *point.b, step / settings_.substeps);
     }
     elapsed_ = -step / settings_.substeps / 2;
+    prepare_constraints(world_, island_, settings_.substeps);
     return settings_.substeps;
   }
 
@@ -104,6 +113,8 @@ public:
     const Softness<double> spring = contact_spring(substep, settings_);
     warm_start(world_, island_, substep, points_);
     elapsed_ += substep;
+    warm_start_constraints(world_, island_, substep);
+    solve_constraints(world_, island_, joint_spring(substep));
     for (IslandPoint& point : points_)
     {
       solve_contact<double>(
@@ -124,6 +135,7 @@ public:
         compute_masses(point);
       }
     }
+    relax_constraints(world_, island_);
     for (IslandPoint& point : points_)
     {
       solve_contact<double>(
@@ -136,6 +148,7 @@ public:
   void store()
   {
     cookbook::store(points_, settings_.substeps);
+    store_constraints(world_, island_, settings_.substeps);
     apply_torsional_friction(world_, island_, settings_.torsional_radius);
   }
 

@@ -100,7 +100,7 @@ inline void update_masses(IslandView world, double substep, WideContacts& lanes)
 
 // [wide_steps]
 /// Soft steps of the islands that `lanes` has, a contact in every lane of a pack of floats, for
-/// run_substeps(); R13, R16.
+/// run_substeps(); R13, R16. Other constraints are solved between the passes, in double.
 class WideSteps
 {
 public:
@@ -115,11 +115,20 @@ public:
   {
     lanes_.take(world_, step / settings_.substeps, settings_.substeps);
     elapsed_ = -step / settings_.substeps / 2;
+    each_island([&](const Island& island)
+                { prepare_constraints(world_, island, settings_.substeps); });
     return settings_.substeps;
   }
 
   void solve(double substep)
   {
+    each_island(
+        [&](const Island& island)
+        {
+          update_joined_axes(world_, island);
+          warm_start_constraints(world_, island, substep);
+          solve_constraints(world_, island, joint_spring(substep));
+        });
     std::vector<TurningBody> turning = find_turning(world_, substep, lanes_.islands);
     lanes_.put_motions(world_.bodies);
     warm_start(world_, turning, lanes_);
@@ -136,6 +145,12 @@ public:
 
   void relax(double substep)
   {
+    each_island(
+        [&](const Island& island)
+        {
+          update_joined_axes(world_, island);
+          relax_constraints(world_, island);
+        });
     lanes_.put_motions(world_.bodies);
     update_masses(world_, substep, lanes_);
     lanes_.update_separations(substep);
@@ -147,13 +162,21 @@ public:
   {
     lanes_.islands.for_each_body([&](int i) { update_axes(world_.bodies[index_of(i)]); });
     lanes_.store(world_, settings_.substeps);
-    for (const Island& island : lanes_.islands.all())
-    {
-      apply_torsional_friction(world_, island, settings_.torsional_radius);
-    }
+    each_island(
+        [&](const Island& island)
+        {
+          store_constraints(world_, island, settings_.substeps);
+          apply_torsional_friction(world_, island, settings_.torsional_radius);
+        });
   }
 
 private:
+  template <class Call>
+  void each_island(const Call& call)
+  {
+    std::for_each(lanes_.islands.all().begin(), lanes_.islands.all().end(), call);
+  }
+
   IslandView world_;
   const SoftSettings& settings_;
   WideContacts& lanes_;

@@ -1,0 +1,72 @@
+#pragma once
+
+/// \file
+/// \brief What a ball joint is, where its bodies hold it, and how they give way there.
+
+#include "05_resolution/impulse/impulse.hpp"
+#include "06_world/contacts/rigid_body.hpp"
+
+namespace cookbook
+{
+
+// [ball_joint]
+/// How much [1/kg] the points of two bodies at these arms [m] give way to an impulse in between:
+/// K = J M⁻¹ Jᵀ; R36.
+inline Matrix3<double>
+joint_inverse_mass(const Body<double>& a, const Body<double>& b, const Arms<double>& arms)
+{
+  const auto turning = [](const Body<double>& body, const Vector3<double>& arm)
+  {
+    Matrix3<double> s;
+    s << 0, -arm.z(), arm.y(), arm.z(), 0, -arm.x(), -arm.y(), arm.x(), 0;
+    return Matrix3<double>(s.transpose() * body.inverse_inertia * s);
+  };
+  const double both = a.inverse_mass + b.inverse_mass;
+  return both * Matrix3<double>::Identity() + turning(a, arms.a) + turning(b, arms.b);
+}
+
+/// Holds an anchor of A and an anchor of B together.
+struct BallJoint
+{
+  int a, b;                 ///< the two bodies by their places in the world; one may be fixed
+  Vector3<double> anchor_a; ///< [m], in A's frame
+  Vector3<double> anchor_b; ///< [m], in B's frame
+  bool collides = false;    ///< whether the two may touch
+  Vector3<double> impulse = Vector3<double>::Zero(); ///< [N s], on B in the last step, world
+};
+
+/// How a joint finds its bodies.
+struct JointPose
+{
+  Arms<double> arms; ///< [m], world, to the middle between the anchors, so that no moment is left
+  Vector3<double> error;   ///< [m], world, from A's anchor to B's
+  Vector3<double> turning; ///< [m/s²], world, by which it bends, since the anchors go in circles
+};
+
+/// That of two bodies as they are.
+inline JointPose joint_pose(const RigidBody& a, const RigidBody& b, const BallJoint& joint)
+{
+  const Vector3<double> to_a = a.orientation * joint.anchor_a;
+  const Vector3<double> to_b = b.orientation * joint.anchor_b;
+  const Vector3<double> error = b.motion.center + to_b - a.motion.center - to_a;
+  const auto bend = [](const Vector3<double>& spin, const Vector3<double>& arm) -> Vector3<double>
+  { return spin.cross(spin.cross(arm)); };
+  return {
+      {to_a + error / 2, to_b - error / 2},
+      error,
+      bend(b.motion.angular_velocity, to_b) - bend(a.motion.angular_velocity, to_a)};
+}
+
+/// The joint of two bodies, by their ids, that turn about a point [m], world, as they are now.
+template <class World>
+BallJoint ball_joint_at(const World& world, BodyId a, BodyId b, const Vector3<double>& point)
+{
+  const auto anchor = [&](const RigidBody& body) -> Vector3<double>
+  { return body.orientation.conjugate() * (point - body.motion.center); };
+  return {
+      static_cast<int>(world.index(a)), static_cast<int>(world.index(b)), anchor(world.body(a)),
+      anchor(world.body(b))};
+}
+// [ball_joint]
+
+} // namespace cookbook
