@@ -176,7 +176,8 @@ void write_sources(const fs::path& root, const fs::path& folder)
 {
   for (const char* part : {"common", "tools", "recipes", "tests"})
   {
-    for (const TextFile& file : read_tree(root, part, {".hpp", ".cpp", ".expected", ".json", ".cmake"}))
+    for (const TextFile& file :
+         read_tree(root, part, {".hpp", ".cpp", ".expected", ".json", ".cmake"}))
     {
       const fs::path path = folder / file.path;
       fs::create_directories(path.parent_path());

@@ -3,7 +3,7 @@
 /// copies.
 
 #include "06_world/ball_joint/ball_joint.hpp"
-#include "06_world/ball_joint/trial/pendulum.hpp"
+#include "06_world/ball_joint/trial/joint_pendulum.hpp"
 #include "06_world/game_world/solvers.hpp"
 #include "06_world/game_world/world_inputs.hpp"
 #include "06_world/scenes/trial/scene_bodies.hpp"

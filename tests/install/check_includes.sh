@@ -4,7 +4,7 @@
 # includes more lines of the book's than its budget, or what only the library is to see.
 set -eu
 root=$1 compiler=$2 eigen=$3
-budget=1650 # 1,300 of them make 1.7 times Eigen's own time; 5,100, as it was once, six times
+budget=1700 # 1,300 of them make 1.7 times Eigen's own time; 5,100, as it was once, six times
 
 read=$("$compiler" -std=c++20 -DCOOKBOOK_WORLD_COMPILED -isystem "$eigen" -I "$root" -I "$root/recipes" \
   -MM "$root/tests/06_world/first_world.cpp" | tr ' \\' '\n\n' | grep '\.hpp$')

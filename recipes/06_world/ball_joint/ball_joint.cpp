@@ -2,7 +2,7 @@
 /// \brief Swings a pendulum on a ball joint, and compares its period with the closed form.
 
 #include "06_world/ball_joint/ball_joint.hpp"
-#include "06_world/ball_joint/trial/pendulum.hpp"
+#include "06_world/ball_joint/trial/joint_pendulum.hpp"
 #include "tools/program/program.hpp"
 #include "tools/program/table.hpp"
 

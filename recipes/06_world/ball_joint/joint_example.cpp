@@ -1,12 +1,14 @@
+/// \file
+/// \brief A lamp that hangs on a hook by a ball joint.
+
 // [example]
 #include "06_world/ball_joint/ball_joint.hpp"
 #include "06_world/game_world/solvers.hpp"
-
 #include <cstdio>
+using namespace cookbook;
 
 int main()
 {
-  using namespace cookbook;
   const SceneBody hook{.name = "hook", .shape = SphereShape{0.1}, .position = {0, 3, 0}};
   const SceneBody lamp{.name = "lamp", .shape = SphereShape{0.2}, .mass = 4, .position = {1, 3, 0}};
   GameWorld world({.bodies = {hook, lamp}}, solver_named("direct"));
@@ -15,7 +17,7 @@ int main()
   const std::size_t cables = world.add(joints);
   for (int step = 0; step < 36; ++step)
     world.step();
-  const Vector3<double> pull = world.constraints<BallJoints>(cables)[0].impulse * 60;
-  std::printf("at %.2f m, %.1f N\n", world.body(1).motion.center.y(), pull.norm());
+  const double pull = 60 * world.constraints<BallJoints>(cables)[0].impulse.norm();
+  std::printf("at %.2f m, %.1f N\n", world.body(1).motion.center.y(), pull);
 }
 // [example]

@@ -139,6 +139,14 @@ private:
     return tries;
   }
 
+  /// Whether any body of an island is a sphere: one that is jammed opens again by rolling aside.
+  static bool has_spheres(IslandView world, const Island& island)
+  {
+    return std::any_of(
+        island.bodies.begin(), island.bodies.end(),
+        [&](int i) { return world.bodies[index_of(i)].is_sphere; });
+  }
+
   /// Finds the velocities of an island, unless it has to wait or no answer is found.
   static DirectAnswer solved(Tries& tries, IslandView world, const Island& island, double step)
   {
@@ -157,7 +165,8 @@ private:
     tries.frames_to_wait = found ? 0 : tries.pause;
     tries.pause = found ? 1 : std::min(2 * tries.pause, 16);
     tries.softening = next_softening(tries.softening, found);
-    if (const double absence = tries.rest.watch(found, soft, step); absence > 0)
+    const double absence = has_spheres(world, island) ? tries.rest.watch(found, soft, step) : 0;
+    if (absence > 0)
     {
       tries.frames_to_wait = static_cast<int>(std::min(absence / step, 1e9));
       tries.softening = 0;

@@ -16,14 +16,13 @@ namespace cookbook
 inline constexpr double max_stick_turn = 0.05;
 
 /// The centripetal acceleration [m/s²] of a body's point at an arm [m], as the body turns. None of
-/// a sphere's, which rolls on: its point of contact does not stay; nor of a body that turns so
-/// slowly that its arms stay as they were.
+/// a body that turns so slowly that its arms stay as they were.
 inline Vector3<double>
 centripetal_acceleration(const RigidBody& body, const Vector3<double>& arm, double step)
 {
   const Vector3<double>& spin = body.motion.angular_velocity;
   const double speed = spin.norm();
-  const bool stays = !body.is_sphere && speed > max_lagging_spin && step * speed <= max_stick_turn;
+  const bool stays = speed > max_lagging_spin && step * speed <= max_stick_turn;
   return stays ? Vector3<double>(spin.cross(spin.cross(arm))) : Vector3<double>(0, 0, 0);
 }
 
@@ -33,11 +32,16 @@ centripetal_acceleration(const RigidBody& body, const Vector3<double>& arm, doub
 /// A step goes straight on where the point of a body that turns goes round: after a time t it is
 /// off by a t² / 2. Two points that start with equal velocities so drift apart, on a turntable
 /// outwards by ω² r t² / 2 in each step, unless they slide by the difference of their accelerations
-/// a, times the time since the arms were taken.
+/// a, times the time since the arms were taken. Not where a sphere rolls, or a box on one: their
+/// point of contact is another one in each step.
 inline Vector3<double> stick_drift(
     const RigidBody& a, const RigidBody& b, const Vector3<double>& normal, const Arms<double>& arms,
     double step)
 {
+  if (a.is_sphere || b.is_sphere)
+  {
+    return Vector3<double>::Zero();
+  }
   return along_surface<double>(
       centripetal_acceleration(a, arms.a, step) - centripetal_acceleration(b, arms.b, step),
       normal);
