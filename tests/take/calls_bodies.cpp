@@ -12,7 +12,7 @@ namespace
 {
 
 #if defined TAKE_impulse || defined TAKE_contact_constraint || defined TAKE_friction ||            \
-    defined TAKE_restitution
+    defined TAKE_restitution || defined TAKE_ball_joint
 Body<double> drawn_body(Draw& draw)
 {
   const Motion<double> motion{draw.vector(1), draw.vector(2), draw.vector(2)};
@@ -399,6 +399,16 @@ int main()
       {
         sequential_impulses(view, island, 1.0 / 60, SequentialSettings{});
         return true;
+      });
+#endif
+#ifdef TAKE_ball_joint
+  print(
+      "ball_joint",
+      [](Draw& draw, Bits& bits)
+      {
+        const Body<double> a = drawn_body(draw), b = drawn_body(draw);
+        const Matrix3<double> k = joint_inverse_mass(a, b, {draw.vector(1), draw.vector(1)});
+        bits(Vector3<double>(k.col(0)), Vector3<double>(k.col(1)), Vector3<double>(k.col(2)));
       });
 #endif
 #ifdef TAKE_soft_steps

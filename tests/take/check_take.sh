@@ -7,7 +7,7 @@ rm -rf "$work"
 mkdir -p "$work"
 
 # Worlds answer wrong scenes by exceptions.
-needs_exceptions="direct_solver position_based sequential_impulses small_world plain_positions plain_direct soft_steps game_world game"
+needs_exceptions="direct_solver position_based sequential_impulses small_world plain_positions plain_direct soft_steps wide_solver ball_joint game_world game"
 # What these declare is in libraries, so there is nothing to call: they only have to compile.
 only_declare="box_pairs sphere_pairs"
 
@@ -21,7 +21,7 @@ budget() {
     small_world) echo 1800 ;; # a plain rung: this is a promise
     plain_positions) echo 1600 ;;
     plain_direct) echo 1850 ;;
-    face_clipping) echo 1110 ;;
+    face_clipping) echo 1120 ;;
     box_box) echo 1800 ;; # with the plain rungs, whose functions it shares
     game_world) echo 19600 ;; # with all solvers, any convex shape, flush tiles and joints
     *) echo 9999 ;;

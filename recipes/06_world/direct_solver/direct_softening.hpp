@@ -87,8 +87,9 @@ inline double next_softening(double softening, bool solved)
 class Restlessness
 {
 public:
-  /// After a try of a step [s]: for how long [s] the island is now left to soft steps, or 0.
-  double watch(bool found, bool softened, double step)
+  /// After a try of a step [s]: for how long [s] the island is now left to soft steps, or 0. With
+  /// spheres it is sooner than without.
+  double watch(bool found, bool softened, bool has_spheres, double step)
   {
     exact_time_ = found && !softened ? exact_time_ + step : 0;
     restless_time_ += step;
@@ -97,7 +98,8 @@ public:
     {
       *this = {};
     }
-    const bool often = restless_time_ > patience && failures_ > 1;
+    const bool often =
+        restless_time_ > (has_spheres ? rolling_patience : patience) && failures_ > 1;
     if (!often && !(left_ && !found))
     {
       return 0;
@@ -116,9 +118,11 @@ public:
   bool left() const { return left_; }
 
 private:
-  static constexpr double lasting = 0.5;      // [s], of exact answers, after which all is well
-  static constexpr double patience = 2;       // [s], without that and with failures
-  static constexpr double last_absence = 256; // [s], after four times as long each time
+  static constexpr double lasting = 0.5;        // [s], of exact answers, after which all is well
+  static constexpr double patience = 8;         // [s], without that and with failures: contacts of
+                                                // fallen rows are stiff again after 315 frames
+  static constexpr double rolling_patience = 2; // [s], where bodies roll aside meanwhile
+  static constexpr double last_absence = 256;   // [s], after four times as long each time
 
   double exact_time_ = 0;    // [s], of exact answers without a break
   double restless_time_ = 0; // [s], since they have lasted

@@ -165,7 +165,7 @@ private:
     tries.frames_to_wait = found ? 0 : tries.pause;
     tries.pause = found ? 1 : std::min(2 * tries.pause, 16);
     tries.softening = next_softening(tries.softening, found);
-    const double absence = has_spheres(world, island) ? tries.rest.watch(found, soft, step) : 0;
+    const double absence = tries.rest.watch(found, soft, has_spheres(world, island), step);
     if (absence > 0)
     {
       tries.frames_to_wait = static_cast<int>(std::min(absence / step, 1e9));
