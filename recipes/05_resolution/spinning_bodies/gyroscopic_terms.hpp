@@ -4,6 +4,7 @@
 /// \brief Euler's equations with the angular velocity as the state: no gyroscopic term, an explicit
 /// and an implicit one, the implicit midpoint, and what each of them keeps.
 
+#include "05_resolution/spinning_bodies/cross_matrix.hpp"
 #include "05_resolution/spinning_bodies/spinning_bodies.hpp"
 
 #include <Eigen/LU>
@@ -66,15 +67,6 @@ Spinning<Real> clamped_term(const Spinning<Real>& body, const Vector3<Real>& mom
 // [explicit_term]
 
 // [implicit_term]
-/// The matrix that a vector multiplies another with from the left, as a cross product.
-template <class Real>
-Matrix3<Real> cross_matrix(const Vector3<Real>& v)
-{
-  Matrix3<Real> matrix;
-  matrix << Real(0), -v.z(), v.y(), v.z(), Real(0), -v.x(), -v.y(), v.x(), Real(0);
-  return matrix;
-}
-
 /// By how much I(ω − ω₀) + h ω × Iω changes with ω; R25.
 template <class Real>
 Matrix3<Real>

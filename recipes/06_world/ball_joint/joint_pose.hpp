@@ -4,6 +4,7 @@
 /// \brief What a ball joint is, where its bodies hold it, and how they give way there.
 
 #include "05_resolution/impulse/impulse.hpp"
+#include "05_resolution/spinning_bodies/cross_matrix.hpp"
 #include "06_world/contacts/rigid_body.hpp"
 
 namespace cookbook
@@ -17,8 +18,7 @@ joint_inverse_mass(const Body<double>& a, const Body<double>& b, const Arms<doub
 {
   const auto turning = [](const Body<double>& body, const Vector3<double>& arm)
   {
-    Matrix3<double> s;
-    s << 0, -arm.z(), arm.y(), arm.z(), 0, -arm.x(), -arm.y(), arm.x(), 0;
+    const Matrix3<double> s = cross_matrix(arm);
     return Matrix3<double>(s.transpose() * body.inverse_inertia * s);
   };
   const double both = a.inverse_mass + b.inverse_mass;
@@ -49,12 +49,11 @@ inline JointPose joint_pose(const RigidBody& a, const RigidBody& b, const BallJo
   const Vector3<double> to_a = a.orientation * joint.anchor_a;
   const Vector3<double> to_b = b.orientation * joint.anchor_b;
   const Vector3<double> error = b.motion.center + to_b - a.motion.center - to_a;
-  const auto bend = [](const Vector3<double>& spin, const Vector3<double>& arm) -> Vector3<double>
-  { return spin.cross(spin.cross(arm)); };
   return {
       {to_a + error / 2, to_b - error / 2},
       error,
-      bend(b.motion.angular_velocity, to_b) - bend(a.motion.angular_velocity, to_a)};
+      centripetal_acceleration(b.motion.angular_velocity, to_b) -
+          centripetal_acceleration(a.motion.angular_velocity, to_a)};
 }
 
 /// The joint of two bodies, by their ids, that turn about a point [m], world, as they are now.

@@ -62,6 +62,13 @@ accelerated(const Motion<double>& motion, const ExternalAcceleration& by, double
   const auto& [center, velocity, spin] = motion;
   return {center, velocity + time * by.acceleration, spin + time * by.angular_acceleration};
 }
+
+/// The centripetal acceleration [m/s²] of a body's point at an arm [m], as the body spins [rad/s].
+inline Vector3<double>
+centripetal_acceleration(const Vector3<double>& spin, const Vector3<double>& arm)
+{
+  return spin.cross(spin.cross(arm));
+}
 // [external_acceleration]
 
 } // namespace cookbook

@@ -3,6 +3,7 @@
 /// \file
 /// \brief What the velocities of two bodies change in the impulses of both, through a contact.
 
+#include "05_resolution/spinning_bodies/cross_matrix.hpp"
 #include "06_world/direct_solver/block_cholesky.hpp"
 #include "06_world/direct_solver/direct_points.hpp"
 
@@ -20,18 +21,8 @@ struct DirectBlocks
   Matrix6 bb = Matrix6::Zero(); ///< of B in B; only its lower half is right
 };
 
-/// The matrix S with S x = r × x.
-inline Matrix3<double> cross_matrix(const Vector3<double>& r)
-{
-  Matrix3<double> s;
-  s.col(0) = Vector3<double>(0, r.z(), -r.y());
-  s.col(1) = Vector3<double>(-r.z(), 0, r.x());
-  s.col(2) = Vector3<double>(r.y(), -r.x(), 0);
-  return s;
-}
-
-/// Adds a point with a stiffness W [kg]: Jᵀ W J, where J = (1, −S) takes the velocities of a body
-/// to that of its point.
+/// Adds a point with a stiffness W [kg]: Jᵀ W J, where J = (1, −S), S x = r × x, takes the
+/// velocities of a body to that of its point.
 inline void
 add_point(DirectBlocks& blocks, const DirectPoint& point, const Matrix3<double>& stiffness)
 {

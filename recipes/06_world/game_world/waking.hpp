@@ -8,7 +8,6 @@
 #include "06_world/sleeping/sleeping.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -115,13 +114,15 @@ inline void wake_touched_by(WorldState& world, const Bounds& bound)
 /// Wakes the bodies of a set's constraints.
 inline void wake_joined(WorldState& world, std::size_t set)
 {
+  std::vector<int> joined;
   for (const ConstraintPair& pair : world.constraints)
   {
     if (pair.set == set)
     {
-      wake_islands_of(world, std::array{pair.a, pair.b});
+      joined.insert(joined.end(), {pair.a, pair.b});
     }
   }
+  wake_islands_of(world, joined);
 }
 // [waking]
 

@@ -36,7 +36,7 @@ struct BoxToiManifold
   {
     const Obb<double> here = placed(a, box);
     const auto there = placed(b, other);
-    const double separation = std::max(0.0, direction_between(here, there).length);
+    const double separation = std::max(0.0, gap_of(here, there).length);
     return separation > farthest
                ? std::nullopt
                : steady_manifold(-1, here, there, 2 * separation + 1e-3 * inner_radius_of(box));

@@ -20,7 +20,7 @@ namespace cookbook
 inline constexpr std::uint32_t closest_feature = 1u << 16;
 
 /// By what fraction of the smaller outer radius it is deeper than all points of a patch, or left
-/// out: a drum on eight points of its rim is on the way to stand on the arc between two of them.
+/// out: a drum on eight points of its rim may tip until it stands on the arc between two of them.
 inline constexpr double closest_gain = 3e-5;
 
 /// A manifold of points of a patch, and of the point where the shapes are closest, if it is deeper

@@ -23,7 +23,7 @@ centripetal_acceleration(const RigidBody& body, const Vector3<double>& arm, doub
   const Vector3<double>& spin = body.motion.angular_velocity;
   const double speed = spin.norm();
   const bool stays = speed > max_lagging_spin && step * speed <= max_stick_turn;
-  return stays ? Vector3<double>(spin.cross(spin.cross(arm))) : Vector3<double>(0, 0, 0);
+  return stays ? cookbook::centripetal_acceleration(spin, arm) : Vector3<double>(0, 0, 0);
 }
 
 /// How fast [m/s²] the velocity with which B's surface slides over A's must grow, so that the point

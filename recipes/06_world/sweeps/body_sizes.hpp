@@ -4,23 +4,17 @@
 /// \brief How far the shapes of bodies reach, and how thin they are.
 
 #include "06_world/contacts/scene.hpp"
-
-#include <limits>
+#include "06_world/shapes/box_shape.hpp"
+#include "06_world/shapes/plane_shape.hpp"
+#include "06_world/shapes/sphere_shape.hpp"
 
 namespace cookbook
 {
 
 // [body_sizes]
-/// How far [m] a shape reaches from its centre.
-inline double bounding_radius_of(const SphereShape& sphere)
-{
-  return sphere.radius;
-}
-inline double bounding_radius_of(const BoxShape& box)
-{
-  return box.half_extents.norm();
-}
-inline double bounding_radius_of(const ConvexShape& shape)
+/// How far [m] a shape reaches from its centre; a plane has none, and turns by nothing.
+template <class Shape>
+double bounding_radius_of(const Shape& shape)
 {
   return extent(shape).outer;
 }
@@ -30,21 +24,10 @@ inline double bounding_radius_of(const PlaneShape&)
 }
 
 /// How far [m] the nearest point of a shape's surface is from its centre.
-inline double inner_radius_of(const SphereShape& sphere)
-{
-  return sphere.radius;
-}
-inline double inner_radius_of(const BoxShape& box)
-{
-  return box.half_extents.minCoeff();
-}
-inline double inner_radius_of(const ConvexShape& shape)
+template <class Shape>
+double inner_radius_of(const Shape& shape)
 {
   return extent(shape).inner;
-}
-inline double inner_radius_of(const PlaneShape&)
-{
-  return std::numeric_limits<double>::infinity();
 }
 
 /// The allowed penetration [m] of bodies of which the thinner one has this inner radius [m]: a

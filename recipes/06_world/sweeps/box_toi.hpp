@@ -15,17 +15,7 @@ namespace cookbook
 {
 
 // [box_direction]
-/// The direction from a box along which another shape is farthest away, and how far that is [m].
-inline Direction<double> direction_between(const Obb<double>& box, const Obb<double>& other)
-{
-  return box_gap(box, other);
-}
-inline Direction<double> direction_between(const Obb<double>& box, const Sphere<double>& sphere)
-{
-  const Direction<double> direction = direction_between(sphere, box);
-  return {-direction.unit, direction.length};
-}
-/// How far [m] a ball reaches from its centre, along any axis.
+/// How far [m] a sphere reaches from its centre, along any axis.
 inline double projected_radius(const Sphere<double>& sphere, const Vector3<double>&)
 {
   return sphere.radius;
@@ -33,11 +23,6 @@ inline double projected_radius(const Sphere<double>& sphere, const Vector3<doubl
 inline double projected_radius(const Obb<double>& box, const Vector3<double>& axis)
 {
   return box_radius(box, axis);
-}
-inline Direction<double> direction_between(const Obb<double>& box, const Plane<double>& plane)
-{
-  const double above = signed_distance(plane, box.center);
-  return {-plane.normal, above - projected_radius(box, plane.normal)};
 }
 
 /// What a box and another shape see of each other along a direction n from the box to that: either
@@ -106,7 +91,7 @@ struct BoxToi
       const RigidBody here = box.pose_at(time), there = other.pose_at(time);
       const auto at = placed(here, box_shape);
       const auto shape = placed(there, other_shape);
-      const Direction<double> direction = direction_between(at, shape);
+      const Direction<double> direction = gap_of(at, shape);
       if (!allowed)
       {
         allowed = std::max({0.0, allowed_overlap, allowed_overlap / 25 - direction.length});

@@ -15,31 +15,6 @@
 namespace cookbook
 {
 
-// [sphere_direction]
-/// The direction from a ball to the nearest point of another shape, and how far that is [m].
-inline Direction<double>
-direction_between(const Sphere<double>& sphere, const Sphere<double>& other)
-{
-  const Direction<double> centers = normalize<double>(other.center - sphere.center);
-  return {centers.unit, centers.length - sphere.radius - other.radius};
-}
-inline Direction<double> direction_between(const Sphere<double>& sphere, const Plane<double>& plane)
-{
-  return {-plane.normal, signed_distance(plane, sphere.center) - sphere.radius};
-}
-inline Direction<double> direction_between(const Sphere<double>& sphere, const Obb<double>& box)
-{
-  const Vector3<double> local = box_coordinates(box, sphere.center);
-  const Direction<double> direction = direction_to_box(local, box.axes, box.half_extents);
-  return {direction.unit, direction.length - sphere.radius};
-}
-inline Direction<double>
-direction_between(const Sphere<double>& sphere, const Placed<ConvexShape>& shape)
-{
-  return gap_of(sphere, shape);
-}
-// [sphere_direction]
-
 // [placed_at]
 /// A body's shape as it is at a time [s] of its course.
 inline Obb<double> placed_at(const Trajectory& trajectory, double time, const BoxShape& box)
@@ -79,10 +54,7 @@ struct SphereToi
   operator()(const SphereShape& ball_shape, const Shape& other_shape) const
   {
     const auto way_at = [&](double time)
-    {
-      return direction_between(
-          placed_at(sphere, time, ball_shape), placed_at(other, time, other_shape));
-    };
+    { return gap_of(placed_at(sphere, time, ball_shape), placed_at(other, time, other_shape)); };
     const Vector3<double> acceleration = sphere.external.acceleration - other.external.acceleration;
     const auto query = [&](double fraction)
     {

@@ -48,7 +48,7 @@ inline bool are_forced(const PredictedStep& step, int i, int j)
 
 // [trajectory]
 /// The acceleration [m/s²] of a body that is pulled along others, by what its velocity changed in a
-/// step [s]: a part of the pull, and what is held of that lies across it, but for a share by
+/// step [s]: a part of the pull, and what is held of that lies across it, but for a fraction by
 /// friction. Zero where it does not slide like that.
 inline Vector3<double> sliding_acceleration(
     const RigidBody& now, const PreviousState& start, const Vector3<double>& pull, double step,
