@@ -132,9 +132,9 @@ awk -v link="\\\\subpage ch${number}_page_$name is new here.\n" '
 ' "chapters/$chapter.md" >"chapters/$chapter.md.part"
 mv "chapters/$chapter.md.part" "chapters/$chapter.md"
 
-# Formulas are numbered through the book by a letter for each chapter, R for 5 and 6: the first number
+# Formulas are numbered through the book by a letter for each chapter, R for 5 to 7: the first number
 # that is free.
-letter=$(printf 'M P S O R R' | cut -d ' ' -f "$number")
+letter=$(printf 'M P S O R R R' | cut -d ' ' -f "$number")
 last=$(cat chapters/*.md tests/*/*.cpp | grep -oE "(tag\{|\[)$letter[0-9]+[]}]" | tr -dc '0-9\n' | sort -n | tail -n 1)
 echo "Made $recipe.hpp, .cpp and .expected, $test,"
 echo "and its page, $page, with a link to it in chapters/$chapter.md."
