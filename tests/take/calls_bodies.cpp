@@ -482,6 +482,27 @@ int main()
         bits(int(events.active().size()), int(events.begun().size()), int(events.ended().size()));
       });
 #endif
+#ifdef TAKE_rope
+  print(
+      "rope",
+      [](Draw& draw, Bits& bits)
+      {
+        Rope rope = make_rope(draw.vector(1), draw.vector(1), 8, draw.number(0.1, 9), 1e-3);
+        rope.particles.inverse_masses[0] = 0;
+        const StepSettings settings{.substeps = 2, .iterations = 2};
+        for (int step = 0; step < 4; ++step)
+        {
+          step_xpbd(rope.particles, rope.links, settings);
+          step_direct(rope.particles, rope.links, settings);
+          step_implicit(rope.particles, rope.links, settings);
+          step_mass_spring(rope.particles, rope.links, settings);
+        }
+        for (std::size_t i = 0; i <= 8; ++i)
+        {
+          bits(rope.particles.positions[i], rope.particles.velocities[i]);
+        }
+      });
+#endif
 #ifdef TAKE_game_world
   print(
       "game_world",
