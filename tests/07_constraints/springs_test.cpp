@@ -332,7 +332,7 @@ TEST_CASE(
     const SpringPose<double> pose = spring_pose<double>(a, b, {a.motion.center, b.motion.center});
     const auto [before, after] = spring_kicks(flow, {pose.length - 1, pose.speed}, step);
     apply_impulse<double>(a, b, pose.arms, pose.mass * before * pose.along);
-    cookbook::small_world::step(world, step);
+    small_world::step(world, step);
     apply_impulse<double>(a, b, pose.arms, pose.mass * after * pose.along);
     const double stretch = b.motion.center.x() - a.motion.center.x() - 1;
     CHECK(stretch == Catch::Approx(0.2 * std::cos(2 * pi * 5 * i * step)).margin(1e-9));

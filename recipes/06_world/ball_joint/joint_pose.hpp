@@ -1,30 +1,16 @@
 #pragma once
 
 /// \file
-/// \brief What a ball joint is, where its bodies hold it, and how they give way there.
+/// \brief What a ball joint is, and where its bodies hold it.
 
 #include "05_resolution/impulse/impulse.hpp"
-#include "05_resolution/spinning_bodies/cross_matrix.hpp"
+#include "06_world/ball_joint/joint_inverse_mass.hpp"
 #include "06_world/contacts/rigid_body.hpp"
 
 namespace cookbook
 {
 
 // [ball_joint]
-/// How much [1/kg] the points of two bodies at these arms [m] give way to an impulse in between:
-/// K = J M⁻¹ Jᵀ; R36.
-inline Matrix3<double>
-joint_inverse_mass(const Body<double>& a, const Body<double>& b, const Arms<double>& arms)
-{
-  const auto turning = [](const Body<double>& body, const Vector3<double>& arm)
-  {
-    const Matrix3<double> s = cross_matrix(arm);
-    return Matrix3<double>(s.transpose() * body.inverse_inertia * s);
-  };
-  const double both = a.inverse_mass + b.inverse_mass;
-  return both * Matrix3<double>::Identity() + turning(a, arms.a) + turning(b, arms.b);
-}
-
 /// Holds an anchor of A and an anchor of B together.
 struct BallJoint
 {
