@@ -36,7 +36,7 @@ TEST_CASE(
   CHECK((next.position - from.position - 0.01 * next.velocity).norm() <= 1e-15);
 }
 
-TEST_CASE("of two balls on a rod, 1 and 3 kg, each gets a speed by its share of the mass", "[R41]")
+TEST_CASE("between the centres of 1 and 3 kg an impulse feels 3/4 kg, in all directions", "[R41]")
 {
   namespace small = small_world;
   const small::RigidBody a = small::sphere({0, 0, 0}, 0.1, 1), b = small::sphere({1, 0, 0}, 0.1, 3);
