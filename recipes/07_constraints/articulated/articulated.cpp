@@ -20,7 +20,7 @@ using namespace cookbook;
 // [print_tables]
 std::string energy_table()
 {
-  Table table({"steps a second", "RK4 off by, in 60 s", "semi-implicit off by .1 after [s]"});
+  Table table({"steps a second", "RK4 off by, in 60 s", "semi-implicit off by 0.1 after [s]"});
   for (const int rate : {60, 120, 240, 480})
   {
     const SwingScene scene{{.links = 2}, 1};
@@ -43,12 +43,12 @@ std::string tension_table()
     }
     return std::to_string(steps);
   };
-  for (const double load : {0.0, 100.0, 1000.0, 10000.0})
+  for (const int load : {0, 100, 1000, 10000})
   {
-    const HangingChain chain{.load = load};
+    const HangingChain chain{.load = static_cast<double>(load)};
     const double needed = steps_needed(chain);
     table.row(
-        {number(load), rounded(needed), least(chain, semi_implicit_step),
+        {std::to_string(load), rounded(needed), least(chain, semi_implicit_step),
          rounded(needed / std::numbers::sqrt2), least(chain, rk4_step)});
   }
   return table.text();

@@ -60,7 +60,7 @@ inline plot::Figure2d swing_figure()
   ArticulatedBody tree(chain_links({}));
   TreeState state = zero_state(tree.links());
   state.positions[0] = std::numbers::pi / 4;
-  const int times = 6, between = 560;
+  const int times = 6, between = 140; // steps of 4 ms
   for (int i = 0; i < times; ++i)
   {
     std::vector<Vector2<double>> joints{{0, 0}};
@@ -72,10 +72,10 @@ inline plot::Figure2d swing_figure()
       joints.push_back(end.head<2>());
     }
     figure.polyline(joints, plot::Ink::a, plot::Stroke::solid, 2)
-        .dot(joints.back(), plot::Ink::b, number(i * between / 1000.0) + " s", plot::Side::below);
+        .dot(joints.back(), plot::Ink::b, number(i * between * 0.004) + " s", plot::Side::below);
     for (int step = 0; step < between; ++step)
     {
-      rk4_step(tree, state, 0.001);
+      rk4_step(tree, state, 0.004);
     }
   }
   figure.point({0, 0}, plot::Ink::ink, "hook", plot::Side::above);
@@ -97,7 +97,7 @@ pass_panel(const std::string& name, bool outwards, const std::vector<std::string
     const Vector2<double> upper = middle + beside - 0.38 * along;
     const Vector2<double> lower = middle + beside + 0.38 * along;
     figure.arrow(outwards ? upper : lower, outwards ? lower : upper, plot::Ink::b)
-        .label(middle + beside, carried[i], plot::Side::right);
+        .label(middle + beside + Vector2<double>(0.08, 0), carried[i], plot::Side::right);
   }
   for (std::size_t i = 0; i + 1 < joints.size(); ++i)
   {
