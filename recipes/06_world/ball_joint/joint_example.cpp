@@ -4,6 +4,7 @@
 // [example]
 #include "06_world/ball_joint/ball_joint.hpp"
 #include "06_world/game_world/solvers.hpp"
+#include <cmath>
 #include <cstdio>
 using namespace cookbook;
 
@@ -17,7 +18,8 @@ int main()
   const std::size_t cables = world.add(joints);
   for (int step = 0; step < 36; ++step)
     world.step();
-  const double pull = 60 * world.constraints<BallJoints>(cables)[0].impulse.norm();
+  const JointImpulses& cable = world.constraints<BallJoints>(cables).impulses(0);
+  const double pull = 60 * std::hypot(cable[0], cable[1], cable[2]);
   std::printf("at %.2f m, %.1f N\n", world.body(1).motion.center.y(), pull);
 }
 // [example]

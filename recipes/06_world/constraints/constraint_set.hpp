@@ -4,7 +4,7 @@
 /// \brief What joints and other constraints are to a world: pairs of bodies, pushes, and rows.
 
 #include "05_resolution/position_correction/softness.hpp"
-#include "06_world/contacts/rigid_body.hpp"
+#include "06_world/constraints/constraint_row.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -16,19 +16,6 @@ namespace cookbook
 {
 
 // [constraint_set]
-/// Linear and angular part of what a constraint asks of one body, J of R36.
-using RowVector6 = Eigen::Matrix<double, 6, 1>;
-
-/// One equation of a constraint between velocities, J_A v_A + J_B v_B + error / step = 0, for
-/// solvers that take all equations at once.
-struct ConstraintRow
-{
-  RowVector6 a;          ///< [1, m], J_A
-  RowVector6 b;          ///< [1, m], J_B
-  double error;          ///< [m], by which it is off at the end of the step without the row
-  double compliance = 0; ///< [1], how far it gives way, as a fraction of what two free bodies do
-};
-
 /// Two bodies of a constraint, by their places in the world.
 struct ConstraintPair
 {
@@ -81,12 +68,13 @@ public:
   virtual void rows(
       std::span<const RigidBody> bodies, int number, double step,
       const std::function<void(const ConstraintRow&)>& emit) const = 0;
-  /// Writes down the impulses [N s] of these rows in a step, in their order.
+  /// Writes down the impulses [N s] of these rows in that step, in their order.
   virtual void store_rows(int number, std::span<const double> impulses) = 0;
 
-  /// Moves the bodies so that an error is taken away, for solvers of positions; false where the
-  /// kind cannot.
-  virtual bool correct(Bodies, int) { return false; }
+  /// Moves the bodies, which their velocities have led on for a substep [s], so that an error is
+  /// taken away, for solvers of positions; what is no error but a push, only in the first of
+  /// several passes. False where the kind cannot.
+  virtual bool correct(Bodies, int, double, bool) { return false; }
 };
 
 /// A set that is copied with what has it.

@@ -3,15 +3,14 @@
 /// \file
 /// \brief The factor of a single block: six numbers of one body by six.
 
+#include "06_world/constraints/constraint_row.hpp"
+
 #include <Eigen/Core>
 
 #include <cmath>
 
 namespace cookbook
 {
-
-/// Linear and angular part of one body.
-using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 /// What one body's six feel of another's.
 using Matrix6 = Eigen::Matrix<double, 6, 6>;

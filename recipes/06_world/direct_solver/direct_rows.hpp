@@ -13,14 +13,17 @@ namespace cookbook
 {
 
 // [direct_rows]
-/// A row of a constraint beside contacts; its bodies as those of a contact.
+/// A row of a constraint beside contacts; its bodies as those of a contact. It pushes by
+/// −(stiffness · speed + offset), within its bounds.
 struct DirectRow
 {
   int a, b;                 ///< the two bodies
   Vector6 on_a, on_b;       ///< J
-  double bias;              ///< [m/s], at which it closes its error; and how what is driven moves
-  double stiffness;         ///< [kg]
+  double stiffness;         ///< [kg], an impulse for a speed
+  double offset;            ///< [N s], what it takes to close its error, and of what is driven
+  double lower, upper;      ///< [N s], bounds
   double impulse;           ///< [N s]
+  bool active;              ///< whether it is within them, and not at one
   const ConstraintPair* of; ///< where it comes from
 };
 
@@ -32,17 +35,28 @@ inline int number_in(const Island& island, int body)
   return there ? static_cast<int>(found - island.bodies.begin()) : -1;
 }
 
-/// The velocities of a body as six numbers [m/s, rad/s].
-inline Vector6 velocities_of(const Motion<double>& motion)
+/// The impulse [N s] that a row takes for each m/s and rad/s, of bodies that give way by
+/// `inverse_mass` to it: a spring as stiff as its step asks, and the rest as stiff as can be.
+inline double
+stiffness_of(const ConstraintRow& row, double inverse_mass, const DirectSettings& settings)
 {
-  return (Vector6() << motion.velocity, motion.angular_velocity).finished();
+  const double stiffest = 1 / (settings.compliance * inverse_mass);
+  return is_spring(row) ? std::min((1 / row.keeps - 1) / inverse_mass, stiffest) : stiffest;
 }
 
-/// How much [1/kg] a body gives way to a row.
-inline double inverse_mass_of(const RigidBody& body, const Vector6& row)
+/// The impulse [N s] that a row takes at no speed in a step [s].
+inline double offset_of(
+    const ConstraintRow& row, double inverse_mass, double stiffness, double step,
+    const DirectSettings& settings)
 {
-  const Vector3<double> linear = row.head<3>(), angular = row.tail<3>();
-  return body.inverse_mass * linear.squaredNorm() + angular.dot(body.inverse_inertia * angular);
+  if (is_spring(row)) // so that a single one comes to the speed that it asks
+  {
+    return (1 / inverse_mass + stiffness) * row.pulls * row.error;
+  }
+  const double bend = step / 2 * row.turning;
+  const bool open = is_limit(row) && (row.lower == 0 ? row.error : -row.error) > 0;
+  const double correction = open ? 1 : settings.row_correction;
+  return stiffness * (correction * row.error / step + bend - row.speed);
 }
 
 /// Adds the rows of a constraint.
@@ -57,12 +71,19 @@ inline void gather(
       world.bodies, pair.number, step,
       [&](const ConstraintRow& row)
       {
-        const double felt = inverse_mass_of(a, row.a) + inverse_mass_of(b, row.b);
+        const double inverse_mass = inverse_mass_of(a, row.a) + inverse_mass_of(b, row.b);
+        if (inverse_mass == 0) // it moves nothing
+        {
+          rows.push_back({in_a, in_b, row.a, row.b, 0, 0, 0, 0, 0, true, &pair});
+          return;
+        }
+        const double stiffness = stiffness_of(row, inverse_mass, settings);
         const double driven = (in_a < 0 ? row.a.dot(velocities_of(a.motion)) : 0) +
                               (in_b < 0 ? row.b.dot(velocities_of(b.motion)) : 0);
-        const double bias = settings.row_correction * row.error / step + driven;
-        const double stiffness = 1 / (std::max(settings.compliance, row.compliance) * felt);
-        rows.push_back({in_a, in_b, row.a, row.b, bias, stiffness, 0, &pair});
+        const double offset = offset_of(row, inverse_mass, stiffness, step, settings);
+        rows.push_back(
+            {in_a, in_b, row.a, row.b, stiffness, offset + stiffness * driven, step * row.lower,
+             step * row.upper, 0, true, &pair});
       });
 }
 
@@ -71,6 +92,10 @@ inline void add_rows(const std::vector<DirectRow>& rows, BlockCholesky& matrix)
 {
   for (const DirectRow& row : rows)
   {
+    if (!row.active)
+    {
+      continue;
+    }
     if (row.a >= 0)
     {
       matrix.diagonal(row.a) += row.stiffness * row.on_a * row.on_a.transpose();
@@ -90,10 +115,11 @@ inline void add_rows(const std::vector<DirectRow>& rows, BlockCholesky& matrix)
 inline void
 update_row(DirectRow& row, const std::vector<Vector6>& velocities, std::vector<Vector6>& residual)
 {
-  double speed = row.bias;
-  speed += row.a >= 0 ? row.on_a.dot(velocities[index_of(row.a)]) : 0;
+  double speed = row.a >= 0 ? row.on_a.dot(velocities[index_of(row.a)]) : 0;
   speed += row.b >= 0 ? row.on_b.dot(velocities[index_of(row.b)]) : 0;
-  row.impulse = -row.stiffness * speed;
+  const double unbounded = -row.stiffness * speed - row.offset;
+  row.impulse = std::clamp(unbounded, row.lower, row.upper);
+  row.active = row.impulse == unbounded;
   if (row.a >= 0)
   {
     residual[index_of(row.a)] += row.impulse * row.on_a;

@@ -25,14 +25,16 @@ inline double residual_along(const DirectSystem& system, const std::vector<Vecto
   return sum;
 }
 
-/// True if all points push in the way that they did before, and none slips.
-inline bool
-has_same_active_set(const std::vector<DirectPoint>& now, const std::vector<ContactState>& before)
+/// True if all points and rows push in the way that they did before, and no point slips.
+inline bool has_same_active_set(const DirectSystem& system)
 {
   return std::equal(
-      now.begin(), now.end(), before.begin(),
-      [](const DirectPoint& one, const ContactState& then)
-      { return one == then && one.friction_state != FrictionState::slip; });
+             system.points.begin(), system.points.end(), system.states_before.begin(),
+             [](const DirectPoint& one, const ContactState& then)
+             { return one == then && one.friction_state != FrictionState::slip; }) &&
+         std::equal(
+             system.rows.begin(), system.rows.end(), system.rows_before.begin(),
+             [](const DirectRow& row, bool then) { return row.active == then; });
 }
 
 /// How far a change of velocities was followed.
@@ -47,6 +49,11 @@ struct LineSearch
 inline LineSearch line_search(DirectSystem& system, const std::vector<Vector6>& change)
 {
   system.states_before.assign(system.points.begin(), system.points.end());
+  system.rows_before.clear();
+  for (const DirectRow& row : system.rows)
+  {
+    system.rows_before.push_back(row.active);
+  }
   system.velocities_before = system.velocities;
   const double slope = residual_along(system, change);
   double low = 0, high = 1, at_low = slope, at_high = 0, fraction = 1;
@@ -57,7 +64,7 @@ inline LineSearch line_search(DirectSystem& system, const std::vector<Vector6>& 
       system.velocities[i] = system.velocities_before[i] + fraction * change[i];
     }
     find_residual(system);
-    if (fraction == 1 && has_same_active_set(system.points, system.states_before))
+    if (fraction == 1 && has_same_active_set(system))
     {
       return {fraction, true, false};
     }

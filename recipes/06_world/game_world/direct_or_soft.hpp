@@ -51,7 +51,7 @@ enum class DirectAnswer
   exact     ///< directly, with contacts as stiff as they get
 };
 
-/// Hears of each island how its frame was solved.
+/// Hears of each island how its frame was solved, or, with joints, each of its substeps.
 using DirectObserver = std::function<void(const Island&, DirectAnswer)>;
 
 /// The recommended solver: direct where that finds an answer, and soft steps where it does not, as
@@ -63,13 +63,16 @@ using DirectObserver = std::function<void(const Island&, DirectAnswer)>;
 /// answers do not last, such as a heap of jammed spheres, would be squeezed by that again and
 /// again, and gain energy where it opens: it is left to soft steps, for a time that grows. A copy
 /// remembers what the original did, and goes on by itself.
+///
+/// An island with joints is solved in substeps: a taut chain swings too fast for a frame.
 class DirectOrSoft
 {
 public:
   /// Soft steps take so many substeps; arms turn and corners are sharp, as in the frames that are
   /// solved. `observer`, if given, hears of every island and frame.
-  explicit DirectOrSoft(int substeps, DirectObserver observer = {})
-      : soft_{.substeps = substeps, .anchor_lag = 0, .torsional_radius = 0},
+  explicit DirectOrSoft(int substeps, DirectObserver observer = {}, int joint_substeps = 6)
+      : joint_substeps_(joint_substeps),
+        soft_{.substeps = substeps, .anchor_lag = 0, .torsional_radius = 0},
         resting_{.substeps = substeps},
         observer_(std::move(observer))
   {
@@ -79,21 +82,31 @@ public:
   void operator()(IslandView world, const Island& island, double step)
   {
     Tries& tries = tries_of(world, island);
-    const DirectAnswer answer = solved(tries, world, island, step);
-    if (observer_)
+    if (island.constraints.empty())
     {
-      observer_(island, answer);
+      if (!step_directly(tries, world, island, step))
+      {
+        soft_steps(world, island, step, tries.rest.left() ? resting_ : soft_);
+      }
+      return;
     }
-    if (answer == DirectAnswer::none)
+    DrivenAlong driven(world, island);
+    scale_impulses(world, island, 1, joint_substeps_);
+    std::vector<bool> fell;
+    for (int left = joint_substeps_; left > 0; --left)
     {
-      forget_over_constrained(world, island);
-      return soft_steps(world, island, step, tries.rest.left() ? resting_ : soft_);
+      const double substep = step / joint_substeps_;
+      if (!step_directly(tries, world, island, substep))
+      {
+        scale_impulses(world, island, left, 1);
+        soft_steps(world, island, left * substep, tries.rest.left() ? resting_ : soft_);
+        scale_impulses(world, island, 1, left);
+        left = 1;
+      }
+      keep_pushed(world, island, fell);
+      driven.move(substep);
     }
-    first_ = tries.direct.velocities();
-    const bool opens = answer == DirectAnswer::exact && tries.direct.opening() > slow_opening &&
-                       tries.direct.solve_without_opening(world, island, step);
-    DirectStep stepped(world, island, first_, opens ? tries.direct.velocities() : first_);
-    run_substeps(world, {&island, 1}, step, stepped);
+    scale_impulses(world, island, joint_substeps_, 1);
   }
 
   /// How many islands it remembers: none that has joined another one.
@@ -110,6 +123,59 @@ private:
     double softening = 0; // how soft contacts are in the next try
     Restlessness rest;
   };
+
+  /// Tries to move an island on by a step [s].
+  bool step_directly(Tries& tries, IslandView world, const Island& island, double step)
+  {
+    const DirectAnswer answer = solved(tries, world, island, step);
+    if (observer_)
+    {
+      observer_(island, answer);
+    }
+    if (answer == DirectAnswer::none)
+    {
+      forget_over_constrained(world, island);
+      return false;
+    }
+    first_ = tries.direct.velocities();
+    const bool opens = answer == DirectAnswer::exact && tries.direct.opening() > slow_opening &&
+                       tries.direct.solve_without_opening(world, island, step);
+    DirectStep stepped(world, island, first_, opens ? tries.direct.velocities() : first_);
+    run_substeps(world, {&island, 1}, step, stepped);
+    return true;
+  }
+
+  /// Turns impulses over so many substeps into those over others.
+  static void scale_impulses(IslandView world, const Island& island, int to, int from)
+  {
+    const double scale = static_cast<double>(to) / from;
+    for (const int i : island.contacts)
+    {
+      for (WorldPoint& point : world.contacts[index_of(i)].points)
+      {
+        point.impulse *= scale;
+        point.warm_start_impulse *= scale;
+        point.friction *= scale;
+      }
+    }
+    from > 1 ? prepare_constraints(world, island, from) : store_constraints(world, island, to);
+  }
+
+  /// What was pushed in a substep before does not fall freely in the step.
+  static void keep_pushed(IslandView world, const Island& island, std::vector<bool>& fell)
+  {
+    if (world.falls == nullptr)
+    {
+      return;
+    }
+    fell.resize(island.bodies.size(), true);
+    for (std::size_t k = 0; k < fell.size(); ++k)
+    {
+      const std::size_t i = index_of(island.bodies[k]);
+      fell[k] = fell[k] && (*world.falls)[i];
+      (*world.falls)[i] = fell[k];
+    }
+  }
 
   /// What is known of an island; of those that it was made of no more is, nor of what is gone.
   Tries& tries_of(IslandView world, const Island& island)
@@ -174,6 +240,7 @@ private:
     return !found ? DirectAnswer::none : soft ? DirectAnswer::softened : DirectAnswer::exact;
   }
 
+  int joint_substeps_;                // of an island with joints
   SoftSettings soft_;                 // of single frames, between others
   SoftSettings resting_;              // of an island that is left to them
   std::vector<DirectVelocity> first_; // of an island's bodies, in the first answer

@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <set>
-#include <utility>
+#include <optional>
 #include <vector>
 
 namespace cookbook
@@ -87,19 +86,6 @@ inline void end_substep(PositionPoint& one, double substep, double threshold)
   one.point.cached->friction = one.stored_slip * one.point.sliding.smallest / substep;
 }
 
-/// The kinematic bodies in motion that an island touches.
-inline std::set<int> driven_bodies(IslandView world, const Island& island)
-{
-  std::set<int> driven;
-  for (const int number : island.contacts)
-  {
-    const WorldContact& contact = world.contacts[index_of(number)];
-    driven.insert({contact.a, contact.b});
-  }
-  std::erase_if(driven, [&](int i) { return !is_driven(world.bodies[index_of(i)]); });
-  return driven;
-}
-
 /// Corrected positions of one island, for run_substeps(); R15, R16. Kinematic bodies go along, and
 /// back in the end, for they may touch other islands.
 ///
@@ -120,10 +106,7 @@ public:
     points_ = position_points(world_, island_, step / settings_.substeps);
     before_.resize(island_.bodies.size());
     std::for_each(points_.begin(), points_.end(), begin_substep);
-    for (const int i : driven_bodies(world_, island_))
-    {
-      driven_.emplace_back(i, world_.bodies[index_of(i)]);
-    }
+    driven_.emplace(world_, island_);
     return settings_.substeps;
   }
 
@@ -139,14 +122,11 @@ public:
   /// Takes overlaps and slips back.
   void correct(double substep)
   {
-    for (const auto& [body, start] : driven_)
-    {
-      integrate_position(world_.bodies[index_of(body)], substep);
-    }
+    driven_->move(substep);
     const double compliance = settings_.compliance / (substep * substep);
     for (int pass = 0; pass < settings_.iterations; ++pass)
     {
-      correct_constraints(world_, island_);
+      correct_constraints(world_, island_, substep, pass == 0);
       for (PositionPoint& point : points_)
       {
         solve_normal(point, compliance, settings_.correction_speed * substep);
@@ -173,21 +153,15 @@ public:
     std::for_each(points_.begin(), points_.end(), begin_substep);
   }
 
-  void store()
-  {
-    for (const auto& [body, start] : driven_)
-    {
-      world_.bodies[index_of(body)] = start;
-    }
-  }
+  void store() { driven_.reset(); }
 
 private:
   IslandView world_;
   const Island& island_;
   const PositionSettings& settings_;
   std::vector<PositionPoint> points_;
-  std::vector<PreviousState> before_;             // of each body, before a small step
-  std::vector<std::pair<int, RigidBody>> driven_; // before the step
+  std::vector<PreviousState> before_; // of each body, before a small step
+  std::optional<DrivenAlong> driven_; // in the step
 };
 
 /// Moves the bodies of an island on by a step [s].

@@ -93,8 +93,9 @@ inline Swing swing_of(const PendulumScene& how)
       ++crossings;
     }
     before = x;
-    const JointPose pose = joint_pose(world.body(0), bob, joints[0]);
-    swing.apart = std::max(swing.apart, pose.error.norm());
+    const BallJoint& joint = joints[0];
+    const Anchors anchors = anchors_of(world.body(0), bob, joint.anchor_a, joint.anchor_b);
+    swing.apart = std::max(swing.apart, anchors.error.norm());
     swing.least = std::min(swing.least, energy() - start);
     swing.most = std::max(swing.most, energy() - start);
   }
