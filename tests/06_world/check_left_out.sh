@@ -20,7 +20,7 @@ joint=$source/recipes/06_world/ball_joint/ball_joint.hpp
 cp "$joint" "$dir/left_out.hpp"
 compiles "" || { cat "$dir/said"; exit 1; }
 for name in check_joint joint_rows; do
-  sed "s/void $name(/void another_$name(/" "$joint" >"$dir/left_out.hpp"
+  sed "s/$name(/another_$name(/" "$joint" >"$dir/left_out.hpp"
   refused "$name" ""
 done
 for name in each_pair rows; do

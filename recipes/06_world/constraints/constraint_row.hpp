@@ -27,6 +27,7 @@ struct ConstraintRow
   double error = 0;   ///< [m, rad], C: zero where it holds, or above zero where it only pushes
   double turning = 0; ///< [m/s², rad/s²], by which C bends as the bodies turn, however they move
   double speed = 0;   ///< [m/s, rad/s], at which a motor has C change
+  bool motor = false; ///< whether it asks for that speed alone, and C is not read
   double lower = -std::numeric_limits<double>::infinity(); ///< [N, N m], least push
   double upper = std::numeric_limits<double>::infinity();  ///< [N, N m], largest push
   double keeps = 0; ///< [1], of the speed; 0 also where it is rigid

@@ -64,9 +64,9 @@ public:
   /// Ends a step of so many substeps: writes down with what the next one begins.
   virtual void store(int number, int substeps) = 0;
 
-  /// Calls `emit(row)` for each equation with the bodies as they are before a step [s].
+  /// Calls `emit(row)` for each equation with its two bodies as they are before a step [s].
   virtual void rows(
-      std::span<const RigidBody> bodies, int number, double step,
+      const RigidBody& a, const RigidBody& b, int number, double step,
       const std::function<void(const ConstraintRow&)>& emit) const = 0;
   /// Writes down the impulses [N s] of these rows in that step, in their order.
   virtual void store_rows(int number, std::span<const double> impulses) = 0;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <span>
 
@@ -45,6 +46,27 @@ private:
 
 /// Impulses [N s, N m s] of the rows of a joint.
 using JointImpulses = std::array<double, JointRows::most>;
+
+/// What a kind of joint is: two bodies, a name, and functions that refuse what makes no sense
+/// (std::invalid_argument) and give the rows with the bodies as they are before a step [s].
+template <class Kind>
+concept JointKind = requires(const Kind& joint, const RigidBody& body, double step, JointRows& rows)
+{
+  {
+    joint.a
+    } -> std::convertible_to<int>;
+  {
+    joint.b
+    } -> std::convertible_to<int>;
+  {
+    joint.collides
+    } -> std::convertible_to<bool>;
+  {
+    Kind::name
+    } -> std::convertible_to<const char*>;
+  check_joint(joint);
+  joint_rows(joint, body, body, step, rows);
+};
 
 /// As many numbers as there are rigid rows, and K of all of them.
 using RigidVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;

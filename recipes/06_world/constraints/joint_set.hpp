@@ -8,7 +8,6 @@
 #include "06_world/contacts/integrate_body.hpp"
 
 #include <algorithm>
-#include <concepts>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -19,27 +18,6 @@ namespace cookbook
 {
 
 // [joint_set]
-/// What a kind of joint is: two bodies, a name, and functions that refuse what makes no sense
-/// (std::invalid_argument) and give the rows with the bodies as they are before a step [s].
-template <class Kind>
-concept JointKind = requires(const Kind& joint, const RigidBody& body, double step, JointRows& rows)
-{
-  {
-    joint.a
-    } -> std::convertible_to<int>;
-  {
-    joint.b
-    } -> std::convertible_to<int>;
-  {
-    joint.collides
-    } -> std::convertible_to<bool>;
-  {
-    Kind::name
-    } -> std::convertible_to<const char*>;
-  check_joint(joint);
-  joint_rows(joint, body, body, step, rows);
-};
-
 /// Joints of one kind, each by its number.
 template <JointKind Kind>
 class JointSet : public ConstraintSet
@@ -138,12 +116,11 @@ public:
   void store(int number, int substeps) override { scale(at(number), substeps); }
 
   void rows(
-      std::span<const RigidBody> bodies, int number, double step,
+      const RigidBody& a, const RigidBody& b, int number, double step,
       const std::function<void(const ConstraintRow&)>& emit) const override
   {
-    const Kind& joint = joints_[index(number)].of;
     JointRows rows;
-    joint_rows(joint, bodies[index(joint.a)], bodies[index(joint.b)], step, rows);
+    joint_rows(joints_[index(number)].of, a, b, step, rows);
     std::for_each(rows.all().begin(), rows.all().end(), emit);
   }
 

@@ -3,6 +3,7 @@
 /// \file
 /// \brief The equations of joints in the direct solver: each a stiff spring.
 
+#include "06_world/contacts/integrate_body.hpp"
 #include "06_world/direct_solver/block_cholesky.hpp"
 #include "06_world/direct_solver/direct_points.hpp"
 
@@ -24,6 +25,8 @@ struct DirectRow
   double lower, upper;      ///< [N s], bounds
   double impulse;           ///< [N s]
   bool active;              ///< whether it is within them, and not at one
+  bool bends;               ///< whether its error changes otherwise than J says, as it turns
+  double error;             ///< [m, rad], before the step
   const ConstraintPair* of; ///< where it comes from
 };
 
@@ -53,10 +56,9 @@ inline double offset_of(
   {
     return (1 / inverse_mass + stiffness) * row.pulls * row.error;
   }
-  const double bend = step / 2 * row.turning;
   const bool open = is_limit(row) && (row.lower == 0 ? row.error : -row.error) > 0;
   const double correction = open ? 1 : settings.row_correction;
-  return stiffness * (correction * row.error / step + bend - row.speed);
+  return stiffness * (correction * row.error / step - row.speed);
 }
 
 /// Adds the rows of a constraint.
@@ -68,13 +70,13 @@ inline void gather(
   const RigidBody& b = world.bodies[index_of(pair.b)];
   const int in_a = number_in(island, pair.a), in_b = number_in(island, pair.b);
   world.sets[pair.set]->rows(
-      world.bodies, pair.number, step,
+      a, b, pair.number, step,
       [&](const ConstraintRow& row)
       {
         const double inverse_mass = inverse_mass_of(a, row.a) + inverse_mass_of(b, row.b);
         if (inverse_mass == 0) // it moves nothing
         {
-          rows.push_back({in_a, in_b, row.a, row.b, 0, 0, 0, 0, 0, true, &pair});
+          rows.push_back({in_a, in_b, row.a, row.b, 0, 0, 0, 0, 0, true, false, 0, &pair});
           return;
         }
         const double stiffness = stiffness_of(row, inverse_mass, settings);
@@ -83,8 +85,47 @@ inline void gather(
         const double offset = offset_of(row, inverse_mass, stiffness, step, settings);
         rows.push_back(
             {in_a, in_b, row.a, row.b, stiffness, offset + stiffness * driven, step * row.lower,
-             step * row.upper, 0, true, &pair});
+             step * row.upper, 0, true, !is_spring(row) && !row.motor, row.error, &pair});
       });
+}
+
+/// How a body is once it has moved with these velocities for a step [s].
+inline RigidBody moved_by(RigidBody body, const Vector6& velocities, double step)
+{
+  body.motion.velocity = velocities.head<3>();
+  body.motion.angular_velocity = velocities.tail<3>();
+  integrate_position(body, step);
+  return body;
+}
+
+/// Asks all rows how far they are off where an answer leads in a step [s], and has them take away
+/// what J does not know of: what turns leaves its tangent.
+inline void bend_rows(
+    std::vector<DirectRow>& rows, IslandView world, const std::vector<Vector6>& velocities,
+    double step)
+{
+  for (std::size_t first = 0; first < rows.size();)
+  {
+    const ConstraintPair& pair = *rows[first].of;
+    const auto velocities_in = [&](int in_island, int body)
+    {
+      return in_island < 0 ? velocities_of(world.bodies[index_of(body)].motion)
+                           : velocities[index_of(in_island)];
+    };
+    const Vector6 of_a = velocities_in(rows[first].a, pair.a);
+    const Vector6 of_b = velocities_in(rows[first].b, pair.b);
+    std::size_t i = first;
+    world.sets[pair.set]->rows(
+        moved_by(world.bodies[index_of(pair.a)], of_a, step),
+        moved_by(world.bodies[index_of(pair.b)], of_b, step), pair.number, step,
+        [&](const ConstraintRow& after)
+        {
+          DirectRow& row = rows[i++];
+          const double straight = row.error + step * (row.on_a.dot(of_a) + row.on_b.dot(of_b));
+          row.offset += row.bends ? row.stiffness / step * (after.error - straight) : 0;
+        });
+    first = i;
+  }
 }
 
 /// Adds what rows resist to a matrix: Jᵀ k J.

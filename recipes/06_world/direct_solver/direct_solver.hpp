@@ -94,6 +94,7 @@ public:
     const bool was_guessed = guess_active_set(system_, 2 * step * world.gravity.norm());
     const bool stiff = settings.softening == 0;
     bool fresh = false; // whether the matrix was factored in this step
+    bool bent = false;  // whether joints know where they turn to
     for (int i = 0; i < settings.iterations; ++i)
     {
       const bool at_hand =
@@ -113,7 +114,13 @@ public:
       residual_ = system_.residual; // before the bounds move
       const bool follows = found || searched.stuck || (stiff && searched.fraction >= 0.5);
       const bool moved = follows && moved_bounds(system_, most, small_, settings);
-      if (found && !moved)
+      if (found && !moved && !bent && !system_.rows.empty())
+      {
+        bend_rows(system_.rows, world, system_.velocities, step);
+        find_residual(system_);
+        bent = true;
+      }
+      else if (found && !moved)
       {
         write_answer(system_, residual_, world, island, velocities_);
         store(system_, is_over_constrained(system_, most), world, island);
