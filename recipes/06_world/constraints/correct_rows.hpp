@@ -4,7 +4,7 @@
 /// \brief The rows of one joint for a solver of positions: bodies are moved, not pushed.
 
 #include "06_world/constraints/joint_rows.hpp"
-#include "06_world/islands/position_impulse.hpp"
+#include "06_world/contacts/integrate_body.hpp"
 
 namespace cookbook
 {
@@ -16,7 +16,7 @@ inline void move_along(RigidBody& body, const Vector6& row, double push)
   if (!is_fixed(body))
   {
     body.motion.center += body.inverse_mass * push * row.head<3>();
-    rotate(body, push * (body.inverse_inertia * row.tail<3>()));
+    turn_by(body, push * (body.inverse_inertia * row.tail<3>()));
   }
 }
 

@@ -4,6 +4,7 @@
 /// \brief The recommended solver: direct, or by soft steps where that finds no answer.
 
 #include "06_world/direct_solver/direct_solver.hpp"
+#include "06_world/game_world/island_impulses.hpp"
 #include "06_world/soft_steps/soft_steps.hpp"
 
 #include <algorithm>
@@ -15,32 +16,6 @@
 
 namespace cookbook
 {
-
-/// Forgets what the points of an island were given in the frame before if any is over-constrained:
-/// what held it in balance may be gone. Stiff contacts do without it, small steps would begin with
-/// it.
-inline void forget_over_constrained(IslandView world, const Island& island)
-{
-  const auto any_over_constrained = [&](int i)
-  {
-    const auto& points = world.contacts[index_of(i)].points;
-    return std::any_of(
-        points.begin(), points.end(),
-        [](const WorldPoint& point) { return point.over_constrained; });
-  };
-  if (std::any_of(island.contacts.begin(), island.contacts.end(), any_over_constrained))
-  {
-    for (const int i : island.contacts)
-    {
-      for (WorldPoint& point : world.contacts[index_of(i)].points)
-      {
-        point.impulse = point.warm_start_impulse = 0;
-        point.friction.setZero();
-        point.over_constrained = false;
-      }
-    }
-  }
-}
 
 // [direct_or_soft]
 /// How a frame of an island was solved.
@@ -143,38 +118,6 @@ private:
     DirectStep stepped(world, island, first_, opens ? tries.direct.velocities() : first_);
     run_substeps(world, {&island, 1}, step, stepped);
     return true;
-  }
-
-  /// Turns impulses over so many substeps into those over others.
-  static void scale_impulses(IslandView world, const Island& island, int to, int from)
-  {
-    const double scale = static_cast<double>(to) / from;
-    for (const int i : island.contacts)
-    {
-      for (WorldPoint& point : world.contacts[index_of(i)].points)
-      {
-        point.impulse *= scale;
-        point.warm_start_impulse *= scale;
-        point.friction *= scale;
-      }
-    }
-    from > 1 ? prepare_constraints(world, island, from) : store_constraints(world, island, to);
-  }
-
-  /// What was pushed in a substep before does not fall freely in the step.
-  static void keep_pushed(IslandView world, const Island& island, std::vector<bool>& fell)
-  {
-    if (world.falls == nullptr)
-    {
-      return;
-    }
-    fell.resize(island.bodies.size(), true);
-    for (std::size_t k = 0; k < fell.size(); ++k)
-    {
-      const std::size_t i = index_of(island.bodies[k]);
-      fell[k] = fell[k] && (*world.falls)[i];
-      (*world.falls)[i] = fell[k];
-    }
   }
 
   /// What is known of an island; of those that it was made of no more is, nor of what is gone.
