@@ -503,6 +503,26 @@ int main()
         }
       });
 #endif
+#ifdef TAKE_cloth
+  print(
+      "cloth",
+      [](Draw& draw, Bits& bits)
+      {
+        Cloth cloth = make_cloth(
+            {.corner = {-0.5, 0.3, -0.5}, .columns = 5, .rows = 4, .mass = draw.number(0.1, 9)});
+        cloth.particles.inverse_masses[0] = 0;
+        Obstacles on{.spheres = {{0.1 * draw.vector(1), 0.2}}};
+        on.boxes = {{draw.vector(0.5), draw.axes(), 0.1 * draw.half_extents()}};
+        for (int step = 0; step < 4; ++step)
+        {
+          step_cloth(cloth, {.substeps = 4}, on, {.wind = draw.vector(4)});
+        }
+        for (std::size_t i = 0; i < 20; ++i)
+        {
+          bits(cloth.particles.positions[i], cloth.particles.velocities[i]);
+        }
+      });
+#endif
 #ifdef TAKE_game_world
   print(
       "game_world",
