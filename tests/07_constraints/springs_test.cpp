@@ -4,6 +4,7 @@
 #include "05_resolution/integrators/implicit_integrators.hpp"
 #include "05_resolution/small_world/small_world.hpp"
 #include "07_constraints/springs/exact_spring.hpp"
+#include "07_constraints/springs/small_spring.hpp"
 #include "07_constraints/springs/springs.hpp"
 #include "07_constraints/springs/trial/spring_measure.hpp"
 
@@ -389,6 +390,30 @@ TEST_CASE(
   CHECK(hangs(load_speed(spring, 1.0, step, 9.81)) == Catch::Approx(1).epsilon(1e-9));
 }
 // [load]
+
+// [small_spring]
+TEST_CASE("in the small world a lamp hangs g/ω² low on springs of 1 to 40 Hz, to 1e-9", "[R39]")
+{
+  using namespace small_world;
+  for (const double frequency : {1.0, 3.0, 40.0})
+  {
+    for (const double ratio : {0.3, 1.0, 2.0})
+    {
+      CAPTURE(frequency, ratio);
+      World world;
+      add(world, sphere({0, 3, 0}, 0.1, 0));
+      add(world, sphere({0, 2.5, 0}, 0.1, 2));
+      std::vector<SpringJoint> springs{{0, 1, {0, 0, 0}, {0, 0.1, 0}, 0.4, frequency, ratio}};
+      for (int frame = 0; frame < 1200; ++frame)
+      {
+        step_joined(world, springs, 1.0 / 60);
+      }
+      const double right = 9.81 / std::pow(2 * pi * frequency, 2);
+      CHECK(2.5 - world.bodies[1].motion.center.y() == Catch::Approx(right).epsilon(1e-9));
+    }
+  }
+}
+// [small_spring]
 
 // [shared]
 TEST_CASE(

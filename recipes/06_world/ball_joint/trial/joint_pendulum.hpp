@@ -3,13 +3,12 @@
 /// \file
 /// \brief A pendulum on a ball joint, and the closed form of its period.
 
+#include "05_resolution/integrators/trial/pendulum.hpp"
 #include "06_world/ball_joint/ball_joint.hpp"
 #include "06_world/game_world/solvers.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <string>
 
 namespace cookbook
@@ -35,27 +34,12 @@ struct Swing
   double swings_up;   ///< [J], the energy of the swing
 };
 
-/// The arithmetic-geometric mean of two positive numbers.
-inline double arithmetic_geometric_mean(double a, double b)
-{
-  for (int round = 0; round < 8; ++round) // each doubles the digits
-  {
-    const double mean = (a + b) / 2;
-    b = std::sqrt(a * b);
-    a = mean;
-  }
-  return a;
-}
-
 /// The period [s] of a body with a moment about its axis of squared radius [m²] times its mass,
-/// whose centre is at a distance [m] from it.
-///
-/// Source: Gauss 1818, the complete elliptic integral of the first kind by the arithmetic-geometric
-/// mean: T = 2π √(k² / (g L)) / agm(1, cos(θ/2)).
+/// whose centre is at a distance [m] from it: that of a point on a rod of squared radius over
+/// distance; R31.
 inline double period_of(double squared_radius, double distance, double gravity, double amplitude)
 {
-  const double small = 2 * std::numbers::pi * std::sqrt(squared_radius / (gravity * distance));
-  return small / arithmetic_geometric_mean(1, std::cos(amplitude / 2));
+  return pendulum_period(Pendulum<double>{gravity, squared_radius / distance}, amplitude);
 }
 
 /// Has the pendulum swing.

@@ -19,7 +19,7 @@ namespace cookbook
 {
 
 /// A pendulum, and how it is stepped.
-struct PendulumScene
+struct PendulumSetup
 {
   double amplitude = 0.5; ///< [rad]
   int rate = 60;          ///< [1/s], steps
@@ -46,7 +46,7 @@ struct PendulumLook
 
 /// Has a pendulum swing; `step` makes a step and looks.
 inline PendulumRun
-swing_of(const PendulumScene& scene, double right, const std::function<PendulumLook()>& step)
+swing_by(const PendulumSetup& scene, double right, const std::function<PendulumLook()>& step)
 {
   PendulumRun run{0, right, 0, 0, {{0, 1}}};
   double first = -1, last = -1, before = std::sin(scene.amplitude), second = 0;
@@ -79,14 +79,14 @@ swing_of(const PendulumScene& scene, double right, const std::function<PendulumL
 inline constexpr double pendulum_gravity = 9.81;
 
 /// A point on a rod of 1 m.
-inline PendulumRun rod_swing(const PendulumScene& scene, const Rod<double>& rod)
+inline PendulumRun rod_swing(const PendulumSetup& scene, const Rod<double>& rod)
 {
   const double up = pendulum_gravity * (1 - std::cos(scene.amplitude)), step = 1.0 / scene.rate;
   const Vector3<double> start(std::sin(scene.amplitude), -std::cos(scene.amplitude), 0);
   PhasePoint<Vector3<double>> at{start, Vector3<double>::Zero()};
   const double right =
       pendulum_period(Pendulum<double>{pendulum_gravity, rod.length}, scene.amplitude);
-  return swing_of(
+  return swing_by(
       scene, right,
       [&]() -> PendulumLook
       {
@@ -98,7 +98,7 @@ inline PendulumRun rod_swing(const PendulumScene& scene, const Rod<double>& rod)
 }
 
 /// A plank of 60 cm and 2 kg in the small world, on a joint 50 cm above its centre.
-inline PendulumRun plank_swing(const PendulumScene& scene)
+inline PendulumRun plank_swing(const PendulumSetup& scene)
 {
   namespace small = small_world;
   const double half = scene.amplitude / 2, arm = 0.5, mass = 2, weight = mass * pendulum_gravity;
@@ -113,7 +113,7 @@ inline PendulumRun plank_swing(const PendulumScene& scene)
   const double inertia = plank.moments.z() + mass * arm * arm;
   const Pendulum<double> same{pendulum_gravity, inertia / (mass * arm)};
   const double start = plank.motion.center.y(), up = weight * arm * (1 - cosine);
-  return swing_of(
+  return swing_by(
       scene, pendulum_period(same, scene.amplitude),
       [&]() -> PendulumLook
       {
