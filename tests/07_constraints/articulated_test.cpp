@@ -67,7 +67,7 @@ double period_of_swing(ArticulatedBody& tree, double amplitude)
   state.positions[0] = amplitude;
   double first = 0, last = 0, time = 0;
   int crossings = 0;
-  for (int i = 0; i < 10'000; ++i)
+  for (int i = 0; i < 5000; ++i)
   {
     const double before = state.positions[0];
     rk4_step(tree, state, 0.001);
