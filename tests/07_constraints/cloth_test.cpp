@@ -357,7 +357,9 @@ TEST_CASE("cloths, obstacles and wind that make no sense are refused with member
       step_cloth(cloth, {}, {.spheres = {{{0, 0, 0}, -1}}}), "radius must be zero or more, got -1");
   CHECK_THROWS_WITH(
       step_cloth(cloth, {}, {.friction = -1}), "friction must be between 0 and 1e+09, got -1");
-  CHECK_THROWS_WITH(step_cloth(cloth, {}, {}, {.wind = {0, none, 0}}), ContainsSubstring("wind"));
+  CHECK_THROWS_WITH(
+      step_cloth(cloth, {}, {}, {.wind = {0, none, 0}}),
+      ContainsSubstring("wind.y must be between"));
   cloth.triangles[3][1] = 256;
   CHECK_THROWS_WITH(
       step_cloth(cloth, {}), ContainsSubstring("triangles[3] must join three of 256 particles"));

@@ -79,7 +79,9 @@ inline void step_cloth(
   check(cloth.triangles, particles.positions.size());
   check(obstacles);
   check_setting("density", air.density, 0, largest_number);
-  check_vector("wind", 0, air.wind);
+  check_setting("wind.x", air.wind.x(), -largest_number, largest_number);
+  check_setting("wind.y", air.wind.y(), -largest_number, largest_number);
+  check_setting("wind.z", air.wind.z(), -largest_number, largest_number);
   const double h = settings.step / settings.substeps;
   for (int substep = 0; substep < settings.substeps; ++substep)
   {

@@ -52,6 +52,7 @@ inline void step_mass_spring(
     }
     move_particles(particles, h);
   }
+  check(particles);
 }
 // [step_mass_spring]
 

@@ -23,10 +23,10 @@ std::string millimetres(double length)
   return std::abs(length) < 1e-7 ? "0" : rounded(1000 * std::abs(length));
 }
 
-/// A fraction of the energy, or that the rope has exploded.
+/// A fraction of the energy; a rope with twice as much as at the start has exploded.
 std::string fraction(double energy)
 {
-  return std::isfinite(energy) ? number(std::round(1000 * energy) / 1000) : "explodes";
+  return energy < 2 ? number(std::round(1000 * energy) / 1000) : "explodes";
 }
 
 /// The name of a method, with the stiffness of its springs.

@@ -25,10 +25,15 @@ struct Rope
 
 /// A rope of a mass [kg], straight from `start` to `end` [m], at rest and free at both ends; its
 /// links are as long as they are drawn, with a compliance each [m/N].
+///
+/// Throws std::invalid_argument, with member and value, where a number is not finite or makes no
+/// sense.
 inline Rope make_rope(
     const Vector3<double>& start, const Vector3<double>& end, std::size_t links, double mass,
     double compliance = 0)
 {
+  check_setting("links", static_cast<double>(links), 1, 1e6);
+  check_setting("mass", mass, 1e-9, largest_number);
   Rope rope;
   const double count = static_cast<double>(links);
   const double length = normalize<double>(end - start).length / count;
@@ -43,6 +48,8 @@ inline Rope make_rope(
   {
     rope.links.push_back({i, i + 1, length, compliance});
   }
+  check(rope.particles);
+  check(rope.links, links + 1);
   return rope;
 }
 // [rope]
