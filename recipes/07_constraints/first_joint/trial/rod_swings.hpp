@@ -127,8 +127,9 @@ inline PendulumRun plank_swing(const PendulumSetup& scene)
       });
 }
 
-/// How far [m] the anchors of a chain of links of 1 m are apart at most within ten seconds; the
-/// lowest has a mass [kg] of its own, and is nudged by half a metre a second.
+/// How far [m] the anchors of a chain of links of 1 m are apart at most within ten seconds, or
+/// until they are a metre apart; the lowest has a mass [kg] of its own, and is nudged by half a
+/// metre a second.
 inline double chain_apart(
     int links, double lowest, Softness<double> (*softness)(double) = small_world::joint_softness)
 {
@@ -144,7 +145,7 @@ inline double chain_apart(
   }
   world.bodies.back().motion.velocity.x() = 0.5;
   double most = 0;
-  for (int frame = 0; frame < 600 && most < 1000; ++frame)
+  for (int frame = 0; frame < 600 && most < 1; ++frame)
   {
     small::step_joined(world, joints, 1.0 / 60, softness);
     for (small::BallJoint joint : joints)
