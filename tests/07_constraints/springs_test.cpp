@@ -438,5 +438,6 @@ TEST_CASE("two undamped springs of 10 Hz with two impulses each explode on one m
     v += one.before + other.before + one.after + other.after;
   }
   CHECK(std::abs(x) > 1e6);
+  CHECK(widest_of_many(2, spring_coefficients(10.0, 0.0, 1.0 / 60)) < 2); // with one impulse
 }
 // [shared]
