@@ -88,7 +88,8 @@ TEST_CASE("a grid of 4 by 3 has 17 threads, 12 diagonals and 10 constraints agai
 // [grid]
 
 // [stretch]
-TEST_CASE("a held square's threads stretch by 4 % at ten substeps, by 17 % at ten iterations")
+TEST_CASE(
+    "a held square's threads stretch by 4 % at ten substeps, by 17 % at ten iterations", "[long]")
 {
   CHECK(worst_thread(sagged_square(10, 1)) == Catch::Approx(0.040).epsilon(0.02));
   CHECK(worst_thread(sagged_square(1, 10)) == Catch::Approx(0.167).epsilon(0.02));
@@ -96,7 +97,8 @@ TEST_CASE("a held square's threads stretch by 4 % at ten substeps, by 17 % at te
 // [stretch]
 
 // [symmetry]
-TEST_CASE("a held square stays its own mirror image to 1e-14 m, and its diagonals' to 2 mm")
+TEST_CASE(
+    "a held square stays its own mirror image to 1e-14 m, and its diagonals' to 2 mm", "[long]")
 {
   const Cloth cloth = sagged_square(10, 1);
   const auto& x = cloth.particles.positions;
@@ -123,7 +125,9 @@ TEST_CASE("a held square stays its own mirror image to 1e-14 m, and its diagonal
 // [symmetry]
 
 // [cloth_energy]
-TEST_CASE("at 30 substeps a cloth never has more energy than at the start; at one it gains 100 J")
+TEST_CASE(
+    "at 30 substeps a cloth never has more energy than at the start; at one it gains 100 J",
+    "[long]")
 {
   CHECK(energy_gained(30) <= 0);
   CHECK(energy_gained(1) > 100);
@@ -213,7 +217,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a cloth rests on a sphere, a capsule, a box, a plane, and no particle is inside", "[R49]")
+    "a cloth rests on a sphere, a capsule, a box, a plane, and no particle is inside",
+    "[R49][long]")
 {
   std::vector<Obstacles> on(4);
   on[0].spheres = {{{0, 0, 0}, 0.4}};
@@ -257,7 +262,8 @@ TEST_CASE(
 // [R49]
 
 // [left_out]
-TEST_CASE("left out, layers that touch: a folded cloth ends with both of them at one height")
+TEST_CASE(
+    "left out, layers that touch: a folded cloth ends with both of them at one height", "[long]")
 {
   Cloth cloth = make_cloth({.down = {0, 0, 0.5}, .columns = 21, .rows = 11, .bend = 100});
   for (std::size_t i = 0; i < cloth.particles.positions.size(); ++i)

@@ -127,7 +127,7 @@ TEST_CASE("one linear solve is not enough for springs of 1e8 N/m: a swing gains 
 // [R45]
 
 // [R46]
-TEST_CASE("a hanging rope is too long by h² Σ T/m by XPBD, over substeps squared", "[R46]")
+TEST_CASE("a hanging rope is too long by h² Σ T/m by XPBD, over substeps squared", "[R46][long]")
 {
   // 20 links of 50 g, 1 kg below: all links but the last are torn open by the next one's pull.
   double sum = 0;
@@ -143,7 +143,8 @@ TEST_CASE("a hanging rope is too long by h² Σ T/m by XPBD, over substeps squar
   }
 }
 
-TEST_CASE("over iterations the error falls once, over substeps twice as fast in digits", "[R46]")
+TEST_CASE(
+    "over iterations the error falls once, over substeps twice as fast in digits", "[R46][long]")
 {
   CHECK(sag_error(xpbd(1, 100)) == Catch::Approx(sag_error(xpbd(1, 10)) / 10).epsilon(0.1));
   CHECK(sag_error(xpbd(30, 1)) == Catch::Approx(sag_error(xpbd(10, 1)) / 9).epsilon(0.02));
@@ -206,7 +207,8 @@ TEST_CASE("solved directly, too, a link of 1 mm/N that holds 1 kg is 9.81 mm lon
 // [R47]
 
 // [rope_energy]
-TEST_CASE("previous directions keep .99 of a swing's energy, current ones and XPBD about half")
+TEST_CASE(
+    "previous directions keep .99 of a swing's energy, current ones and XPBD about half", "[long]")
 {
   CHECK(energy_left(direct_previous(1, 2), right_angle / 2, 600) > 0.99);
   CHECK(energy_left(direct_current(1, 2), right_angle / 2, 600) < 0.55);
@@ -223,7 +225,8 @@ TEST_CASE("from 90° previous directions explode at one substep and keep .999 at
 // [rope_energy]
 
 // [tension_limit]
-TEST_CASE("under 1 t h has to be below √(m L / T): 13 substeps fail, 24 hold, if it is nudged")
+TEST_CASE(
+    "under 1 t h has to be below √(m L / T): 13 substeps fail, 24 hold, if it is nudged", "[long]")
 {
   // √(.05 kg × .25 m / 9,810 N) = 1.13 ms, 14.8 substeps of a frame.
   CHECK(std::abs(stretch_under(direct_previous(13, 2), 1000, 0.5)) > 1);
