@@ -86,16 +86,18 @@ inline double resting_depth(const Scene& scene, int i, int j)
 ///
 /// What presses on each other has been kept apart by a solver, more or less, and touches only where
 /// it is deeper than that leaves it: a ball, where it is by `resting_depth` deeper than as the step
-/// began. `depth` [m] is how deep two boxes may be that pass.
-inline std::optional<SweptHit<double>>
-next_toi(const StepTrajectories& step, int first, int other, double time, double depth)
+/// began. `depth` [m] is how deep two boxes may be that pass. So does what passes over a body that
+/// continues a surface which it touches, in which it was `surface_depth` [m] deep.
+inline std::optional<SweptHit<double>> next_toi(
+    const StepTrajectories& step, int first, int other, double time, double depth,
+    std::optional<double> surface_depth = std::nullopt)
 {
   const Scene& scene = step.scene;
   const Trajectory &trajectory = step.trajectories[index_of(first)],
                    &by = step.trajectories[index_of(other)];
   const auto& shape = scene.bodies[index_of(first)].shape;
   const auto& of_other = scene.bodies[index_of(other)].shape;
-  const bool is_touching = pressed(step, std::minmax(first, other));
+  const bool is_touching = surface_depth || pressed(step, std::minmax(first, other));
   if (is_sphere(scene, first))
   {
     const auto at_first = [&]
@@ -103,7 +105,8 @@ next_toi(const StepTrajectories& step, int first, int other, double time, double
       const auto was = [&](int i)
       { return with_state(*step.trajectories[index_of(i)].of, start_state(step, i)); };
       const RigidBody sphere = was(first), body = was(other);
-      return std::max(0.0, depth_between(scene, {first, other}, sphere, body));
+      const double depth_at_first = depth_between(scene, {first, other}, sphere, body);
+      return std::max(surface_depth.value_or(0), depth_at_first);
     };
     const double allowed = is_touching ? at_first() + resting_depth(scene, first, other) : 0;
     const SphereToi sphere{trajectory, by, time, scene.step, allowed};

@@ -3,7 +3,7 @@
 /// \file
 /// \brief The touches of a step to come, the earliest first.
 
-#include "06_world/impacts/next_toi.hpp"
+#include "06_world/impacts/touched_surfaces.hpp"
 #include "06_world/sweeps/deep_overlaps.hpp"
 
 #include <algorithm>
@@ -29,6 +29,7 @@ public:
   /// Of these courses, and bodies where they end, which both may change.
   ToiQueue(const StepTrajectories& step, std::span<const RigidBody> ends)
       : step_(step),
+        surfaces_(step),
         ends_(ends),
         versions_(step.trajectories.size(), 0),
         hits_(step.trajectories.size(), 0),
@@ -51,7 +52,7 @@ public:
       return;
     }
     const auto [first, other] = moving_first(step_, i, j);
-    if (const auto hit = next_toi(step_, first, other, time, allowed_overlap(pair)))
+    if (const auto hit = next_hit(first, other, time))
     {
       const double at = hit->time * step_.scene.step;
       queue_.push({at, first, other, hit->normal, versions(first, other)});
@@ -89,6 +90,12 @@ public:
       }
     }
     return std::nullopt;
+  }
+
+  /// Takes down that a body touches another, along a normal from it to that.
+  void touch(int first, int other, const Vector3<double>& normal)
+  {
+    surfaces_.add(first, other, normal);
   }
 
   /// Whether a body's course has changed.
@@ -137,6 +144,15 @@ private:
           }
         });
   }
+  /// When the first touches the other; not at a seam of a surface that it touches.
+  std::optional<SweptHit<double>> next_hit(int first, int other, double time)
+  {
+    const double allowed = allowed_overlap(std::minmax(first, other));
+    const auto hit = next_toi(step_, first, other, time, allowed);
+    const std::optional<double> depth =
+        hit ? surfaces_.depth(first, other, hit->time * step_.scene.step) : std::nullopt;
+    return depth ? next_toi(step_, first, other, time, allowed, depth) : hit;
+  }
   bool is_dropped(const std::pair<int, int>& pair) const
   {
     const auto found = dropped_.find(pair);
@@ -151,6 +167,7 @@ private:
   }
 
   const StepTrajectories& step_;
+  TouchedSurfaces surfaces_;
   std::span<const RigidBody> ends_;
   std::vector<int> versions_; // how often each course has changed
   std::vector<int> hits_;     // how often each body has been hit, up to the most that counts

@@ -65,6 +65,7 @@ private:
       return;
     }
     solve(one);
+    queue_.touch(event.first, event.other, event.normal);
     if (!allow_resting(one))
     {
       resume_both(one);

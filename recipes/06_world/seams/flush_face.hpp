@@ -64,6 +64,14 @@ inline bool are_parallel(const Vector3<double>& one, const Vector3<double>& othe
 {
   return one.dot(other) > 0 && (one - other).squaredNorm() <= angle * angle;
 }
+
+/// Whether a face continues a surface for a body whose centre is at a place [m] above that.
+inline bool are_flush(const Face& surface, const Face& face, const Vector3<double>& center)
+{
+  const double height = surface.height(center);
+  return are_parallel(face.normal, surface.normal, flush_tolerance) &&
+         std::abs(height - face.height(center)) <= flush_tolerance * std::max(0.0, height);
+}
 // [flush_face]
 
 /// The bodies of a world, and scratch, for the contacts of one of them.
@@ -112,14 +120,8 @@ inline std::optional<Face>
 flush_face(const SeamView& view, const RestingContact& of, const Face& surface)
 {
   const std::optional<Face> face = face_towards(view, of, surface.normal);
-  if (!face || !are_parallel(face->normal, surface.normal, flush_tolerance))
-  {
-    return std::nullopt;
-  }
   const Vector3<double>& center = view.bodies[index_of(of.moving)].motion.center;
-  const double difference = std::abs(surface.height(center) - face->height(center));
-  const bool flush = difference <= height_tolerance(view, of.moving, surface);
-  return flush ? face : std::nullopt;
+  return face && are_flush(surface, *face, center) ? face : std::nullopt;
 }
 
 } // namespace cookbook
