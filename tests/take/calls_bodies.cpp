@@ -12,7 +12,7 @@ namespace
 {
 
 #if defined TAKE_impulse || defined TAKE_contact_constraint || defined TAKE_friction ||            \
-    defined TAKE_restitution || defined TAKE_ball_joint
+    defined TAKE_restitution
 Body<double> drawn_body(Draw& draw)
 {
   const Motion<double> motion{draw.vector(1), draw.vector(2), draw.vector(2)};
@@ -406,9 +406,14 @@ int main()
       "ball_joint",
       [](Draw& draw, Bits& bits)
       {
-        const Body<double> a = drawn_body(draw), b = drawn_body(draw);
-        const Matrix3<double> k = joint_inverse_mass(a, b, {draw.vector(1), draw.vector(1)});
-        bits(Vector3<double>(k.col(0)), Vector3<double>(k.col(1)), Vector3<double>(k.col(2)));
+        RigidBody a{}, b{};
+        for (RigidBody* const body : {&a, &b})
+        {
+          body->motion = {draw.vector(1), draw.vector(1), draw.vector(1)};
+          body->orientation = draw.orientation();
+        }
+        const Anchors anchors = anchors_of(a, b, draw.vector(1), Vector3<double>(1, 2, 3));
+        bits(anchors.error, anchors.arms.a, anchors.arms.b);
       });
 #endif
 #ifdef TAKE_soft_steps
