@@ -3,6 +3,7 @@
 /// \file
 /// \brief What pushes at the contact points of an island at given velocities, and how stiffly.
 
+#include "06_world/constraints/taut_pull.hpp"
 #include "06_world/islands/island_points.hpp"
 
 #include <algorithm>
@@ -28,6 +29,7 @@ struct DirectSettings
   std::size_t products = 100'000;   ///< of blocks, above which factoring takes too long
   double softening = 0;             ///< [1], 0: contacts are stiff; 1: soft, as GiveSettings says
   double residual = 0;              ///< [N s], may be missing, however small impulses are
+  double squared_swing = most_squared_swing; ///< [1], above which joints swing bodies implicitly
   bool bounds_move = true; ///< whether bounds of friction follow the pushes found here, stays()
   bool opening_friction = true; ///< whether there is friction where an overlap opens
 };

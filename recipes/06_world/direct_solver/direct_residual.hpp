@@ -64,6 +64,10 @@ inline void find_residual(DirectSystem& system)
     const Vector6 change = body.free - system.velocities[i];
     system.residual[i] << body.mass * change.head<3>(), body.inertia * change.tail<3>();
   }
+  for (std::size_t i = 0; i < system.taut.size(); ++i)
+  {
+    system.residual[i].tail<3>() -= system.taut[i] * system.velocities[i].tail<3>();
+  }
   for (const DirectContact& contact : system.contacts)
   {
     update_point(system, contact);

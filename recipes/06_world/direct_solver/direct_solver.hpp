@@ -5,10 +5,12 @@
 
 #include "06_world/direct_solver/direct_answer.hpp"
 #include "06_world/direct_solver/direct_residual.hpp"
+#include "06_world/direct_solver/direct_taut.hpp"
 #include "06_world/direct_solver/factored_points.hpp"
 #include "06_world/direct_solver/line_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -116,9 +118,10 @@ public:
       const bool moved = follows && moved_bounds(system_, most, small_, settings);
       if (found && !moved && !bent && !system_.rows.empty())
       {
-        bend_rows(system_.rows, world, system_.velocities, step);
+        bent = !too_taut(step, settings);
+        bent ? bend_rows(system_.rows, world, system_.velocities, step) : stiffen(system_, step);
+        fresh = bent;
         find_residual(system_);
-        bent = true;
       }
       else if (found && !moved)
       {
@@ -139,12 +142,25 @@ public:
 
   /// The answer, body by body.
   const std::vector<DirectVelocity>& velocities() const { return velocities_; }
+  /// The largest ω h [1] by which joints swing a body, in the last answer, R63.
+  double swing() const { return std::sqrt(squared_swing_); }
   /// Whether any overlap was to open, with an answer or without.
   bool opens() const { return any_opens(system_); }
   /// How fast [m/s] any overlap opens by that answer.
   double opening() const { return fastest_opening(system_); }
 
 private:
+  /// Whether joints swing a body faster than a step [s] can follow, for the first time in it.
+  bool too_taut(double step, const DirectSettings& settings)
+  {
+    if (!system_.taut.empty())
+    {
+      return false;
+    }
+    squared_swing_ = largest_squared_swing(system_, step);
+    return squared_swing_ > settings.squared_swing;
+  }
+
   /// Factors the matrix of the system; false if it has none.
   bool factor()
   {
@@ -191,7 +207,7 @@ private:
   std::vector<Vector6> change_, residual_;
   std::vector<DirectVelocity> velocities_;
   std::vector<std::pair<int, int>> coupled_, laid_out_;
-  double small_ = 0;
+  double small_ = 0, squared_swing_ = 0;
 };
 // [direct_solver]
 

@@ -48,8 +48,9 @@ struct DirectSystem
   std::vector<DirectContact> contacts;
   std::vector<DirectPoint> points;
   std::vector<DirectRow> rows;
-  std::vector<Vector6> velocities; ///< [m/s, rad/s], as they are found
-  std::vector<Vector6> residual;   ///< [N s, N m s], at these velocities
+  std::vector<Matrix3<double>> taut; ///< [kg m²], what joints add to inertia, stiffen(); or none
+  std::vector<Vector6> velocities;   ///< [m/s, rad/s], as they are found
+  std::vector<Vector6> residual;     ///< [N s, N m s], at these velocities
 
   std::vector<ContactState> states_before; ///< room for how points pushed before a change
   std::vector<bool> rows_before;           ///< room for which rows were active before it
@@ -106,6 +107,7 @@ inline void clear(DirectSystem& system, IslandView world, const Island& island)
   empty(system.contacts, island.contacts.size());
   empty(system.points, points);
   system.rows.clear();
+  system.taut.clear();
 }
 
 /// Makes a system of an island, at the velocities before the step [s].
@@ -175,6 +177,10 @@ inline void assemble(const DirectSystem& system, BlockCholesky& matrix)
     {
       matrix.add_coupling(contact.a, contact.b, blocks.ab);
     }
+  }
+  for (std::size_t i = 0; i < system.taut.size(); ++i)
+  {
+    matrix.diagonal(static_cast<int>(i)).bottomRightCorner<3, 3>() += system.taut[i];
   }
   add_rows(system.rows, matrix);
 }

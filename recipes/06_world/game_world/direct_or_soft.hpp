@@ -5,9 +5,11 @@
 
 #include "06_world/direct_solver/direct_solver.hpp"
 #include "06_world/game_world/island_impulses.hpp"
+#include "06_world/game_world/joint_substeps.hpp"
 #include "06_world/soft_steps/soft_steps.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -39,14 +41,15 @@ using DirectObserver = std::function<void(const Island&, DirectAnswer)>;
 /// again, and gain energy where it opens: it is left to soft steps, for a time that grows. A copy
 /// remembers what the original did, and goes on by itself.
 ///
-/// An island with joints is solved in substeps: a taut chain swings too fast for a frame.
+/// An island with joints is solved in substeps: a taut chain swings too fast for a frame. How many
+/// it takes, the frame before has told; a pull that comes suddenly is taken by implicit steps.
 class DirectOrSoft
 {
 public:
   /// Soft steps take so many substeps; arms turn and corners are sharp, as in the frames that are
   /// solved. `observer`, if given, hears of every island and frame.
-  explicit DirectOrSoft(int substeps, DirectObserver observer = {}, int joint_substeps = 6)
-      : joint_substeps_(joint_substeps),
+  explicit DirectOrSoft(int substeps, DirectObserver observer = {}, JointSubsteps joints = {})
+      : joints_(joints),
         soft_{.substeps = substeps, .anchor_lag = 0, .torsional_radius = 0},
         resting_{.substeps = substeps},
         observer_(std::move(observer))
@@ -66,11 +69,12 @@ public:
       return;
     }
     DrivenAlong driven(world, island);
-    scale_impulses(world, island, 1, joint_substeps_);
+    const int substeps = substeps_of(joints_, step * std::exchange(tries.swing_rate, 0));
+    const double substep = step / substeps;
+    scale_impulses(world, island, 1, substeps);
     std::vector<bool> fell;
-    for (int left = joint_substeps_; left > 0; --left)
+    for (int left = substeps; left > 0; --left)
     {
-      const double substep = step / joint_substeps_;
       if (!step_directly(tries, world, island, substep))
       {
         scale_impulses(world, island, left, 1);
@@ -78,10 +82,11 @@ public:
         scale_impulses(world, island, 1, left);
         left = 1;
       }
+      tries.swing_rate = std::max(tries.swing_rate, tries.direct.swing() / substep);
       keep_pushed(world, island, fell);
       driven.move(substep);
     }
-    scale_impulses(world, island, joint_substeps_, 1);
+    scale_impulses(world, island, substeps, 1);
   }
 
   /// How many islands it remembers: none that has joined another one.
@@ -97,6 +102,7 @@ private:
     int pause = 1;        // frames to wait after the next failure
     double softening = 0; // how soft contacts are in the next try
     Restlessness rest;
+    double swing_rate = 0; // [rad/s], ω of the frame, R63
   };
 
   /// Tries to move an island on by a step [s].
@@ -157,7 +163,7 @@ private:
   }
 
   /// Finds the velocities of an island, unless it has to wait or no answer is found.
-  static DirectAnswer solved(Tries& tries, IslandView world, const Island& island, double step)
+  DirectAnswer solved(Tries& tries, IslandView world, const Island& island, double step) const
   {
     if (tries.frames_to_wait > 0)
     {
@@ -165,11 +171,22 @@ private:
       tries.rest.wait(step);
       return DirectAnswer::none;
     }
-    const bool soft = tries.softening > 0;
-    bool found = tries.direct.solve(world, island, step, settings_at(tries.softening));
+    bool soft = tries.softening > 0;
+    const auto solve_at = [&](double softening, int iterations)
+    {
+      DirectSettings settings = settings_at(softening);
+      settings.iterations = iterations;
+      settings.squared_swing = joints_.squared_swing;
+      return tries.direct.solve(world, island, step, settings);
+    };
+    bool found = solve_at(tries.softening, DirectSettings{}.iterations);
     if (!found && !soft && island.bodies.size() <= few && tries.direct.opens())
     {
       found = tries.direct.solve(world, island, step, {.opening_friction = false});
+    }
+    if (!found && !soft && !island.constraints.empty()) // contacts give way rather than joints
+    {
+      found = soft = solve_at(1, 3 * DirectSettings{}.iterations);
     }
     tries.frames_to_wait = found ? 0 : tries.pause;
     tries.pause = found ? 1 : std::min(2 * tries.pause, 16);
@@ -183,7 +200,7 @@ private:
     return !found ? DirectAnswer::none : soft ? DirectAnswer::softened : DirectAnswer::exact;
   }
 
-  int joint_substeps_;                // of an island with joints
+  JointSubsteps joints_;
   SoftSettings soft_;                 // of single frames, between others
   SoftSettings resting_;              // of an island that is left to them
   std::vector<DirectVelocity> first_; // of an island's bodies, in the first answer
