@@ -53,6 +53,12 @@ inline bool is_limit(const ConstraintRow& row)
   return row.lower == 0 || row.upper == 0;
 }
 
+/// Whether a row is a limit that is not reached.
+inline bool is_open(const ConstraintRow& row)
+{
+  return is_limit(row) && (row.lower == 0 ? row.error : -row.error) > 0;
+}
+
 /// The velocities of a body as six numbers [m/s, rad/s].
 inline Vector6 velocities_of(const Motion<double>& motion)
 {
@@ -71,6 +77,14 @@ inline double inverse_mass_of(const Body<double>& body, const Vector6& row)
 {
   const Vector3<double> linear = row.head<3>(), angular = row.tail<3>();
   return body.inverse_mass * linear.squaredNorm() + angular.dot(body.inverse_inertia * angular);
+}
+
+/// The velocities [m/s, rad/s] that a push of 1 along a row of a body gives it: M⁻¹ Jᵀ.
+inline Vector6 given_by(const Body<double>& body, const Vector6& row)
+{
+  const Vector3<double> linear = body.inverse_mass * row.head<3>();
+  const Vector3<double> angular = body.inverse_inertia * row.tail<3>();
+  return (Vector6() << linear, angular).finished();
 }
 
 /// Pushes a body by an impulse [N s, N m s] along a row of it.

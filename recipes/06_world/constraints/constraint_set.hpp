@@ -75,6 +75,9 @@ public:
   /// taken away, for solvers of positions; what is no error but a push, only in the first of
   /// several passes. False where the kind cannot.
   virtual bool correct(Bodies, int, double, bool) { return false; }
+
+  /// Hears where all bodies are when a step of the world [s] has ended, to count turns or to break.
+  virtual void finish(std::span<const RigidBody>, double) {}
 };
 
 /// A set that is copied with what has it.

@@ -28,6 +28,12 @@ public:
   void add(const ConstraintRow& row) { rows_.at(size_++) = row; } ///< std::out_of_range beyond that
   void clear() { size_ = 0; }
 
+  /// Leaves out by what errors bend, as where bodies have moved already.
+  void stop_turning()
+  {
+    std::for_each(rows_.begin(), rows_.end(), [](ConstraintRow& row) { row.turning = 0; });
+  }
+
   std::size_t size() const { return size_; }
   std::span<const ConstraintRow> all() const { return {rows_.data(), size_}; }
   const ConstraintRow& operator[](std::size_t i) const { return rows_[i]; }
@@ -81,9 +87,7 @@ rigid_inverse_mass(const JointRows& rows, const Body<double>& a, const Body<doub
   for (Eigen::Index j = 0; j < count; ++j)
   {
     const ConstraintRow& row = rows[static_cast<std::size_t>(j)];
-    Vector6 on_a, on_b; // M⁻¹ Jᵀ
-    on_a << a.inverse_mass * row.a.head<3>(), a.inverse_inertia * row.a.tail<3>();
-    on_b << b.inverse_mass * row.b.head<3>(), b.inverse_inertia * row.b.tail<3>();
+    const Vector6 on_a = given_by(a, row.a), on_b = given_by(b, row.b);
     for (Eigen::Index i = 0; i < count; ++i)
     {
       const ConstraintRow& other = rows[static_cast<std::size_t>(i)];
@@ -100,35 +104,8 @@ inline double row_mass(const ConstraintRow& row, const Body<double>& a, const Bo
   return k > 0 ? 1 / k : 0;
 }
 
-/// Corrects the velocities of two bodies once along one row, in a substep [s], and adds to its
-/// impulse so far.
-inline void solve_row(
-    const ConstraintRow& row, Body<double>& a, Body<double>& b, const Softness<double>& softness,
-    double substep, double& impulse)
-{
-  const double mass = row_mass(row, a, b), speed = row_speed(row, a.motion, b.motion);
-  double change;
-  if (is_spring(row))
-  {
-    change = -row.keeps * impulse - mass * ((1 - row.keeps) * speed + row.pulls * row.error);
-  }
-  else if (is_limit(row) && (row.lower == 0 ? row.error : -row.error) > 0) // not reached: may close
-  {
-    change = -mass * (speed + row.error / substep);
-  }
-  else
-  {
-    const double bias = softness.bias_rate * row.error + substep / 2 * row.turning - row.speed;
-    change = -mass * softness.mass_scale * (speed + bias) - softness.impulse_scale * impulse;
-  }
-  const double sum = std::clamp(impulse + change, substep * row.lower, substep * row.upper);
-  change = sum - impulse;
-  impulse = sum;
-  push_along(a, row.a, change);
-  push_along(b, row.b, change);
-}
-
-/// The same along all rigid rows at once, by the factor of their K.
+/// Corrects the velocities of two bodies once along all rigid rows at once, by the factor of their
+/// K, in a substep [s], and adds to their impulses so far.
 inline void solve_rigid(
     const JointRows& rows, const Eigen::LDLT<RigidMatrix>& factor, Body<double>& a, Body<double>& b,
     const Softness<double>& softness, double substep, JointImpulses& impulses)

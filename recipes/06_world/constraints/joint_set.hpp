@@ -5,7 +5,7 @@
 
 #include "06_world/constraints/constraint_set.hpp"
 #include "06_world/constraints/correct_rows.hpp"
-#include "06_world/contacts/integrate_body.hpp"
+#include "06_world/constraints/solved_joint.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -44,6 +44,18 @@ public:
   /// The impulses [N s, N m s] of a joint's rows in the last step, by their order.
   const JointImpulses& impulses(std::size_t i) const { return joints_[i].impulses; }
 
+  /// Has a joint break when its mean force [N] in a step is above this, zero or more; infinity:
+  /// never. Broken, it keeps its number, and does nothing.
+  void set_strength(std::size_t i, double strength)
+  {
+    check_strength(strength);
+    joints_.at(i).strength = strength;
+  }
+  /// The mean force [N] on B in the last step, world, of a joint that has a strength.
+  const Vector3<double>& force(std::size_t i) const { return joints_[i].force; }
+  bool is_broken(std::size_t i) const { return joints_[i].broken; } ///< whether it has
+  void mend(std::size_t i) { joints_.at(i).broken = false; }        ///< joins it again
+
   const char* name() const override { return Kind::name; }
 
   std::unique_ptr<ConstraintSet> clone() const override
@@ -56,25 +68,31 @@ public:
     for (std::size_t i = 0; i < joints_.size(); ++i)
     {
       const Kind& joint = joints_[i].of;
-      call({joint.a, joint.b, joint.collides, 0, static_cast<int>(i)});
+      if (!joints_[i].broken)
+      {
+        call({joint.a, joint.b, joint.collides, 0, static_cast<int>(i)});
+      }
     }
   }
 
   void remove_body(int body) override
   {
-    std::erase_if(joints_, [&](const Solved& one) { return one.of.a == body || one.of.b == body; });
+    std::erase_if(
+        joints_,
+        [&](const SolvedJoint<Kind>& one) { return one.of.a == body || one.of.b == body; });
   }
 
   void prepare(int number, int substeps) override
   {
     at(number).elapsed = 0;
-    scale(at(number), 1.0 / substeps);
+    scale_impulses(at(number), 1.0 / substeps);
   }
 
   void warm_start(Bodies bodies, int number, double substep) override
   {
-    Solved& one = at(number);
-    take(one, bodies, substep);
+    SolvedJoint<Kind>& one = at(number);
+    add_substep(one);
+    take_rows(one, bodies[index(one.of.a)], bodies[index(one.of.b)], substep);
     one.elapsed += substep;
     RigidBody &a = bodies[index(one.of.a)], &b = bodies[index(one.of.b)];
     for (std::size_t i = 0; i < one.rows.size(); ++i)
@@ -86,34 +104,38 @@ public:
 
   void solve(Bodies bodies, int number, const Softness<double>& softness) override
   {
-    Solved& one = at(number);
+    SolvedJoint<Kind>& one = at(number);
     RigidBody &a = bodies[index(one.of.a)], &b = bodies[index(one.of.b)];
     for (std::size_t i = one.rows.rigid(); i < one.rows.size(); ++i)
     {
-      solve_row(one.rows[i], a, b, softness, one.substep, one.impulses[i]);
+      solve_row(one.rows, i, one.factor, a, b, softness, one.substep, one.impulses);
     }
     solve_rigid(one.rows, one.factor, a, b, softness, one.substep, one.impulses);
   }
 
   void relax(Bodies bodies, int number) override
   {
-    Solved& one = at(number);
+    SolvedJoint<Kind>& one = at(number);
     const double substep = one.substep;
-    take(one, bodies, substep);
+    take_rows(one, bodies[index(one.of.a)], bodies[index(one.of.b)], substep);
+    one.rows.stop_turning();
     RigidBody &a = bodies[index(one.of.a)], &b = bodies[index(one.of.b)];
     for (std::size_t i = one.rows.rigid(); i < one.rows.size(); ++i)
     {
       if (!is_spring(one.rows[i]))
       {
-        ConstraintRow row = one.rows[i];
-        row.turning = 0;
-        solve_row(row, a, b, rigid<double>(), substep, one.impulses[i]);
+        solve_row(one.rows, i, one.factor, a, b, rigid<double>(), substep, one.impulses);
       }
     }
     solve_rigid(one.rows, one.factor, a, b, rigid<double>(), 0, one.impulses);
   }
 
-  void store(int number, int substeps) override { scale(at(number), substeps); }
+  void store(int number, int substeps) override
+  {
+    add_substep(at(number));
+    at(number).elapsed = 0;
+    scale_impulses(at(number), substeps);
+  }
 
   void rows(
       const RigidBody& a, const RigidBody& b, int number, double step,
@@ -126,63 +148,35 @@ public:
 
   void store_rows(int number, std::span<const double> impulses) override
   {
-    std::copy(impulses.begin(), impulses.end(), at(number).impulses.begin());
+    SolvedJoint<Kind>& one = at(number);
+    std::copy(impulses.begin(), impulses.end(), one.impulses.begin());
+    add_impulses(one, one.impulses);
   }
 
   bool correct(Bodies bodies, int number, double substep, bool first) override
   {
-    Solved& one = at(number);
-    take(one, bodies, substep);
-    correct_rows(
-        one.rows, bodies[index(one.of.a)], bodies[index(one.of.b)], one.factor, substep, first);
+    SolvedJoint<Kind>& one = at(number);
+    take_rows(one, bodies[index(one.of.a)], bodies[index(one.of.b)], substep);
+    add_impulses(
+        one, correct_rows(
+                 one.rows, bodies[index(one.of.a)], bodies[index(one.of.b)], one.factor, substep,
+                 first));
     return true;
   }
 
+  void finish(std::span<const RigidBody> bodies, double step) override
+  {
+    for (SolvedJoint<Kind>& one : joints_)
+    {
+      end_step(one, bodies[index(one.of.a)], bodies[index(one.of.b)], step);
+    }
+  }
+
 private:
-  struct Solved
-  {
-    Kind of;
-    JointRows rows{};                  // as the bodies were
-    JointImpulses impulses{};          // [N s, N m s]
-    Eigen::LDLT<RigidMatrix> factor{}; // of the rigid rows' K
-    double substep = 0, elapsed = 0;   // [s], elapsed since the step began
-  };
-
   static std::size_t index(int number) { return static_cast<std::size_t>(number); }
-  Solved& at(int number) { return joints_[index(number)]; }
+  SolvedJoint<Kind>& at(int number) { return joints_[index(number)]; }
 
-  static void scale(Solved& one, double by)
-  {
-    for (double& impulse : one.impulses)
-    {
-      impulse *= by;
-    }
-  }
-
-  /// Takes the bodies as they are before a substep [s].
-  static void take(Solved& one, Bodies bodies, double substep)
-  {
-    const RigidBody &a = bodies[index(one.of.a)], &b = bodies[index(one.of.b)];
-    one.substep = substep;
-    one.rows.clear();
-    joint_rows(one.of, along(a, one.elapsed), along(b, one.elapsed), substep, one.rows);
-    one.factor.compute(rigid_inverse_mass(one.rows, a, b));
-  }
-
-  /// A body as it is, or, if a game drives it, as it is after a time [s]: the world moves that only
-  /// when the step ends.
-  static RigidBody along(RigidBody body, double time)
-  {
-    if (is_driven(body))
-    {
-      body.motion.center += time * body.motion.velocity;
-      body.orientation = turned_by(body, time * body.motion.angular_velocity);
-      update_axes(body);
-    }
-    return body;
-  }
-
-  std::vector<Solved> joints_;
+  std::vector<SolvedJoint<Kind>> joints_;
 };
 // [joint_set]
 

@@ -149,6 +149,10 @@ inline void step(WorldState& world, const WorldSolver& solver)
   {
     finish_body(world, i);
   }
+  for (ClonedSet& set : world.sets)
+  {
+    set->finish(world.bodies, world.scene.step);
+  }
   release_slots(world);
   ++world.steps;
 }
