@@ -8,6 +8,7 @@
 #include "06_world/direct_solver/direct_points.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace cookbook
@@ -24,10 +25,11 @@ struct DirectRow
   double offset;            ///< [N s], what it takes to close its error, and of what is driven
   double lower, upper;      ///< [N s], bounds
   double impulse;           ///< [N s]
-  bool active;              ///< whether it is within them, and not at one
   bool bends;               ///< whether its error changes otherwise than J says, as it turns
   double error;             ///< [m, rad], before the step
   const ConstraintPair* of; ///< where it comes from
+  int at = 0;               ///< −1 or 1: at its lower or upper bound; 0: within them
+  bool unbounded = false;   ///< whether its bounds are left out in the next change
 };
 
 /// The number in an island of a body of the world; −1 if it is none of its bodies.
@@ -56,8 +58,7 @@ inline double offset_of(
   {
     return (1 / inverse_mass + stiffness) * row.pulls * row.error;
   }
-  const bool open = is_limit(row) && (row.lower == 0 ? row.error : -row.error) > 0;
-  const double correction = open ? 1 : settings.row_correction;
+  const double correction = is_open(row) ? 1 : settings.row_correction;
   return stiffness * (correction * row.error / step - row.speed);
 }
 
@@ -76,7 +77,7 @@ inline void gather(
         const double inverse_mass = inverse_mass_of(a, row.a) + inverse_mass_of(b, row.b);
         if (inverse_mass == 0) // it moves nothing
         {
-          rows.push_back({in_a, in_b, row.a, row.b, 0, 0, 0, 0, 0, true, false, 0, &pair});
+          rows.push_back({in_a, in_b, row.a, row.b, 0, 0, 0, 0, 0, false, 0, &pair});
           return;
         }
         const double stiffness = stiffness_of(row, inverse_mass, settings);
@@ -85,8 +86,30 @@ inline void gather(
         const double offset = offset_of(row, inverse_mass, stiffness, step, settings);
         rows.push_back(
             {in_a, in_b, row.a, row.b, stiffness, offset + stiffness * driven, step * row.lower,
-             step * row.upper, 0, true, !is_spring(row) && !row.motor, row.error, &pair});
+             step * row.upper, 0, !is_spring(row) && !row.motor, row.error, &pair});
       });
+}
+
+/// Guesses that motors reach their speeds: leaves both of their bounds out of the first change.
+inline void guess_motors(std::vector<DirectRow>& rows)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (DirectRow& row : rows)
+  {
+    row.unbounded = row.lower > -infinity && row.upper < infinity && row.stiffness > 0;
+  }
+}
+
+/// Gives rows their bounds back; whether any was without.
+inline bool bound_all(std::vector<DirectRow>& rows)
+{
+  bool any = false;
+  for (DirectRow& row : rows)
+  {
+    any = any || row.unbounded;
+    row.unbounded = false;
+  }
+  return any;
 }
 
 /// How a body is once it has moved with these velocities for a step [s].
@@ -133,7 +156,7 @@ inline void add_rows(const std::vector<DirectRow>& rows, BlockCholesky& matrix)
 {
   for (const DirectRow& row : rows)
   {
-    if (!row.active)
+    if (row.at != 0)
     {
       continue;
     }
@@ -158,9 +181,9 @@ update_row(DirectRow& row, const std::vector<Vector6>& velocities, std::vector<V
 {
   double speed = row.a >= 0 ? row.on_a.dot(velocities[index_of(row.a)]) : 0;
   speed += row.b >= 0 ? row.on_b.dot(velocities[index_of(row.b)]) : 0;
-  const double unbounded = -row.stiffness * speed - row.offset;
-  row.impulse = std::clamp(unbounded, row.lower, row.upper);
-  row.active = row.impulse == unbounded;
+  const double push = -row.stiffness * speed - row.offset;
+  row.at = row.unbounded ? 0 : push < row.lower ? -1 : push > row.upper ? 1 : 0;
+  row.impulse = row.at < 0 ? row.lower : row.at > 0 ? row.upper : push;
   if (row.a >= 0)
   {
     residual[index_of(row.a)] += row.impulse * row.on_a;

@@ -92,6 +92,7 @@ public:
     {
       return false;
     }
+    guess_motors(system_.rows);
     find_residual(system_);
     const bool was_guessed = guess_active_set(system_, 2 * step * world.gravity.norm());
     const bool stiff = settings.softening == 0;
@@ -99,8 +100,8 @@ public:
     bool bent = false;  // whether joints know where they turn to
     for (int i = 0; i < settings.iterations; ++i)
     {
-      const bool at_hand =
-          (i > 0 ? fresh : stiff && system_.rows.empty()) && factored_.are_those_of(system_.points);
+      const bool at_hand = (i > 0 ? fresh : stiff && system_.rows.empty()) &&
+                           factored_.are_those_of(system_.points, system_.rows);
       if (!at_hand && !factor())
       {
         return false;
@@ -109,9 +110,10 @@ public:
       change_ = system_.residual;
       matrix_.solve(change_);
       const LineSearch searched = line_search(system_, change_);
+      const bool guessed = !searched.stuck && bound_rows(system_);
       const double most = largest_impulse(system_);
       small_ = std::max({settings.tolerance * most, rounding_of(system_), settings.residual});
-      const bool exact = searched.exact && fresh && (i > 0 || !was_guessed);
+      const bool exact = searched.exact && fresh && !guessed && (i > 0 || !was_guessed);
       const bool found = exact || residual_norm(system_) <= small_;
       residual_ = system_.residual; // before the bounds move
       const bool follows = found || searched.stuck || (stiff && searched.fraction >= 0.5);
@@ -169,7 +171,7 @@ private:
     const bool found = matrix_.factor();
     if (found)
     {
-      factored_.take(system_.points);
+      factored_.take(system_.points, system_.rows);
     }
     return found;
   }

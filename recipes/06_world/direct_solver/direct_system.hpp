@@ -53,7 +53,7 @@ struct DirectSystem
   std::vector<Vector6> residual;     ///< [N s, N m s], at these velocities
 
   std::vector<ContactState> states_before; ///< room for how points pushed before a change
-  std::vector<bool> rows_before;           ///< room for which rows were active before it
+  std::vector<int> rows_before;            ///< room for at which bounds rows were before it
   std::vector<Vector6> velocities_before;  ///< room for the velocities before it
 };
 

@@ -4,7 +4,9 @@
 /// \brief What a matrix was factored for, so that it is not factored again for the same.
 
 #include "06_world/direct_solver/direct_points.hpp"
+#include "06_world/direct_solver/direct_rows.hpp"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -12,7 +14,7 @@ namespace cookbook
 {
 
 // [factored_points]
-/// The points that pushed when a matrix was factored.
+/// The points that pushed when a matrix was factored, and the rows that were within their bounds.
 class FactoredPoints
 {
 public:
@@ -21,9 +23,14 @@ public:
 
   /// Stores the active points; none if any point slips, since then the matrix depends on by how
   /// much.
-  void take(std::span<const DirectPoint> all)
+  void take(std::span<const DirectPoint> all, std::span<const DirectRow> rows = {})
   {
     points_.clear();
+    within_.clear();
+    for (const DirectRow& row : rows)
+    {
+      within_.push_back(row.at == 0);
+    }
     for (const DirectPoint& point : all)
     {
       if (point.friction_state == FrictionState::slip)
@@ -37,9 +44,16 @@ public:
     }
   }
 
-  /// Whether the same points push as then, in the same way, and where they were, to nine digits.
-  bool are_those_of(std::span<const DirectPoint> all) const
+  /// Whether the same points push as then, in the same way, and where they were, to nine digits,
+  /// and the same rows.
+  bool are_those_of(std::span<const DirectPoint> all, std::span<const DirectRow> rows = {}) const
   {
+    if (!std::equal(
+            rows.begin(), rows.end(), within_.begin(), within_.end(),
+            [](const DirectRow& row, bool within) { return (row.at == 0) == within; }))
+    {
+      return false;
+    }
     auto then = points_.begin();
     for (const DirectPoint& now : all)
     {
@@ -71,6 +85,7 @@ private:
   }
 
   std::vector<Pushed> points_;
+  std::vector<bool> within_; // of rows
 };
 // [factored_points]
 
