@@ -20,7 +20,7 @@ namespace cookbook
 // [avbd_scenes]
 /// By how much [m] the sag of a cable is off after 20 s: 10 m in 40 links between poles 8 m apart,
 /// 2.65526 m is right for so many links.
-inline double cable_off(int passes, const AvbdSettings& settings = {})
+inline double cable_off(const AvbdSettings& settings)
 {
   Rope cable = make_rope({0, 0, 0}, {8, 0, 0}, 40, 10);
   for (DistanceConstraint& link : cable.links)
@@ -32,7 +32,8 @@ inline double cable_off(int passes, const AvbdSettings& settings = {})
   for (int frame = 0; frame < 1200; ++frame)
   {
     step_plain_avbd(
-        cable.particles, cable.links, memories, {.damping = 2, .iterations = passes}, settings);
+        cable.particles, cable.links, memories, {.damping = 2, .iterations = settings.iterations},
+        settings);
   }
   return std::abs(-cable.particles.positions[20].y() - 2.65526);
 }
@@ -59,9 +60,9 @@ inline GameWorld loaded_chain(double load, const WorldSolver& solver)
 }
 
 /// By how much [m] the load on a chain has sunk after 10 s.
-inline double chain_sink(double load, int passes)
+inline double chain_sink(double load, const AvbdSettings& settings)
 {
-  GameWorld world = loaded_chain(load, one_by_one(Avbd({.iterations = passes})));
+  GameWorld world = loaded_chain(load, one_by_one(Avbd(settings)));
   for (int step = 0; step < 600; ++step)
   {
     world.step();
@@ -70,14 +71,14 @@ inline double chain_sink(double load, int passes)
 }
 
 /// By how much [m] the topmost cube of a tower has sunk after 10 s.
-inline double tower_sink(int cubes, int passes)
+inline double tower_sink(int cubes, const AvbdSettings& settings)
 {
   Scene scene{.bodies = {ground()}};
   for (int i = 0; i < cubes; ++i)
   {
     scene.bodies.push_back(cube_body("cube", {0, 0.5 + i, 0}));
   }
-  GameWorld world(scene, one_by_one(Avbd({.iterations = passes})));
+  GameWorld world(scene, one_by_one(Avbd(settings)));
   for (int step = 0; step < 600; ++step)
   {
     world.step();
