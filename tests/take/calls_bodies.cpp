@@ -45,7 +45,7 @@ void add(Bits& bits, const BodyPair<double>& bodies)
 #endif
 
 #if defined TAKE_sequential_impulses || defined TAKE_soft_steps || defined TAKE_position_based ||  \
-    defined TAKE_direct_solver || defined TAKE_wide_solver
+    defined TAKE_direct_solver || defined TAKE_wide_solver || defined TAKE_avbd
 /// Prints what a solver makes of small piles of boxes, one frame each.
 template <class Solver>
 void print_piles(const char* name, Solver solver)
@@ -496,6 +496,15 @@ int main()
         }
         events.update(contacts, bodies);
         bits(int(events.active().size()), int(events.begun().size()), int(events.ended().size()));
+      });
+#endif
+#ifdef TAKE_avbd
+  print_piles(
+      "avbd",
+      [solver = Avbd()](IslandView view, const Island& island) mutable
+      {
+        solver(view, island, 1.0 / 60);
+        return true;
       });
 #endif
 #ifdef TAKE_rope
