@@ -20,6 +20,7 @@
 namespace cookbook
 {
 
+struct WorldModules;
 class ConstraintSet;
 
 // [world]
@@ -33,6 +34,9 @@ class GameWorld
 public:
   /// The scene as it starts; InvalidScene if it makes no sense, or if there is no solver.
   GameWorld(const Scene& scene, WorldSolver solver, bool may_sleep = false);
+
+  /// The same with these modules around the solver, instead of all of game_modules().
+  GameWorld(const Scene& scene, WorldSolver solver, WorldModules modules);
 
   /// The same with a solver of one island, an IslandSolver.
   template <class Solver>

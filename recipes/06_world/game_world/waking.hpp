@@ -5,7 +5,6 @@
 
 #include "06_world/contacts/bounds.hpp"
 #include "06_world/game_world/world_state.hpp"
-#include "06_world/sleeping/sleeping.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -49,32 +48,19 @@ inline void find_constraints(WorldState& world)
   }
 }
 
-/// Wakes bodies, with all that hangs together with them. For those that are awake it is enough to
-/// begin their watch anew.
+/// Tells all modules that the game has changed bodies: they wake, with all that hangs together with
+/// them.
 inline void wake_islands_of(WorldState& world, std::span<const int> bodies)
 {
-  const auto asleep = [&](int body) { return is_asleep(world, body); };
-  if (std::any_of(bodies.begin(), bodies.end(), asleep))
+  for (const Cloned<WorldModule>& module : world.modules)
   {
-    world.islands.find(world.bodies, world.contacts, world.constraints);
-    wake(world.sleep, world.islands.numbers(), bodies);
-  }
-  else if (world.may_sleep)
-  {
-    for (const int body : bodies)
-    {
-      world.sleep[index_of(body)] = {};
-    }
+    module->changed(world, bodies);
   }
 }
 
 /// Wakes a body, whatever touches it, and all that hangs together with them.
 inline void wake_around(WorldState& world, int body)
 {
-  if (!world.may_sleep)
-  {
-    return;
-  }
   std::vector<int> awake_islands{body};
   for (const WorldContact& contact : world.contacts)
   {
@@ -96,7 +82,7 @@ inline void wake_around(WorldState& world, int body)
 /// Wakes what sleeps in the bounds of a body, with all that hangs together with it.
 inline void wake_touched_by(WorldState& world, const Bounds& bound)
 {
-  if (!world.may_sleep)
+  if (world.asleep.empty())
   {
     return;
   }

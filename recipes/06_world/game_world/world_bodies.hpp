@@ -8,12 +8,9 @@
 #include "06_world/contacts/start_body.hpp"
 #include "06_world/game_world/waking.hpp"
 #include "06_world/game_world/world_state.hpp"
-#include "06_world/islands/island.hpp"
-#include "06_world/sleeping/sleeping.hpp"
 
 #include <algorithm>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 namespace cookbook
@@ -51,9 +48,7 @@ inline std::size_t add_body(WorldState& world, const SceneBody& body)
   put_at(world.scene.bodies, i, body);
   set_start_state(world.scene.bodies[i], made);
   put_at(world.bodies, i, made);
-  world.sleep.resize(world.may_sleep ? world.bodies.size() : 0); // a removed body was woken before
   world.bounds.push_back(bounds_now(world, i));
-  world.spheres += made.is_sphere ? 1 : 0;
   put_at(world.removed, i, false);
   if (had_another)
   {
@@ -68,7 +63,6 @@ inline void remove_body(WorldState& world, std::size_t i)
 {
   wake_around(world, static_cast<int>(i));
   fix(world.bodies[i]);
-  world.spheres -= world.bodies[i].is_sphere ? 1 : 0;
   world.removed[i] = true;
   for (ClonedSet& set : world.sets)
   {
@@ -118,33 +112,6 @@ inline void move_driven(WorldState& world)
       body.lagged_orientation = body.orientation;
     }
   }
-}
-
-/// Puts islands that rest to sleep, and wakes the others: also all that touch a kinematic body in
-/// motion.
-inline void update_sleep(WorldState& world)
-{
-  if (!world.may_sleep)
-  {
-    return;
-  }
-  for (const WorldContact& contact : world.contacts)
-  {
-    const std::size_t a = index_of(contact.a), b = index_of(contact.b);
-    if (is_driven(world.bodies[a]) || is_driven(world.bodies[b]))
-    {
-      world.sleep[a] = world.sleep[b] = {};
-    }
-  }
-  for (const ConstraintPair& pair : world.constraints)
-  {
-    const std::size_t a = index_of(pair.a), b = index_of(pair.b);
-    if (is_driven(world.bodies[a]) || is_driven(world.bodies[b]))
-    {
-      world.sleep[a] = world.sleep[b] = {};
-    }
-  }
-  update_sleep(world.sleep, world.islands.numbers(), SleepLimits<double>{});
 }
 // [world_bodies]
 

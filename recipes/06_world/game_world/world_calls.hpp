@@ -3,6 +3,7 @@
 /// \file
 /// \brief What a world answers to a game, which is checked first.
 
+#include "06_world/game_world/game_modules.hpp"
 #include "06_world/game_world/game_world.hpp"
 #include "06_world/game_world/world_bodies.hpp"
 #include "06_world/game_world/world_checks.hpp"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -27,6 +29,12 @@ struct GameWorld::Inside
 
 COOKBOOK_WORLD_INLINE
 GameWorld::GameWorld(const Scene& scene, WorldSolver solver, bool may_sleep)
+    : GameWorld(scene, std::move(solver), game_modules(may_sleep))
+{
+}
+
+COOKBOOK_WORLD_INLINE
+GameWorld::GameWorld(const Scene& scene, WorldSolver solver, WorldModules modules)
     : inside_(std::make_unique<Inside>(Inside{std::move(solver)}))
 {
   if (!inside_->solver)
@@ -35,7 +43,12 @@ GameWorld::GameWorld(const Scene& scene, WorldSolver solver, bool may_sleep)
   }
   WorldState& state = inside_->state;
   state.scene = checked(scene);
-  state.may_sleep = may_sleep;
+  state.modules = std::move(modules.list);
+  state.pair_finder = std::move(modules.pair_finder);
+  for (const Cloned<WorldModule>& module : state.modules)
+  {
+    module->added(state);
+  }
   state.bodies.reserve(scene.bodies.size());
   state.bounds.reserve(scene.bodies.size());
   while (state.bodies.size() < state.scene.bodies.size())
@@ -188,7 +201,9 @@ COOKBOOK_WORLD_INLINE void GameWorld::set_gravity(const Vector3<double>& gravity
   if (gravity != state.scene.gravity)
   {
     state.scene.gravity = gravity;
-    state.sleep.assign(state.sleep.size(), {});
+    std::vector<int> all(state.bodies.size());
+    std::iota(all.begin(), all.end(), 0);
+    wake_islands_of(state, all);
   }
 }
 

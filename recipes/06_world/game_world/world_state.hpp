@@ -3,14 +3,10 @@
 /// \file
 /// \brief What a world knows, and that it goes on by a step.
 
-#include "01_math/turning/turn_between.hpp"
-#include "06_world/contacts/broad_phase.hpp"
-#include "06_world/impacts/impact.hpp"
+#include "06_world/game_world/world_module.hpp"
+#include "06_world/impacts/hit_event.hpp"
 #include "06_world/islands/island_points.hpp"
 #include "06_world/islands/previous_state.hpp"
-#include "06_world/seams/seams.hpp"
-#include "06_world/sleeping/sleeping.hpp"
-#include "06_world/sweeps/trajectory.hpp"
 
 #include <cstddef>
 #include <stdexcept>
@@ -26,8 +22,6 @@ struct WorldState
 {
   Scene scene;                              ///< what the bodies are; as the last step began, after
                                             ///< its impacts
-  bool may_sleep = false;                   ///< whether bodies that rest fall asleep
-  int spheres = 0;                          ///< how many of those that are there
   long steps = 0;                           ///< since the start
   std::vector<RigidBody> bodies;            ///< in the order of the scene
   std::vector<ExternalAcceleration> forces; ///< of the next step; none where nothing pulls
@@ -35,22 +29,23 @@ struct WorldState
   std::vector<std::size_t> slots_to_free;   ///< places of those taken out since the last step
   std::vector<std::size_t> free_slots;      ///< places that may be given to others
   std::vector<bool> falls;                  ///< whether it fell freely in the last step
-  std::vector<SleepState<double>> sleep;    ///< whether it rests; empty if none may sleep
   std::vector<Bounds> bounds;               ///< of all that are there
-  std::vector<Prediction> prediction;       ///< where each goes if nothing pushes it
-  BroadPhase broad_phase;                   ///< which pairs may touch
   std::vector<WorldContact> contacts;       ///< of the last step
   std::vector<WorldContact> begun;          ///< those that began with it
-  Seams seams;                              ///< scratch, for bodies on flush tiles
-  std::vector<Impact> impacts;              ///< of the last step
+  ContactChanges changes;                   ///< what is no longer there, of the last step
   std::vector<ClonedSet> sets;              ///< of constraints beside contacts, such as joints
   std::vector<ConstraintPair> constraints;  ///< of all sets, in their order
-  Islands islands;                          ///< which bodies are connected by contacts
+  Islands islands;                          ///< which bodies are solved together
   std::vector<Island> awake_islands;        ///< those that a step gives to the solver
   SolverScratch solver_scratch;             ///< room for islands that are solved
-  std::vector<Trajectory> trajectories;     ///< room for those of a sweep
-  std::vector<double> displacements;        ///< [m], how far any point of a body went
-  std::vector<bool> needs_sweep;            ///< left too deep by a solver, or swept
+  Cloned<PairFinder> pair_finder{TreePairs()}; ///< which pairs may touch
+  std::vector<Cloned<WorldModule>> modules;    ///< in the order in which a step calls them
+
+  // What modules write, for others to read.
+  bool finds_islands = false;   ///< by FindIslands: not all that is touched is one island
+  std::vector<bool> asleep;     ///< by Sleeping; no entry: awake
+  bool records_impacts = false; ///< by HitEvents: whether impacts are asked for
+  std::vector<Impact> impacts;  ///< of the last step
 };
 
 /// Whether a body is there: it was put in, and not taken out.
@@ -72,7 +67,7 @@ inline std::out_of_range invalid_id(const WorldState& world, BodyId id)
 /// Whether a body sleeps.
 inline bool is_asleep(const WorldState& world, int body)
 {
-  return world.may_sleep && world.sleep[index_of(body)].asleep;
+  return index_of(body) < world.asleep.size() && world.asleep[index_of(body)];
 }
 
 /// Whether a body is left out, since it does not move.
@@ -93,34 +88,31 @@ inline PreviousState start_state(const WorldState& world, std::size_t i)
   return start_state(world.scene.bodies[i]);
 }
 
-/// Watches whether a body rests, if any may sleep: what is pulled and falls freely does not, nor
-/// what is moved out of an overlap, whatever its velocity. Damps what nearly rests.
-inline void update_sleep_timer(WorldState& world, std::size_t i)
+/// Finds islands anew.
+inline void find_islands(WorldState& world)
 {
-  if (!world.may_sleep)
+  world.islands.find(world.bodies, world.contacts, world.constraints, !world.finds_islands);
+}
+
+/// What solvers see of a world.
+inline IslandView view_of(WorldState& world)
+{
+  return {world.bodies, world.contacts, world.scene.gravity, world.solver_scratch,
+          world.forces, &world.falls,   world.constraints,   world.sets};
+}
+
+/// Calls `call(island)` for all islands that are awake, but of bodies alone.
+template <class Call>
+void each_awake_island(WorldState& world, const Call& call)
+{
+  for (std::size_t i = 0; i < world.islands.size(); ++i)
   {
-    return;
+    const Island island = world.islands[i];
+    if (!is_alone(island) && !is_inactive(world, island.bodies.front()))
+    {
+      call(island);
+    }
   }
-  const double step = world.scene.step;
-  RigidBody& body = world.bodies[i];
-  const PreviousState start = start_state(world, i);
-  const auto larger = [](const Vector3<double>& one, const Vector3<double>& other)
-  { return one.squaredNorm() > other.squaredNorm() ? one : other; };
-  const Vector3<double> displacement = body.motion.center - start.motion.center;
-  const Vector3<double> turn = turn_between<double>(start.orientation, body.orientation);
-  const bool falls = world.falls[i] && !acceleration_on(world, i).acceleration.isZero(0);
-  const double radius = bounds_of(body, world.scene.bodies[i].shape, 0).sizes().norm() / 2;
-  if (!world.falls[i])
-  {
-    const double slower = rest_damping<double>(
-        body.motion.velocity, body.motion.angular_velocity, radius, step, SleepLimits<double>{});
-    body.motion.velocity *= slower;
-    body.motion.angular_velocity *= slower;
-  }
-  const SleepState<double> before = falls ? SleepState<double>{} : world.sleep[i];
-  world.sleep[i] = update_sleep_state<double>(
-      before, larger(body.motion.velocity, displacement / step),
-      larger(body.motion.angular_velocity, turn / step), radius, step, SleepLimits<double>{});
 }
 // [world_state]
 

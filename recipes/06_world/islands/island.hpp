@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace cookbook
@@ -25,18 +26,38 @@ struct Island
   std::span<const int> constraints{}; ///< numbers of constraint pairs
 };
 
+/// Whether nothing touches or holds the body of an island.
+inline bool is_alone(const Island& island)
+{
+  return island.contacts.empty() && island.constraints.empty();
+}
+
 /// All islands of a world, in order of their first bodies; a body that touches nothing is one too.
 class Islands
 {
 public:
-  /// Finds them anew, in the room that there is.
+  /// Finds them anew, in the room that there is; `as_one` takes all that is touched or held for
+  /// one.
   void find(
       std::span<const RigidBody> bodies, std::span<const WorldContact> contacts,
-      std::span<const ConstraintPair> constraints = {})
+      std::span<const ConstraintPair> constraints = {}, bool as_one = false)
   {
+    const auto moves = [&](int i) { return !is_fixed(bodies[index_of(i)]); };
+    const auto join = [&](const auto& pair)
+    {
+      if (const int body = moves(pair.a) ? pair.a : pair.b; moves(body))
+      {
+        joined_.emplace_back(joined_.empty() ? body : joined_.back().second, body);
+      }
+    };
+    joined_.clear();
+    if (as_one)
+    {
+      std::for_each(contacts.begin(), contacts.end(), join);
+      std::for_each(constraints.begin(), constraints.end(), join);
+    }
     numbers_.resize(bodies.size());
-    find_islands(
-        numbers_, [&](int i) { return !is_fixed(bodies[index_of(i)]); }, contacts, constraints);
+    find_islands(numbers_, moves, contacts, constraints, joined_);
     count_ = 0;
     place_.resize(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -63,6 +84,7 @@ public:
 private:
   std::size_t count_ = 0;
   std::vector<int> numbers_, place_;
+  std::vector<std::pair<int, int>> joined_;
   Groups bodies_, contacts_, constraints_;
 };
 // [island]
