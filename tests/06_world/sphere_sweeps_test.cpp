@@ -7,7 +7,7 @@
 #include "06_world/game_world/trial/world_measures.hpp"
 #include "06_world/impacts/toi_substeps.hpp"
 #include "06_world/scenes/trial/scene_bodies.hpp"
-#include "06_world/sweeps/sphere_toi.hpp"
+#include "06_world/sweeps/time_of_impact.hpp"
 
 #include "tests/06_world/evenly.hpp"
 #include "tests/catch.hpp"
@@ -137,7 +137,7 @@ TEST_CASE("balls at rest that are pulled together by 10 m/s² each close 5 m in 
   const RigidBody right_ball = rigid_body(ball_body("right", 0.5, {6, 0, 0}));
   const Trajectory left{&left_ball, state_of(left_ball), 0, none, {{10, 0, 0}}, none};
   const Trajectory right{&right_ball, state_of(right_ball), 0, none, {{-10, 0, 0}}, none};
-  const auto hit = SphereToi{left, right, 0, 1, 0}(SphereShape{0.5}, SphereShape{0.5});
+  const auto hit = TimeOfImpact{left, right, 0, 1, 0}(SphereShape{0.5}, SphereShape{0.5});
   REQUIRE(hit);
   CHECK(hit->time == Catch::Approx(std::sqrt(0.5)).epsilon(1e-9));
   CHECK(hit->normal.isApprox(Vector3<double>(1, 0, 0)));
@@ -197,7 +197,7 @@ TEST_CASE(
   turned.orientation = rotation_by<double>({0, 0, 1});
   const Trajectory of_bar = pushed_trajectory(state_of(bar), turned, 1, {});
   const Trajectory of_ball = pushed_trajectory(state_of(sphere), sphere, 1, {});
-  const SphereToi touch{of_ball, of_bar, 0, 1, 0};
+  const TimeOfImpact touch{of_ball, of_bar, 0, 1, 0};
   const auto hit = touch(SphereShape{0.1}, BoxShape{{1, 0.1, 1}});
   REQUIRE(hit);
   // The ball is 1 m from the middle at an angle of atan(3/4); its surface meets the bar's upper

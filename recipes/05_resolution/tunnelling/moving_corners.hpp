@@ -59,25 +59,25 @@ MovingCorners<Real> moving_corners(const Sphere<Real>& sphere, const LinearMotio
 // [moving_corners]
 
 // [corner_approach]
-/// By how much [m] the rates may grow until time 1 at which corners come closer along a direction
-/// that a frame carries along: pulls, the turning of the corners, and that of the frame; P23.
+/// By how much [m] the rates may grow until time 1 at which points of a body, all within a radius
+/// [m] of its centre, come closer along a direction that a frame carries along: pulls, the turning
+/// of the body, and that of the frame; P23.
 template <class Real>
 Real max_acceleration(
-    const MovingCorners<Real>& corners, const LinearMotion<Real>& frame,
+    const LinearMotion<Real>& moves, const Real& radius_bound, const LinearMotion<Real>& frame,
     const Vector3<Real>& direction)
 {
-  const LinearMotion<Real>& moves = corners.passage;
   const Vector3<Real> acceleration = moves.acceleration - frame.acceleration;
   const Real spin = moves.rotation.norm(), rotation = frame.rotation.norm();
   if (!(rotation > Real(0)))
   {
     return std::max(Real(0), Real(-acceleration.dot(direction))) +
-           spin * corners.radius_bound * moves.rotation.cross(direction).norm();
+           spin * radius_bound * moves.rotation.cross(direction).norm();
   }
   const Real displacement = (moves.displacement - frame.displacement).norm() + acceleration.norm();
-  const Real speed = displacement + spin * corners.radius_bound;
-  const Real farthest = (moves.center - frame.center).norm() + displacement + corners.radius_bound;
-  return acceleration.norm() + spin * spin * corners.radius_bound + Real(2) * rotation * speed +
+  const Real speed = displacement + spin * radius_bound;
+  const Real farthest = (moves.center - frame.center).norm() + displacement + radius_bound;
+  return acceleration.norm() + spin * spin * radius_bound + Real(2) * rotation * speed +
          rotation * rotation * farthest;
 }
 
@@ -92,7 +92,8 @@ BoxApproach<Real> corner_approach(
     const MovingCorners<Real>& corners, const Real& allowed, const Real& tolerance)
 {
   const Real most = std::numeric_limits<Real>::max();
-  const Real acceleration_bound = max_acceleration(corners, frame, direction);
+  const Real acceleration_bound =
+      max_acceleration(corners.passage, corners.radius_bound, frame, direction);
   const LinearMotion<Real>& moves = corners.passage;
   BoxApproach<Real> approach{{direction, most}, false, most};
   for (std::size_t i = 0; i < corners.count; ++i)

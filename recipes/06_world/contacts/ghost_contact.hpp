@@ -3,7 +3,7 @@
 /// \file
 /// \brief Contacts that bodies seem to have only because their shapes were grown.
 
-#include "02_primitives/shape_bounds/obb_bounds.hpp"
+#include "06_world/shapes/gap_between.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,31 +24,42 @@ inline constexpr double touching_separation = 1e-9;
 /// rad: more than rounding makes of a normal up to 1e9 radii from the origin.
 inline constexpr double above_face = 1e-12;
 
-/// True if two boxes that are a gap [m] apart along a normal are about to pass each other, not to
-/// meet: across the normal they overlap by no more than a margin [m] and by no more than half of
-/// either, or, once the gap is below a tenth of the margin, by no more than a tenth of both.
+/// True if two shapes that are a gap [m] apart along a normal are about to pass each other, not to
+/// meet: along an axis of either across the normal they overlap by no more than a margin [m] and by
+/// no more than half of either, or, once the gap is below a tenth of the margin, by no more than a
+/// tenth of both. The offset [m] is from A's centre to B's.
 ///
 /// So it is with a cube on flush tiles and the side of the tile that it comes to next.
-inline bool is_ghost(
-    const Obb<double>& a, const Obb<double>& b, const Vector3<double>& normal, double separation,
-    double margin)
+template <class A, class B>
+bool are_passing(
+    const A& a, const Matrix3<double>& axes_a, const B& b, const Matrix3<double>& axes_b,
+    const Vector3<double>& offset, const Vector3<double>& normal, double separation, double margin)
 {
   const double fraction = separation > near_fraction * margin ? 1 : near_fraction;
-  const auto passes = [&](const Vector3<double>& axis)
+  const auto passes = [&](Vector3<double> axis)
   {
-    const double reach_a = box_radius(a, axis), reach_b = box_radius(b, axis);
-    const double overlap = reach_a + reach_b - std::abs(axis.dot(b.center - a.center));
+    axis *= axis.dot(offset) < 0 ? -1 : 1;
+    const double reach_a = projected_radius(a, axis), reach_b = projected_radius(b, -axis);
+    const double overlap = reach_a + reach_b - axis.dot(offset);
     return std::abs(axis.dot(normal)) < across_cosine &&
            overlap <= fraction * std::min({margin, reach_a, reach_b});
   };
   for (int i = 0; i < 3; ++i)
   {
-    if (passes(a.axes.col(i)) || passes(b.axes.col(i)))
+    if (passes(axes_a.col(i)) || passes(axes_b.col(i)))
     {
       return true;
     }
   }
   return false;
+}
+
+/// The same of two boxes.
+inline bool is_ghost(
+    const Obb<double>& a, const Obb<double>& b, const Vector3<double>& normal, double separation,
+    double margin)
+{
+  return are_passing(a, a.axes, b, b.axes, b.center - a.center, normal, separation, margin);
 }
 
 /// True if a ball that is a gap [m] apart from a box along a normal is not above one of its faces:

@@ -210,7 +210,6 @@ struct UpdateContact
     }
     update_points(contact, *found, a, b, changes);
   }
-  void operator()(const PlaneShape&, const PlaneShape&) const { contact.points.clear(); }
 };
 // [update_contact]
 

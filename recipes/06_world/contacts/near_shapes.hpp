@@ -163,6 +163,13 @@ manifold_within(const Obb<double>& a, const Sphere<double>& b, double margin)
   return swapped(manifold_within(b, a, margin));
 }
 
+/// Two planes have no points in common that would be theirs alone.
+inline std::optional<Manifold<double>>
+manifold_within(const Plane<double>&, const Plane<double>&, double)
+{
+  return std::nullopt;
+}
+
 /// The same, the other way round.
 template <class A>
 std::optional<Manifold<double>> manifold_within(const A& a, const Plane<double>& b, double margin)

@@ -15,11 +15,15 @@ namespace cookbook
 {
 
 // [impact]
-/// Whether two bodies that close at a speed [m/s] do more in a step [s] than their rounding, which
-/// is less than a millionth of their size [m].
+/// What closes by less than this fraction of its size in a step does so by rounding: a thousand
+/// lengths that are right to 1e-9 of it.
+inline constexpr double hit_fraction = 1e-6;
+
+/// Whether two bodies of a size [m] that close at a speed [m/s] do more in a step [s] than
+/// rounding.
 inline bool is_hit(double speed, double step, double size)
 {
-  return speed * step > 1e-6 * size;
+  return speed * step > hit_fraction * size;
 }
 
 /// Adds the impacts at an island's contacts: each at that point, of those that do not press yet,

@@ -3,9 +3,9 @@
 /// \file
 /// \brief When two bodies touch on their ways, and which of them goes on by itself.
 
-#include "06_world/sweeps/box_toi.hpp"
 #include "06_world/sweeps/ccd_pairs.hpp"
 #include "06_world/sweeps/predicted_contacts.hpp"
+#include "06_world/sweeps/time_of_impact.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -93,28 +93,21 @@ inline std::optional<SweptHit<double>> next_toi(
     std::optional<double> surface_depth = std::nullopt)
 {
   const Scene& scene = step.scene;
-  const Trajectory &trajectory = step.trajectories[index_of(first)],
-                   &by = step.trajectories[index_of(other)];
-  const auto& shape = scene.bodies[index_of(first)].shape;
-  const auto& of_other = scene.bodies[index_of(other)].shape;
-  const bool is_touching = surface_depth || pressed(step, std::minmax(first, other));
-  if (is_sphere(scene, first))
+  const std::pair<int, int> pair = std::minmax(first, other);
+  const bool is_touching = surface_depth || pressed(step, pair);
+  double allowed = is_touching ? allowed_penetration(scene, pair) : 0;
+  if (is_touching && is_sphere(scene, first))
   {
-    const auto at_first = [&]
-    {
-      const auto was = [&](int i)
-      { return with_state(*step.trajectories[index_of(i)].of, start_state(step, i)); };
-      const RigidBody sphere = was(first), body = was(other);
-      const double depth_at_first = depth_between(scene, {first, other}, sphere, body);
-      return std::max(surface_depth.value_or(0), depth_at_first);
-    };
-    const double allowed = is_touching ? at_first() + resting_depth(scene, first, other) : 0;
-    const SphereToi sphere{trajectory, by, time, scene.step, allowed};
-    return std::visit(sphere, shape, of_other);
+    const auto was = [&](int i)
+    { return with_state(*step.trajectories[index_of(i)].of, start_state(step, i)); };
+    const double at_first = depth_between(scene, {first, other}, was(first), was(other));
+    allowed = std::max(surface_depth.value_or(0), at_first) + resting_depth(scene, first, other);
   }
-  const double allowed = is_touching ? allowed_penetration(scene, {first, other}) : 0;
+  const TimeOfImpact time_of_impact{
+      step.trajectories[index_of(first)], step.trajectories[index_of(other)], time, scene.step,
+      is_sphere(scene, first) ? allowed : std::max(allowed, depth)};
   return std::visit(
-      BoxToi{trajectory, by, time, scene.step, std::max(allowed, depth)}, shape, of_other);
+      time_of_impact, scene.bodies[index_of(first)].shape, scene.bodies[index_of(other)].shape);
 }
 // [next_toi]
 

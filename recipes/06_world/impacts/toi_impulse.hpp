@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -19,38 +20,15 @@ namespace cookbook
 {
 
 // [toi_manifold]
-/// Where two bodies touch on their way; nothing where boxes, by rounding, do not quite.
+/// Where two bodies touch on their way; nothing where they, by rounding, do not quite.
 using ToiManifold = std::optional<Manifold<double>>;
 
-/// The manifold of a box and another shape that touch: of all that is nearly as near as what
-/// touches first, so that a box that lands flat does so on all corners. None where there is no box,
-/// or where they are farther apart than that [m].
-struct BoxToiManifold
-{
-  const RigidBody& a;
-  const RigidBody& b;
-  double farthest;
+/// At a touch, what is within this fraction of the first body's inner radius of it touches too: all
+/// corners of a box that lands flat, which a spin of 1e-3 rad/s tilts by no more in a second.
+inline constexpr double together_fraction = 1e-3;
 
-  template <class Shape>
-  ToiManifold operator()(const BoxShape& box, const Shape& other) const
-  {
-    const Obb<double> here = placed(a, box);
-    const auto there = placed(b, other);
-    const double separation = std::max(0.0, gap_of(here, there).length);
-    return separation > farthest
-               ? std::nullopt
-               : steady_manifold(-1, here, there, 2 * separation + 1e-3 * inner_radius_of(box));
-  }
-  ToiManifold operator()(const BoxShape&, const ConvexShape&) const { return std::nullopt; }
-  template <class Shape, class Other>
-  ToiManifold operator()(const Shape&, const Other&) const
-  {
-    return std::nullopt;
-  }
-};
-
-/// The manifold of two bodies of a scene where they touch: that of a ball has one point. A box
-/// does not touch what is farther away than that [m].
+/// The manifold of two bodies of a scene where they touch: that of a sphere has one point. Other
+/// bodies do not touch what is farther away than so much [m].
 inline ToiManifold toi_manifold(
     const Scene& scene, const ToiEvent& event, const RigidBody& a, const RigidBody& b,
     double farthest = std::numeric_limits<double>::infinity())
@@ -61,8 +39,16 @@ inline ToiManifold toi_manifold(
     const Vector3<double> point = a.motion.center + sphere->radius * event.normal;
     return Manifold<double>{event.normal, 0, ContactPoints<double, 8>({point, 0, 0})};
   }
-  return std::visit(
-      BoxToiManifold{a, b, farthest}, shape, scene.bodies[index_of(event.other)].shape);
+  const double together = together_fraction * inner_radius(scene, event.first);
+  const auto manifold = [&](const auto& of_a, const auto& of_b) -> ToiManifold
+  {
+    const auto here = placed(a, of_a);
+    const auto there = placed(b, of_b);
+    const double separation = std::max(0.0, gap_of(here, there).length);
+    return separation > farthest ? std::nullopt
+                                 : steady_manifold(-1, here, there, 2 * separation + together);
+  };
+  return std::visit(manifold, shape, scene.bodies[index_of(event.other)].shape);
 }
 
 /// A place [m], world, where a body touches: its centre where there are no points.
@@ -71,24 +57,40 @@ inline Vector3<double> toi_point(const ToiManifold& manifold, const RigidBody& b
   return manifold ? manifold->points[0].position : body.motion.center;
 }
 
-/// How deep [m] two boxes that touch may be in each other and still be about to pass; zero if they
-/// are not. Both are as they are at the touch.
+/// How deep [m] two bodies that touch, neither of them a sphere, may be in each other and still be
+/// about to pass; zero if they are not. Both are as they are at the touch.
+///
+/// Boxes pass across the normal. At an edge that of other shapes may lean anyhow: they pass along
+/// an axis along which they come less than half as fast as along the normal.
 inline double ghost_depth(
     const StepTrajectories& step, const ToiEvent& event, const ToiManifold& manifold,
     const RigidBody& a, const RigidBody& b)
 {
   const Scene& scene = step.scene;
-  const auto* const box_a = std::get_if<BoxShape>(&scene.bodies[index_of(event.first)].shape);
-  const auto* const box_b = std::get_if<BoxShape>(&scene.bodies[index_of(event.other)].shape);
-  if (!box_a || !box_b || !manifold)
+  if (!manifold || a.is_sphere || b.is_sphere)
   {
     return 0;
   }
   const double by_forces = displacement_by_forces(scene, step.forces, event.first, event.other);
-  const double thin = std::min(inner_radius_of(*box_a), inner_radius_of(*box_b));
+  const double thin = std::min(inner_radius(scene, event.first), inner_radius(scene, event.other));
   const double margin = ghost_margin(contact_margin(scene), by_forces, allowed_penetration(thin));
-  const bool passes = is_ghost(placed(a, *box_a), placed(b, *box_b), manifold->normal, 0, margin);
-  return passes ? 0.1 * std::min(margin, thin) : 0;
+  const Vector3<double> point = toi_point(manifold, a);
+  const Vector3<double> velocity = velocity_at_arm<double>(b.motion, point - b.motion.center) -
+                                   velocity_at_arm<double>(a.motion, point - a.motion.center);
+  const double closing = std::abs(velocity.dot(manifold->normal));
+  const auto is_passing = [&](const auto& of_a, const auto& of_b)
+  {
+    constexpr bool boxes = std::is_same_v<decltype(of_a), const BoxShape&> &&
+                           std::is_same_v<decltype(of_b), const BoxShape&>;
+    return are_passing(
+        placed(a, of_a), a.axes, placed(b, of_b), b.axes, b.motion.center - a.motion.center,
+        boxes || !(closing > 0) ? manifold->normal : Vector3<double>(velocity / closing), 0,
+        margin);
+  };
+  const bool passes = std::visit(
+      is_passing, scene.bodies[index_of(event.first)].shape,
+      scene.bodies[index_of(event.other)].shape);
+  return passes ? near_fraction * std::min(margin, thin) : 0;
 }
 // [toi_manifold]
 

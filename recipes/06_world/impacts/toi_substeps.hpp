@@ -15,10 +15,15 @@ namespace cookbook
 {
 
 // [toi_substeps]
+/// A body is turned back where it goes against its velocity by more than this fraction of the
+/// faster one: twice what a bounce of a group leaves undone.
+inline constexpr double reversing_fraction = 0.02;
+
 /// Whether a body that goes one way is turned back by going another [m/s]: not by rounding.
 inline bool reverses(const Vector3<double>& before, const Vector3<double>& after)
 {
-  return -after.dot(before) > 0.02 * std::max(before.squaredNorm(), after.squaredNorm());
+  return -after.dot(before) >
+         reversing_fraction * std::max(before.squaredNorm(), after.squaredNorm());
 }
 
 /// Takes out of the course of one of two bodies that touch a fraction of the speed at which it

@@ -5,6 +5,7 @@
 
 #include "06_world/islands/island_points.hpp"
 
+#include <cmath>
 #include <span>
 
 namespace cookbook
@@ -20,6 +21,15 @@ inline double kinetic_energy_of(std::span<RigidBody* const> bodies)
     sum += kinetic_energy(*body);
   }
   return sum;
+}
+
+/// Energy that grows by less than this fraction has not: passes add up rounding of 2.2e-16.
+inline constexpr double energy_rounding = 1e-9;
+
+/// Whether an energy [J] has grown by more than the work [J] that was done.
+inline bool has_grown(double before, double after, double work)
+{
+  return !(after - before - work <= energy_rounding * (before + std::abs(work)));
 }
 
 /// The work [J] that a kinematic body does by the impulse at a point, J · v; zero without one.

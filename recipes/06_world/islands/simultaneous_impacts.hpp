@@ -57,13 +57,16 @@ inline double speed_rounding(const IslandPoint& point)
 /// How accurate a bounce is, as a fraction of the fastest speed.
 inline constexpr double impact_tolerance = 1e-13;
 
-/// Over-relaxation (SOR) of impacts that are solved roughly; with much friction it may not
-/// converge.
+/// Passes stagnate where one leaves more than this fraction of what was left, as friction that
+/// flips does; below the second fraction of the fastest speed that is good enough.
+inline constexpr double stagnating_rate = 0.999, stagnating_fraction = 1e-5;
+inline constexpr int max_impact_passes = 200;
+
+/// Over-relaxation (SOR) of impacts solved roughly; with much friction it may not converge.
 inline constexpr double over_relaxation = 1.2;
 
 /// Brings points to a fraction of their targets, and keeps the others from closing, by sequential
-/// impulses: until the residual is below the accuracy, a fraction of the fastest speed, or below
-/// rounding, or stagnates below 1e-5 of the fastest speed; 200 passes at most.
+/// impulses, until what is left is an accuracy, a fraction of the fastest speed, or rounding.
 inline void
 solve_impact(std::vector<ImpactPoint>& points, double fraction, double accuracy = impact_tolerance)
 {
@@ -78,8 +81,9 @@ solve_impact(std::vector<ImpactPoint>& points, double fraction, double accuracy 
   const double enough = std::max(accuracy * fastest, lost);
   const double relaxation = accuracy > impact_tolerance ? over_relaxation : 1;
   double residual = fastest, before = 2 * fastest;
-  const auto is_stuck = [&] { return residual <= 1e-5 * fastest && residual > 0.999 * before; };
-  for (int round = 0; round < 200 && residual > enough && !is_stuck(); ++round)
+  const auto is_stuck = [&]
+  { return residual <= stagnating_fraction * fastest && residual > stagnating_rate * before; };
+  for (int round = 0; round < max_impact_passes && residual > enough && !is_stuck(); ++round)
   {
     before = residual;
     residual = 0;
@@ -121,7 +125,7 @@ inline bool resolve_impacts(
     {
       work += work_of_driven(one.point);
     }
-    if (kinetic_energy_of(bodies) - energy_before - work <= 1e-9 * (energy_before + std::abs(work)))
+    if (!has_grown(energy_before, kinetic_energy_of(bodies), work))
     {
       return true;
     }

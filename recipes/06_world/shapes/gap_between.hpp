@@ -18,6 +18,27 @@
 namespace cookbook
 {
 
+// [projected_radius]
+/// How far [m] a shape reaches from its centre along a unit direction.
+inline double projected_radius(const Sphere<double>& sphere, const Vector3<double>&)
+{
+  return sphere.radius;
+}
+inline double projected_radius(const Obb<double>& box, const Vector3<double>& direction)
+{
+  return box_radius(box, direction);
+}
+inline double projected_radius(const Placed<ConvexShape>& shape, const Vector3<double>& direction)
+{
+  return direction.dot(support_arm(shape, direction));
+}
+/// Without end.
+inline double projected_radius(const Plane<double>&, const Vector3<double>&)
+{
+  return std::numeric_limits<double>::infinity();
+}
+// [projected_radius]
+
 // [gap_of_two]
 /// The gap of two shapes where they are: see gap_between().
 inline Direction<double> gap_of(const Sphere<double>& a, const Sphere<double>& b)

@@ -30,6 +30,14 @@ double inner_radius_of(const Shape& shape)
   return extent(shape).inner;
 }
 
+/// Lengths that differ by less than this fraction of a size are equal: rounding of 2.2e-16 moves
+/// places up to a million sizes from the origin by 2.2e-10 of a size.
+inline constexpr double length_rounding = 1e-9;
+
+/// A depth has grown where it did by more than one of so many parts of the allowed penetration:
+/// bodies at rest are not left that much deeper by a solver.
+inline constexpr double deepening_parts = 10;
+
 /// The allowed penetration [m] of bodies of which the thinner one has this inner radius [m]: a
 /// twentieth of its smallest size.
 inline double allowed_penetration(double inner_radius)

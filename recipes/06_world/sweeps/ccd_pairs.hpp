@@ -78,7 +78,8 @@ inline bool may_touch(const StepTrajectories& step, int i, int j, double time)
   const double nearest = nearest_on_segment(ends, 0, 1).point.norm();
   return !(
       nearest >
-      (bounding_radius(step.scene, i) + bounding_radius(step.scene, j)) * (1 + 1e-9) + bulge);
+      (bounding_radius(step.scene, i) + bounding_radius(step.scene, j)) * (1 + length_rounding) +
+          bulge);
 }
 
 /// The leaves of bodies that may have touched something outside of the bounds that pairs were found

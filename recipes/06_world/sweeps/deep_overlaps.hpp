@@ -17,6 +17,14 @@ namespace cookbook
 {
 
 // [deep_overlaps]
+/// A turn by an angle moves a unit quaternion by 2 sin(angle / 4), up to a whole turn by at least
+/// the angle over this: more than pi.
+inline constexpr double chord_bound = 3.15;
+
+/// A solver has left bodies too deep at so many times the allowed penetration, which it may miss a
+/// little where it does as it should.
+inline constexpr double too_deep = 1.5;
+
 /// How far [m] any point of each body went in a step, and up to 1.6 times as far: no sines.
 inline void estimate_displacements(StepTrajectories& step, std::span<const RigidBody> ends)
 {
@@ -27,11 +35,10 @@ inline void estimate_displacements(StepTrajectories& step, std::span<const Rigid
     double displacement = (ends[i].motion.center - start.position).norm();
     if (!ends[i].is_sphere)
     {
-      // A turn by an angle moves a quaternion by a chord of at least the angle over pi.
       const auto from = start.orientation.coeffs(), to = ends[i].orientation.coeffs();
       const double chord =
           std::sqrt(std::min((to - from).squaredNorm(), (to + from).squaredNorm()));
-      displacement += 3.15 * chord * bounding_radius(step.scene, static_cast<int>(i));
+      displacement += chord_bound * chord * bounding_radius(step.scene, static_cast<int>(i));
     }
     step.displacements.push_back(displacement);
   }
@@ -76,8 +83,8 @@ inline bool find_deep_overlaps(
       return depth_between(step.scene, {a, b}, pose_of(a), pose_of(b));
     };
     const double end = depth(end_of);
-    if (end > allowed_penetration * 3 / 2 &&
-        end > depth(was) + std::max(allowed_penetration / 10, fall))
+    if (end > allowed_penetration * too_deep &&
+        end > depth(was) + std::max(allowed_penetration / deepening_parts, fall))
     {
       any = true;
       for (const int one : {i, j})
@@ -89,25 +96,17 @@ inline bool find_deep_overlaps(
   return any;
 }
 
-/// Whether any box may have gone by more than half of its smallest size.
-inline bool may_have_fast_boxes(const StepTrajectories& step)
-{
-  for (int i = 0; i < static_cast<int>(step.displacements.size()); ++i)
-  {
-    if (is_fast_box(step, i))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-/// Whether any box may have to be swept, or a ball because it is too deep.
+/// Whether any body but a sphere may have to be swept, or a sphere because it is too deep.
 inline bool has_boxes_to_sweep(
     StepTrajectories& step, std::span<const Prediction> prediction, std::span<const RigidBody> ends)
 {
   estimate_displacements(step, ends);
-  return find_deep_overlaps(step, prediction, ends) || may_have_fast_boxes(step);
+  bool any = find_deep_overlaps(step, prediction, ends);
+  for (int i = 0; i < static_cast<int>(ends.size()) && !any; ++i)
+  {
+    any = is_fast_box(step, i);
+  }
+  return any;
 }
 // [deep_overlaps]
 

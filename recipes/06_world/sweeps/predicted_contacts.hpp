@@ -8,11 +8,11 @@
 #include "06_world/contacts/broad_phase.hpp"
 #include "06_world/contacts/integrate_body.hpp"
 #include "06_world/contacts/narrow_phase.hpp"
-#include "06_world/sweeps/box_toi.hpp"
 #include "06_world/sweeps/step_trajectories.hpp"
 
 #include <algorithm>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -20,36 +20,29 @@ namespace cookbook
 {
 
 // [depth_between]
-/// The depth [m] of two bodies; some negative number if they are separated.
-struct DepthBetween
-{
-  const RigidBody &a, &b;
-
-  double operator()(const BoxShape& box, const BoxShape& other) const
-  {
-    const auto found = box_axis_in<RowInRegisters<double>>(placed(a, box), placed(b, other));
-    return found ? found->second : -1;
-  }
-  template <class Shape, class Other>
-  double operator()(const Shape& shape, const Other& other) const
-  {
-    return -gap_of(placed(a, shape), placed(b, other)).length;
-  }
-  template <class Shape>
-  double operator()(const PlaneShape& plane, const Shape& other) const
-  {
-    return DepthBetween{b, a}(other, plane);
-  }
-  double operator()(const PlaneShape&, const PlaneShape&) const { return 0; }
-};
-
-/// The same of two bodies of a scene, in any poses.
+/// The depth [m] of two bodies of a scene, in any poses; some negative number if they are
+/// separated.
 inline double depth_between(
     const Scene& scene, const std::pair<int, int>& pair, const RigidBody& a, const RigidBody& b)
 {
+  const auto depth = [&](const auto& of_a, const auto& of_b)
+  {
+    const auto here = placed(a, of_a);
+    const auto there = placed(b, of_b);
+    if constexpr (
+        std::is_same_v<decltype(here), decltype(there)> &&
+        std::is_same_v<decltype(here), const Obb<double>>) // asked of most: fast
+    {
+      const auto found = box_axis_in<RowInRegisters<double>>(here, there);
+      return found ? found->second : -1;
+    }
+    else
+    {
+      return -gap_of(here, there).length;
+    }
+  };
   return std::visit(
-      DepthBetween{a, b}, scene.bodies[index_of(pair.first)].shape,
-      scene.bodies[index_of(pair.second)].shape);
+      depth, scene.bodies[index_of(pair.first)].shape, scene.bodies[index_of(pair.second)].shape);
 }
 // [depth_between]
 
@@ -82,10 +75,14 @@ inline double predicted_rotation(const PredictedStep& step, int i)
   return turns ? rotation_displacement(step.scene, i, predicted_spin(step, i), step.scene.step) : 0;
 }
 
+/// A displacement is clearly more than another at so many times that: forces and pushes, which are
+/// not known yet, would not bring it back below.
+inline constexpr double clearly_more = 1.25;
+
 /// Whether a displacement [m] is clearly more than half of a body's smallest size.
 inline bool is_far(const Scene& scene, int i, double displacement)
 {
-  return displacement > 1.25 * inner_radius(scene, i);
+  return displacement > clearly_more * inner_radius(scene, i);
 }
 
 /// Predicts the step of a body that nothing pushes.
@@ -133,7 +130,7 @@ predicted_bounds(const PredictedStep& step, int i, double margin)
   {
     return bounds_of(body, shape, margin / 2);
   }
-  const double rounding = 1e-9 * max_displacement;
+  const double rounding = length_rounding * max_displacement;
   const Eigen::AlignedBox<double, 3> here =
       bounds_of(body, shape, margin / 2 + prediction.rotation + rounding);
   return here.merged(here.translated(prediction.displacement))
@@ -154,14 +151,16 @@ inline double max_approach(const PredictedStep& step, int i, int j)
   return displacement + of_a.rotation + of_b.rotation;
 }
 
+/// Where gravity is weak, boxes may overlap by one of so many parts of their displacement.
+inline constexpr double displacement_parts = 10;
+
 /// An overlap of so many margins is taken away with a speed that gravity takes back in a few steps.
 inline constexpr double margins_taken_back = 20;
 
 /// The margins of two bodies: the contact margin [m]; wider by the displacement by forces that push
 /// them together, or by all they may come closer if they would end too deep (speculative contacts).
 ///
-/// Where gravity is weak, boxes may overlap only by a tenth of their displacement: it would not
-/// take back the speed with which they are separated.
+/// Weak gravity would not take back the speed with which boxes are separated.
 inline ContactMargins predicted_margins(const PredictedStep& step, int i, int j, double margin)
 {
   const Prediction &of_a = step.prediction[index_of(i)], &of_b = step.prediction[index_of(j)];
@@ -186,8 +185,9 @@ inline ContactMargins predicted_margins(const PredictedStep& step, int i, int j,
   const double end = forced ? std::max(flown, end_of(pushed_fraction, pushed_fraction)) : flown;
   const double by_forces = forced ? displacement_by_forces(step.scene, step.forces, i, j) : 0;
   const double ghost = ghost_margin(margin, by_forces, small);
-  const double smallest = std::max(allowed_penetration, std::min(small, closing / 10));
-  if (penetrates && end > smallest && end > depth(a, b) + allowed_penetration / 10)
+  const double smallest =
+      std::max(allowed_penetration, std::min(small, closing / displacement_parts));
+  if (penetrates && end > smallest && end > depth(a, b) + allowed_penetration / deepening_parts)
   {
     return {margin + closing, ghost};
   }

@@ -47,6 +47,12 @@ inline bool are_forced(const PredictedStep& step, int i, int j)
 // [predictions]
 
 // [trajectory]
+/// A body slides along others with at least this fraction of what pulls it, or hardly at all; less
+/// friction than this leaves its path a parabola.
+inline constexpr double sliding_fraction = 0.05;
+/// A slide gains this fraction of the pull across it by what a solver leaves undone.
+inline constexpr double sliding_rounding = 1e-4;
+
 /// The acceleration [m/s²] of a body that is pulled along others, by what its velocity changed in a
 /// step [s]: a part of the pull, and what is held of that lies across it, but for a fraction by
 /// friction. Zero where it does not slide like that.
@@ -56,8 +62,8 @@ inline Vector3<double> sliding_acceleration(
 {
   const Vector3<double> changed = (now.motion.velocity - start.motion.velocity) / step;
   const double constrained = (pull - changed).dot(changed) / pull.squaredNorm();
-  const bool slides = !is_fixed(now) && changed.norm() > 0.05 * pull.norm() &&
-                      constrained > -1e-4 && constrained < friction;
+  const bool slides = !is_fixed(now) && changed.norm() > sliding_fraction * pull.norm() &&
+                      constrained > -sliding_rounding && constrained < friction;
   return slides ? changed : Vector3<double>(Vector3<double>::Zero());
 }
 
@@ -118,7 +124,8 @@ inline Vector3<double> spin_between(const PreviousState& from, const RigidBody& 
 inline Trajectory pushed_trajectory(
     const PreviousState& from, const RigidBody& to, double step, const ExternalAcceleration& by)
 {
-  const ExternalAcceleration slide{sliding_acceleration(to, from, by.acceleration, step, 0.05)};
+  const ExternalAcceleration slide{
+      sliding_acceleration(to, from, by.acceleration, step, sliding_fraction)};
   const Vector3<double> mean = (to.motion.center - from.motion.center) / step;
   const Vector3<double> velocity = mean - step / 2 * slide.acceleration;
   return {&to, from, 0, velocity, slide, spin_between(from, to, step)};
