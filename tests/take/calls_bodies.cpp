@@ -412,6 +412,26 @@ int main()
         return true;
       });
 #endif
+#ifdef TAKE_joints
+  print(
+      "joints",
+      [](Draw& draw, Bits& bits)
+      {
+        FramePose pose{};
+        pose.a = draw.axes();
+        pose.b = draw.axes();
+        pose.turned = Quaternion<double>(Matrix3<double>(pose.a.transpose() * pose.b));
+        JointRows rows;
+        add_turn_rows(pose, rows);
+        add_swing_rows(pose, rows);
+        rows.add(twist_row(pose, with_turns(twist_of(pose), 20)));
+        for (const ConstraintRow& row : rows.all())
+        {
+          const Vector3<double> about = row.b.tail<3>();
+          bits(about, row.error);
+        }
+      });
+#endif
 #ifdef TAKE_ball_joint
   print(
       "ball_joint",
