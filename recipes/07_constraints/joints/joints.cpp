@@ -1,8 +1,9 @@
 /// \file
-/// \brief Throws a door against its limit under all solvers.
+/// \brief Throws a door against its limit under all solvers; draws it, a shoulder, a cart.
 
 #include "07_constraints/joints/joints.hpp"
 #include "07_constraints/joints/trial/door.hpp"
+#include "07_constraints/joints/trial/joints_figures.hpp"
 #include "tools/program/program.hpp"
 #include "tools/program/table.hpp"
 
@@ -23,7 +24,7 @@ std::string cut(double value)
 }
 
 // [print_doors]
-void run(const Arguments&)
+void run(const Arguments& given)
 {
   Table table({"solver", "overshoot [deg]", "rebound [rad/s]"});
   for (const std::string solver :
@@ -33,6 +34,9 @@ void run(const Arguments&)
     table.row({solver, cut(end.overshoot * 180 / std::numbers::pi), cut(end.rebound)});
   }
   std::cout << table.text();
+  save_figure(given, "joints_door.svg", door_figure().svg());
+  save_figure(given, "joints_shoulder.svg", shoulder_figure().svg());
+  save_figure(given, "joints_kerb.svg", kerb_figure().svg());
 }
 // [print_doors]
 
@@ -41,6 +45,8 @@ void run(const Arguments&)
 int main(int argc, char** argv)
 {
   const Arguments arguments{
-      .name = "joints", .summary = "Throws a door against its limit under all solvers."};
+      .name = "joints",
+      .summary =
+          "Throws a door against its limit under all solvers; draws it, a shoulder, a cart."};
   return run_program(argc, argv, arguments, run);
 }

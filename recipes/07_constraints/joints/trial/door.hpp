@@ -13,15 +13,8 @@ namespace cookbook
 {
 
 // [door]
-/// What became of a door: how far [rad] it went past its limit, and how fast [rad/s] it came back.
-struct DoorEnd
-{
-  double overshoot = 0, rebound = 0;
-};
-
-/// That of a door of 20 kg and 1 m, which turns with 10 rad/s towards its limit at 1.5 rad, within
-/// a second at 60 steps a second.
-inline DoorEnd end_of_door(const std::string& solver)
+/// A door of 20 kg and 1 m, which turns with 10 rad/s towards its limit at 1.5 rad.
+inline GameWorld door_world(const std::string& solver)
 {
   SceneBody leaf{.name = "door", .shape = BoxShape{{0.5, 1, 0.02}}, .mass = 20};
   leaf.position = {0.5, 0, 0};
@@ -34,6 +27,19 @@ inline DoorEnd end_of_door(const std::string& solver)
   HingeJoints hinges;
   hinges.add(hinge);
   world.add(hinges);
+  return world;
+}
+
+/// How far [rad] it went past its limit, and how fast [rad/s] it came back.
+struct DoorEnd
+{
+  double overshoot = 0, rebound = 0;
+};
+
+/// That of the door within a second at 60 steps a second.
+inline DoorEnd end_of_door(const std::string& solver)
+{
+  GameWorld world = door_world(solver);
   DoorEnd end;
   for (int i = 0; i < 60; ++i)
   {
