@@ -1,0 +1,83 @@
+#pragma once
+
+/// \file
+/// \brief What is measured of pendulums, of pairs in space and of towers.
+
+#include "05_resolution/integrators/trial/pendulum.hpp"
+#include "07_constraints/joint_trial/trial/joint_trial.hpp"
+
+#include <cmath>
+
+namespace cookbook
+{
+
+// [joint_laws]
+/// By which fraction the period of a pendulum is off, let go at an angle with this sine and cosine,
+/// over 20 s; the closed form is R31, with the moment of the ball.
+inline double period_off(const JointRun& run, double sine, double cosine)
+{
+  const double right =
+      pendulum_period(Pendulum<double>{9.81, 1 + 0.4 * 0.01}, std::atan2(sine, cosine));
+  double first = -1, last = -1, before = sine, time = 0;
+  int crossings = 0;
+  const auto look = [&](GameWorld& world)
+  {
+    const double x = world.body(1).motion.center.x();
+    time += 1.0 / 60;
+    if ((x > 0) != (before > 0))
+    {
+      last = time - x / (x - before) / 60;
+      first = first < 0 ? last : first;
+      ++crossings;
+    }
+    before = x;
+  };
+  run_joints(run, pendulum_of(sine, cosine), 1200, look);
+  return std::abs(2 * (last - first) / (crossings - 1) / right - 1);
+}
+
+/// What of the momenta of two bodies in space changes in 5 s: linear, angular, as fractions.
+struct MomentaOff
+{
+  double linear, angular, energy;
+};
+inline MomentaOff momenta_off(const JointRun& run)
+{
+  const JointedScene pair = tumbling_pair_of();
+  int frame = 0;
+  Vector6 first, now;
+  double energy_first = 0, energy_now = 0;
+  run_joints(
+      run, pair, 301,
+      [&](GameWorld& world)
+      {
+        now = momenta_of(world);
+        energy_now = energy_of(world);
+        if (++frame == 1) // which has brought the anchors' speeds together
+        {
+          first = now;
+          energy_first = energy_now;
+        }
+      });
+  const Vector6 off = now - first;
+  return {
+      off.head<3>().norm() / first.head<3>().norm(), off.tail<3>().norm() / first.tail<3>().norm(),
+      energy_now / energy_first};
+}
+
+/// By how much [m] the topmost cube of a tower of ten has sunk after so many frames.
+inline double tower_sink_of(const JointRun& run, int frames = 180)
+{
+  const int steps = run.method.steps(run.count);
+  Scene scene = tower_of_ten();
+  scene.step = 1.0 / (60 * steps);
+  GameWorld world(scene, run.method.solver(run.count));
+  for (int step = 0; step < frames * steps; ++step)
+  {
+    world.step();
+  }
+  return 9.5 - world.body(10).motion.center.y();
+}
+// [joint_laws]
+
+} // namespace cookbook
