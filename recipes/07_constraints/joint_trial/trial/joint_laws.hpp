@@ -4,6 +4,8 @@
 /// \brief What is measured of pendulums, of pairs in space and of towers.
 
 #include "05_resolution/integrators/trial/pendulum.hpp"
+#include "07_constraints/articulated/articulated.hpp"
+#include "07_constraints/articulated/hanging_chain.hpp"
 #include "07_constraints/joint_trial/trial/joint_trial.hpp"
 
 #include <cmath>
@@ -77,6 +79,29 @@ inline double tower_sink_of(const JointRun& run, int frames = 180)
     world.step();
   }
   return 9.5 - world.body(10).motion.center.y();
+}
+
+/// Where [m] the load of the swung chain is after a second: the same chain as a tree of links,
+/// whose joints cannot come apart, by RK4 in steps of 1/960 s.
+inline Vector3<double> swung_load()
+{
+  ArticulatedBody tree(chain_links({.half_extents = {0.05, 0.25, 0.05}, .load = 100}));
+  TreeState state = zero_state(tree.links());
+  state.positions[0] = std::atan(1.0);
+  for (int step = 0; step < 960; ++step)
+  {
+    rk4_step(tree, state, 1.0 / 960);
+  }
+  return link_bodies(tree, state).back().motion.center;
+}
+
+/// How far [m] a solver has that load from there.
+inline double swing_off(const JointRun& run)
+{
+  static const Vector3<double> right = swung_load();
+  Vector3<double> load(0, 0, 0);
+  const auto look = [&](GameWorld& world) { load = world.body(21).motion.center; };
+  return run_joints(run, swung_chain(), 60, look) ? (load - right).norm() : joint_fails;
 }
 // [joint_laws]
 
