@@ -19,7 +19,7 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 /// pushes, or a motor, which is only so strong.
 ///
 /// With the last two it is a spring, in place of a rigid row: in a step of its own it has a speed v
-/// become `keeps` v − `pulls` C.
+/// become `keeps` v − `pulls` C; `pulls` is −b of (R39).
 struct ConstraintRow
 {
   Vector6 a;          ///< [1, m], J_A; angular rows [1/m, 1]

@@ -88,7 +88,7 @@ inline DirectBlocks blocks_of(
 {
   const auto is_isotropic = [&](const DirectPoint& point)
   {
-    return stiffness.push == stiffness.friction_state && point.active &&
+    return stiffness.push == stiffness.friction && point.active &&
            point.friction_state == FrictionState::stick;
   };
   IsotropicPoints even;

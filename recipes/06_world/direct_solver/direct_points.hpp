@@ -50,8 +50,8 @@ enum class FrictionState
 /// How stiff the points of a contact are: an impulse for a speed [kg].
 struct DirectStiffness
 {
-  double push;           ///< along the normal
-  double friction_state; ///< across it
+  double push;     ///< along the normal
+  double friction; ///< across it
 };
 
 /// In which way a point pushes.
@@ -101,7 +101,7 @@ inline void update_point(
   point.unbounded_friction.setZero();
   if (has_friction)
   {
-    point.unbounded_friction = point.stored_friction - slip * stiffness.friction_state;
+    point.unbounded_friction = point.stored_friction - slip * stiffness.friction;
   }
   point.friction = point.unbounded_friction;
   if (!(point.unbounded_friction.squaredNorm() <= point.bound * point.bound))
@@ -139,13 +139,14 @@ inline Matrix3<double> stiffness_at(
   }
   if (point.friction_state == FrictionState::stick)
   {
-    sum += across * stiffness.friction_state;
+    sum += across * stiffness.friction;
   }
   if (point.friction_state == FrictionState::slip)
   {
     const double size = point.unbounded_friction.norm();
-    const Vector3<double> state = point.unbounded_friction / size;
-    sum += (across - state * state.transpose()) * (point.bound / size * stiffness.friction_state);
+    const Vector3<double> along_slip = point.unbounded_friction / size;
+    sum +=
+        (across - along_slip * along_slip.transpose()) * (point.bound / size * stiffness.friction);
   }
   return sum;
 }

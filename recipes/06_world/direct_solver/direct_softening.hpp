@@ -15,14 +15,14 @@ namespace cookbook
 /// How soft contacts are at first, where no exact answer was found.
 struct SofteningSettings
 {
-  double push = 0.03;          ///< [1], of the inverse masses: no contact is softer
-  double friction_state = 0.9; ///< [1], the same of friction
-  double normal_speed = 0.01;  ///< [m/s], at which a contact gives way to what pushed there last
-  double tangent_speed = 0.3;  ///< [m/s], the same of friction
-  double kept = 0.9;           ///< [1], fraction of the friction that stays from frame to frame
-  double tolerance = 1e-8;     ///< [1], of the largest impulse: what may be missing meanwhile
-  double decay = 0.95;         ///< [1], how soft contacts are after a frame, of what they were
-  double smallest = 1e-7;      ///< [1], from here on contacts are stiff
+  double push = 0.03;         ///< [1], of the inverse masses: no contact is softer
+  double friction = 0.9;      ///< [1], the same of friction
+  double normal_speed = 0.01; ///< [m/s], at which a contact gives way to what pushed there last
+  double tangent_speed = 0.3; ///< [m/s], the same of friction
+  double kept = 0.9;          ///< [1], fraction of the friction that stays from frame to frame
+  double tolerance = 1e-8;    ///< [1], of the largest impulse: what may be missing meanwhile
+  double decay = 0.95;        ///< [1], how soft contacts are after a frame, of what they were
+  double smallest = 1e-7;     ///< [1], from here on contacts are stiff
 };
 
 /// How stiff the points of a contact are that has these inverse masses [1/kg] together.
@@ -37,11 +37,11 @@ stiffness_of(const WorldContact& contact, double inverse_mass, const DirectSetti
   }
   const auto soft = [&](double most, double speed)
   {
-    const double unbounded_friction =
+    const double give =
         pushed > 0 ? std::min(most * inverse_mass, speed / pushed) : most * inverse_mass;
-    return std::max(settings.compliance * inverse_mass, settings.softening * unbounded_friction);
+    return std::max(settings.compliance * inverse_mass, settings.softening * give);
   };
-  return {1 / soft(how.push, how.normal_speed), 1 / soft(how.friction_state, how.tangent_speed)};
+  return {1 / soft(how.push, how.normal_speed), 1 / soft(how.friction, how.tangent_speed)};
 }
 
 /// The friction [N s] that a soft point keeps from the frame before: no more than its overlap

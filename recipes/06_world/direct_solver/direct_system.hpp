@@ -78,7 +78,7 @@ inline void gather(
     made.stored_friction =
         kept_friction(contact, point, opening * stiffness.push, settings.softening);
     made.stored_friction +=
-        stiffness.friction_state * step / 2 * stick_drift(a, b, contact.normal, made.arms, step);
+        stiffness.friction * step / 2 * stick_drift(a, b, contact.normal, made.arms, step);
     made.coefficient = settings.opening_friction || opening <= slow_opening ? contact.friction : 0;
     made.bound_is_new = point.impulse == 0 && made.coefficient > 0;
     made.bound = made.bound_is_new ? std::numeric_limits<double>::infinity()

@@ -101,11 +101,11 @@ public:
   /// Whether a body's course has changed.
   bool has_changed(int i) const { return versions_[index_of(i)] > 0; }
 
-  /// Drops a pair for the rest of the step, or until one of the two is requeued.
+  /// Drops a pair for the rest of the step, or until one of the two is hit.
   void drop(const std::pair<int, int>& pair) { dropped_[pair] = hits(pair); }
 
-  /// Requeues a body that was hit, with all pairs that were dropped.
-  void requeue(int i) { hits_[index_of(i)] = std::min(hits_[index_of(i)] + 1, max_hits); }
+  /// Counts a hit of a body, which ends drop() for all of its pairs.
+  void count_hit(int i) { hits_[index_of(i)] = std::min(hits_[index_of(i)] + 1, max_hits); }
 
   /// How often a body has been hit in this step, up to the most that counts.
   int hits(int i) const { return hits_[index_of(i)]; }

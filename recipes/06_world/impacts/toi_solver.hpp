@@ -43,7 +43,7 @@ public:
     }
     while (const std::optional<ToiEvent> event = queue_.next())
     {
-      steady_manifold(*event);
+      handle(*event);
     }
   }
 
@@ -54,7 +54,8 @@ private:
     return state_at(step_, i, time, free, ends_[index_of(i)]);
   }
 
-  void steady_manifold(const ToiEvent& event)
+  /// Has two bodies bounce off each other, or lets them pass.
+  void handle(const ToiEvent& event)
   {
     sweep_partner(step_, event.first, event.other);
     ToiContact one{event, at(event.first, event.time), at(event.other, event.time)};
@@ -85,7 +86,7 @@ private:
     return passes;
   }
 
-  /// Resolves an event, with the bodies that are pushed along; all that are hit are requeued.
+  /// Resolves an event, with the bodies that are pushed along; hits are counted.
   void solve(ToiContact& one)
   {
     const int first = one.event.first, other = one.event.other;
@@ -103,8 +104,8 @@ private:
     if (one.approach_speed > threshold)
     {
       add_hit(step_.scene, one, impacts_);
-      queue_.requeue(first);
-      queue_.requeue(other);
+      queue_.count_hit(first);
+      queue_.count_hit(other);
       if (one.sphere && queue_.hits(other) > 2) // balls may have been stopped in its way
       {
         start_sweeping(step_, other);
@@ -161,7 +162,7 @@ private:
     }
     for (const ToiBody& other_body : one.pushed)
     {
-      queue_.requeue(other_body.number);
+      queue_.count_hit(other_body.number);
       substeps_.resume_other(other_body.number, other_body.body, time, ToiResponse::free);
       hit_.push_back(other_body.number);
     }

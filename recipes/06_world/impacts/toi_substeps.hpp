@@ -93,7 +93,7 @@ public:
     trajectory.velocity = again ? before : body.motion.velocity;
     if (body.is_sphere && step_.falls[index_of(i)])
     {
-      // What was held back at another touch pulls again: hold() takes what leads into this one.
+      // What was held back at another touch pulls again: block() takes what leads into this one.
       trajectory.external = acceleration_on(step_.scene.gravity, step_.forces, index_of(i));
     }
     trajectory.reversed = trajectory.reversed || reverses(before, trajectory.velocity);

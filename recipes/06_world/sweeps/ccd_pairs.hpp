@@ -138,12 +138,12 @@ void each_swept_overlap(StepTrajectories& step, std::span<const RigidBody> ends,
 inline std::vector<std::pair<int, int>>
 ccd_pairs(StepTrajectories& step, std::span<const RigidBody> ends)
 {
-  const double allowed_penetration = smallest_sphere(step) / 2;
+  const double harmless = smallest_sphere(step) / 2; // [m]: two that go by no more stay in reach
   const auto fast_or_deep = [&](int i)
   {
     const bool falling_ball = step.falls[index_of(i)] && is_sphere(step.scene, i);
-    return falling_ball || step.displacements[index_of(i)] > allowed_penetration ||
-           is_fast_box(step, i) || step.needs_sweep[index_of(i)];
+    return falling_ball || step.displacements[index_of(i)] > harmless || is_fast_box(step, i) ||
+           step.needs_sweep[index_of(i)];
   };
   bool any = false;
   for (int i = 0; i < static_cast<int>(ends.size()) && !any; ++i)

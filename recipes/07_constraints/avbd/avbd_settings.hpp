@@ -17,7 +17,7 @@ struct AvbdSettings
   double stabilization =
       0.95;            ///< [1], α: of an error that is there already, what is left for later
   double growth = 1e4; ///< [N/m²], β: by which stiffness grows for each metre of error
-  double decay = 0.99; ///< [1], γ: what stays of stiffness and push from step to step
+  double decay = 0.99; ///< [1], γ: what stays of stiffness from step to step; of the push α γ
   double least = 1;    ///< [N/m], stiffness at first
   double most = 1e9;   ///< [N/m], stiffness at last
 };
