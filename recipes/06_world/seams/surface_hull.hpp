@@ -37,7 +37,7 @@ inline void keep_one_a_place(std::vector<SurfacePoint>& points, double tolerance
   }
 }
 
-/// How far [m] a point is to the left of the line from one to another; from the one, where they are
+/// How far [m] a point is to the left of the line from one to another; zero where these are
 /// at one place.
 inline double
 left_of(const Vector2<double>& from, const Vector2<double>& to, const Vector2<double>& point)
