@@ -34,11 +34,20 @@ struct FreeMotion
   bool pushed;                      ///< whether the solver has changed it, or corrected the pose
 };
 
+/// How a body moves as a step begins.
+struct StepStart
+{
+  Vector3<double> velocity;         ///< [m/s], world
+  Vector3<double> angular_velocity; ///< [rad/s], world
+  bool pushed; ///< whether the solver pushes it, or corrects its pose, in the step
+};
+
 /// Room of a step that stays from step to step.
 struct SolverScratch
 {
   std::vector<IslandPoint> points;  ///< of an island
   std::vector<FreeMotion> free;     ///< of the bodies of islands, one island after the other
+  std::vector<StepStart> starts;    ///< of the same
   std::vector<PreviousState> moved; ///< how these have moved before poses are corrected
   std::vector<int> pushed;          ///< the numbers of those that are pushed in a substep
 };

@@ -85,7 +85,7 @@ inline void rotate(IslandView world, std::span<const int> pushed, double substep
   }
 }
 
-/// Moves bodies on with their velocities for a substep [s]; what nothing pushes flies freely.
+/// Moves bodies on with their velocities for a substep [s]; what nothing pushes turns freely.
 template <SubstepSolver Solver>
 void move(IslandView world, std::span<const Island> islands, double substep, Solver& solver)
 {
@@ -98,8 +98,7 @@ void move(IslandView world, std::span<const Island> islands, double substep, Sol
         RigidBody& body = world.bodies[i];
         FreeMotion& free = world.scratch.free[k];
         free.pushed = was_pushed(body.motion, free);
-        const double rounding = free.pushed ? Solver::rounding : velocity_rounding;
-        body.motion.center += displacement(world, i, free, substep, rounding);
+        body.motion.center += substep * body.motion.velocity;
         if (free.pushed)
         {
           pushed.push_back(static_cast<int>(i));
@@ -120,8 +119,7 @@ void move(IslandView world, std::span<const Island> islands, double substep, Sol
   }
 }
 
-/// The same for a solver that corrects poses, which it does where velocities have led all bodies;
-/// what it leaves there goes on along its parabola.
+/// The same for a solver that corrects poses, which it does where velocities have led all bodies.
 template <SubstepSolver Solver>
 void move_and_correct(
     IslandView world, std::span<const Island> islands, double substep, Solver& solver)
@@ -142,18 +140,10 @@ void move_and_correct(
       islands,
       [&](std::size_t k, std::size_t i)
       {
-        RigidBody& body = world.bodies[i];
+        const RigidBody& body = world.bodies[i];
         FreeMotion& free = world.scratch.free[k];
-        if (body.motion.center == moved[k].motion.center &&
-            body.orientation.coeffs() == moved[k].orientation.coeffs())
-        {
-          body.motion.center += displacement(world, i, free, substep, velocity_rounding) -
-                                substep * body.motion.velocity;
-        }
-        else
-        {
-          free.pushed = true;
-        }
+        free.pushed = free.pushed || body.motion.center != moved[k].motion.center ||
+                      body.orientation.coeffs() != moved[k].orientation.coeffs();
       });
 }
 
@@ -165,23 +155,53 @@ inline void mark_pushed(IslandView world, std::span<const Island> islands)
       [&](std::size_t k, std::size_t i)
       {
         FreeMotion& free = world.scratch.free[k];
-        Motion<double>& now = world.bodies[i].motion;
-        free.pushed = was_pushed(now, free) || free.pushed;
-        if (world.falls != nullptr && free.pushed)
-        {
-          (*world.falls)[i] = false;
-        }
+        StepStart& start = world.scratch.starts[k];
+        free.pushed = was_pushed(world.bodies[i].motion, free) || free.pushed;
+        start.pushed = start.pushed || free.pushed;
       });
+}
+
+/// Remembers how bodies move as a step begins.
+inline void begin(IslandView world, std::span<const Island> islands)
+{
+  std::vector<StepStart>& starts = world.scratch.starts;
+  starts.clear();
+  each_body(
+      islands,
+      [&](std::size_t, std::size_t i)
+      {
+        starts.push_back(
+            {world.bodies[i].motion.velocity, world.bodies[i].motion.angular_velocity, false});
+      });
+}
+
+/// Takes bodies back onto their parabolas in the end, and tells the world which fall freely. What
+/// joints hold goes round them but for rounding: a joint would come apart by what was taken back.
+inline void
+end(IslandView world, std::span<const Island> islands, double step, double substep, double rounding)
+{
+  std::size_t k = 0;
+  for (const Island& island : islands)
+  {
+    const double work = island.constraints.empty() ? holding_work : 0;
+    for (const int number : island.bodies)
+    {
+      const std::size_t i = index_of(number);
+      const StepStart& start = world.scratch.starts[k++];
+      world.bodies[i].motion.center -= overshoot(world, i, start, step, substep, rounding, work);
+      if (world.falls != nullptr)
+      {
+        (*world.falls)[i] = !start.pushed;
+      }
+    }
+  }
 }
 
 /// Moves islands on by a step [s]; velocities and poses are integrated nowhere else.
 template <SubstepSolver Solver>
 void run_substeps(IslandView world, std::span<const Island> islands, double step, Solver& solver)
 {
-  if (world.falls != nullptr)
-  {
-    each_body(islands, [&](std::size_t, std::size_t i) { (*world.falls)[i] = true; });
-  }
+  begin(world, islands);
   const int substeps = solver.prepare(step);
   const double substep = step / substeps;
   for (int k = 0; k < substeps; ++k)
@@ -199,6 +219,7 @@ void run_substeps(IslandView world, std::span<const Island> islands, double step
     solver.relax(substep);
     mark_pushed(world, islands);
   }
+  end(world, islands, step, substep, Solver::rounding);
   solver.store();
 }
 // [run_substeps]
