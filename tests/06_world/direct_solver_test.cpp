@@ -767,12 +767,12 @@ TEST_CASE("a soft contact gives way to what it carried at 1 cm/s, and is never s
   const DirectSettings stiff;
   using Catch::Approx;
   CHECK(stiffness_of(contact, 2, stiff).push == 1 / 2e-7);
-  CHECK(stiffness_of(contact, 2, stiff).friction_state == 1 / 2e-7);
+  CHECK(stiffness_of(contact, 2, stiff).friction == 1 / 2e-7);
   CHECK(stiffness_of(contact, 2, settings_at(1)).push == Approx(1 / 0.06));
-  CHECK(stiffness_of(contact, 2, settings_at(1)).friction_state == Approx(1 / 1.8));
+  CHECK(stiffness_of(contact, 2, settings_at(1)).friction == Approx(1 / 1.8));
   point.impulse = point.warm_start_impulse = 4;
   CHECK(stiffness_of(contact, 2, settings_at(0.5)).push == Approx(4 / (0.5 * 0.01)));
-  CHECK(stiffness_of(contact, 2, settings_at(0.5)).friction_state == Approx(4 / (0.5 * 0.3)));
+  CHECK(stiffness_of(contact, 2, settings_at(0.5)).friction == Approx(4 / (0.5 * 0.3)));
   CHECK(stiffness_of(contact, 2, settings_at(1e-7)).push == 1 / 2e-7);
   // Friction of 3 N s stays but for a tenth, within μ times what the overlap pushes with.
   point.friction = {3, 7, 0};
