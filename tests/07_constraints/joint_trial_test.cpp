@@ -122,12 +122,12 @@ TEST_CASE(
 // [swung_right]
 TEST_CASE(
     "a chain swung for 1 s is where a tree of links has it: direct within 9 mm, position_based "
-    "17 mm, soft steps 27 cm; AVBD 1 m away")
+    "17 mm, soft steps 27 cm; AVBD .9 m away")
 {
   CHECK(swing_off(run_of("direct")) < 0.009);
   CHECK(swing_off(run_of("position_based")) < 0.018);
   CHECK(swing_off(run_of("soft_steps")) > 0.2);
-  CHECK(swing_off(run_of("avbd")) > 0.9);
+  CHECK(swing_off(run_of("avbd")) > 0.8);
 }
 // [swung_right]
 

@@ -113,17 +113,6 @@ void print_piles(const char* name, Solver solver)
 }
 #endif
 
-#ifdef TAKE_taut
-print(
-    "taut",
-    [](Draw& draw, Bits& bits)
-    {
-      const TautLink link{draw.number(0, 1e5), draw.number(0.1, 9), draw.number(0.01, 9)};
-      const HangingBridge bridge{
-          .planks = 8, .length = draw.number(0.5, 2), .load = draw.number(0, 1e3), .span = 3.5};
-      bits(zigzag_rate(link), tension_limit(link, draw.number(0.001, 0.1)), sag_of(bridge));
-    });
-#endif
 #ifdef TAKE_game_world
 /// A solver that pushes eight times at each contact point.
 void push_eight_times(IslandView view, const Island& island, double step)
@@ -516,6 +505,17 @@ int main()
         }
         events.update(contacts, bodies);
         bits(int(events.active().size()), int(events.begun().size()), int(events.ended().size()));
+      });
+#endif
+#ifdef TAKE_taut
+  print(
+      "taut",
+      [](Draw& draw, Bits& bits)
+      {
+        const TautLink link{draw.number(0, 1e5), draw.number(0.1, 9), draw.number(0.01, 9)};
+        const HangingBridge bridge{
+            .planks = 8, .length = draw.number(0.5, 2), .load = draw.number(0, 1e3), .span = 3.5};
+        bits(zigzag_rate(link), tension_limit(link, draw.number(0.001, 0.1)), sag_of(bridge));
       });
 #endif
 #ifdef TAKE_avbd

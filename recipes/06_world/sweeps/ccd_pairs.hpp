@@ -138,11 +138,11 @@ void each_swept_overlap(StepTrajectories& step, std::span<const RigidBody> ends,
 inline std::vector<std::pair<int, int>>
 ccd_pairs(StepTrajectories& step, std::span<const RigidBody> ends)
 {
-  const double harmless = smallest_sphere(step) / 2; // [m]: two that go by no more stay in reach
+  const double close_pass = smallest_sphere(step) / 2; // [m]: two that go by no more stay in reach
   const auto fast_or_deep = [&](int i)
   {
     const bool falling_ball = step.falls[index_of(i)] && is_sphere(step.scene, i);
-    return falling_ball || step.displacements[index_of(i)] > harmless || is_fast_box(step, i) ||
+    return falling_ball || step.displacements[index_of(i)] > close_pass || is_fast_box(step, i) ||
            step.needs_sweep[index_of(i)];
   };
   bool any = false;

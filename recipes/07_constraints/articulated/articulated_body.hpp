@@ -38,7 +38,7 @@ inline void gather_inwards(const std::vector<Link>& links, MovingTree& tree)
   for (std::size_t i = links.size(); i-- > 0;)
   {
     MovingLink& link = tree.links[i + 1];
-    MovingLink& parent = tree.links[static_cast<std::size_t>(links[i].parent + 1)];
+    MovingLink& parent = tree.links[parent_place(links[i])];
     const double mass = link.carried.y();
     parent.carried += Vector2<double>(link.carried.x() + 2 * mass * link.arm.squaredNorm(), mass);
     for (int k = sizes_of(links[i].joint).velocities; k-- > 0;)
@@ -58,7 +58,7 @@ inline void accelerate_outwards(
   for (std::size_t i = 0; i < links.size(); ++i)
   {
     MovingLink& link = tree.links[i + 1];
-    const MovingLink& parent = tree.links[static_cast<std::size_t>(links[i].parent + 1)];
+    const MovingLink& parent = tree.links[parent_place(links[i])];
     link.acceleration = shifted_motion(parent.acceleration, link.arm) + link.bias;
     for (int k = sizes_of(links[i].joint).velocities; k-- > 0; ++axis)
     {

@@ -122,7 +122,7 @@ inline void move_outwards(const std::vector<Link>& links, const TreeState& state
   {
     const auto [positions, velocities] = sizes_of(links[i].joint);
     const auto count = static_cast<std::size_t>(velocities);
-    const MovingLink& parent = tree.links[static_cast<std::size_t>(links[i].parent + 1)];
+    const MovingLink& parent = tree.links[parent_place(links[i])];
     move_link(
         links[i], parent, joint_displacement(links[i], position), velocity, axes.first(count),
         tree.links[i + 1]);

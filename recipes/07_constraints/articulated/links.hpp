@@ -41,6 +41,13 @@ struct Link
   double rest = 0;                        ///< [rad], [m], where the spring does not pull
 };
 
+/// The place of a link's parent where the world stands before all links.
+inline std::size_t parent_place(const Link& link)
+{
+  const int place = link.parent + 1;
+  return static_cast<std::size_t>(place);
+}
+
 /// How many numbers place a joint's link, and how many tell its velocity.
 struct JointSizes
 {

@@ -54,8 +54,10 @@ void add_constraints(Cloth& cloth, int right, int below, double compliance, cons
       const bool inside = column + right >= 0 && column + right < columns;
       if (inside && some(column, row))
       {
-        const std::size_t a = static_cast<std::size_t>(row * columns + column);
-        const std::size_t b = a + static_cast<std::size_t>(below * columns + right);
+        const int place = row * columns + column;
+        const auto a = static_cast<std::size_t>(place);
+        const int offset = below * columns + right;
+        const std::size_t b = a + static_cast<std::size_t>(offset);
         DistanceConstraint pair{a, b, 0, compliance};
         pair.length = direction_of(cloth.particles, pair).length;
         cloth.constraints.push_back(pair);
@@ -103,9 +105,9 @@ inline Cloth make_cloth(const ClothSheet& sheet)
   Cloth cloth{sheet.columns, sheet.rows, {}, {}, {}};
   for (std::size_t i = 0; i < sheet.columns * sheet.rows; ++i)
   {
-    const double s =
-        static_cast<double>(i % sheet.columns) / static_cast<double>(sheet.columns - 1);
-    const double t = static_cast<double>(i / sheet.columns) / static_cast<double>(sheet.rows - 1);
+    const std::size_t column = i % sheet.columns, row = i / sheet.columns;
+    const double s = static_cast<double>(column) / static_cast<double>(sheet.columns - 1);
+    const double t = static_cast<double>(row) / static_cast<double>(sheet.rows - 1);
     cloth.particles.positions.push_back(sheet.corner + s * sheet.across + t * sheet.down);
     cloth.particles.velocities.push_back({0, 0, 0});
     cloth.particles.inverse_masses.push_back(count / sheet.mass);
