@@ -133,7 +133,7 @@ inline void look_at_point(AvbdItem& item, const AvbdSettings& settings)
   item.rows[0].error = separation_of(point) - settings.stabilization * item.start_error[0];
   item.rows[0].lower = 0;
   const double most = point.coefficient * item.rows[0].push();
-  for (const std::size_t i : {1, 2})
+  for (const std::size_t i : {std::size_t(1), std::size_t(2)})
   {
     AvbdRow& row = item.rows[i];
     row.error = moved_along(item, row.a, row.b);

@@ -53,8 +53,8 @@ inline MomentaOff momenta_off(const JointRun& run)
       run, pair, 301,
       [&](GameWorld& world)
       {
-        now = momenta_of(world);
-        energy_now = energy_of(world);
+        now = trial_momenta(world);
+        energy_now = trial_energy(world);
         if (++frame == 1) // which has brought the anchors' speeds together
         {
           first = now;

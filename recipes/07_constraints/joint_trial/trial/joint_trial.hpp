@@ -37,7 +37,7 @@ inline double most_apart(GameWorld& world)
 }
 
 /// The energy [J] of all bodies, from the height of the origin.
-inline double energy_of(const GameWorld& world)
+inline double trial_energy(const GameWorld& world)
 {
   double sum = 0;
   for (const RigidBody& body : world.bodies())
@@ -52,7 +52,7 @@ inline double energy_of(const GameWorld& world)
 }
 
 /// Linear [kg m/s] and angular momentum [kg m²/s] of all bodies, one below the other.
-inline Vector6 momenta_of(const GameWorld& world)
+inline Vector6 trial_momenta(const GameWorld& world)
 {
   Vector6 sum = Vector6::Zero();
   for (const RigidBody& body : world.bodies())
@@ -123,9 +123,9 @@ sink_of(const JointRun& run, const JointedScene& scene, std::size_t body, int fr
 /// What is left of the energy of a swing, whose lowest energy [J] is given, after so many frames.
 inline double energy_left(const JointRun& run, const JointedScene& scene, double lowest, int frames)
 {
-  const double start = energy_of(jointed_world(scene, run.method.solver(run.count)));
+  const double start = trial_energy(jointed_world(scene, run.method.solver(run.count)));
   double last = start;
-  const auto look = [&](GameWorld& world) { last = energy_of(world); };
+  const auto look = [&](GameWorld& world) { last = trial_energy(world); };
   return run_joints(run, scene, frames, look) ? (last - lowest) / (start - lowest) : joint_fails;
 }
 // [joint_measures]
