@@ -37,7 +37,8 @@ TEST_CASE("a push takes over what the spring bears, and the spring grows by its 
 // [R69]
 
 // [avbd_cable]
-TEST_CASE("a cable hangs within .1 mm with 50 passes and fast growth, by 50 mm off with 10")
+TEST_CASE(
+    "a cable hangs within .1 mm with 50 passes and fast growth, by 50 mm off with 10", "[long]")
 {
   CHECK(cable_off({.iterations = 50, .growth = 1e6}) <= 1e-4);
   CHECK(cable_off({}) >= 0.05);
@@ -45,7 +46,9 @@ TEST_CASE("a cable hangs within .1 mm with 50 passes and fast growth, by 50 mm o
 // [avbd_cable]
 
 // [avbd_chain]
-TEST_CASE("1,000 kg on a chain, pushed aside at .5 m/s, stay on it with ten passes, not with five")
+TEST_CASE(
+    "1,000 kg on a chain, pushed aside at .5 m/s, stay on it with ten passes, not with five",
+    "[long]")
 {
   const auto stays = [](int passes)
   {
@@ -63,7 +66,9 @@ TEST_CASE("1,000 kg on a chain, pushed aside at .5 m/s, stay on it with ten pass
   CHECK_FALSE(stays(5));
 }
 
-TEST_CASE("a tower of ten sinks by less than 1 cm in 10 s; one of five flies where growth is fast")
+TEST_CASE(
+    "a tower of ten sinks by less than 1 cm in 10 s; one of five flies where growth is fast",
+    "[long]")
 {
   CHECK(std::abs(tower_sink(10, {})) <= 0.01);
   CHECK(std::abs(tower_sink(5, {.growth = 1e5})) > 1);
@@ -91,7 +96,7 @@ TEST_CASE("a cube on a slope of .5 rad slides 5 % below the friction that holds 
 // [avbd_friction]
 
 // [avbd_momentum]
-TEST_CASE("two bodies on a joint in space drift: ten passes do not keep their momentum")
+TEST_CASE("two bodies on a joint in space drift: ten passes do not keep their momentum", "[long]")
 {
   Scene scene{.gravity = {0, 0, 0}};
   scene.bodies = {
