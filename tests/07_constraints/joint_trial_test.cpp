@@ -68,8 +68,10 @@ TEST_CASE("four soft steps give 34 cm under 100 kg, and burst under 10,000 kg")
 // [soft_fails]
 
 // [positions_fail]
-TEST_CASE("position_based holds 1,000 kg nudged within 2 cm, but a pendulum loses a fifth of its "
-          "energy in 20 s and a pair in space a third of its angular momentum in 5 s")
+TEST_CASE(
+    "position_based holds 1,000 kg nudged within 2 cm, but a pendulum loses a fifth of its "
+    "energy in 20 s and a pair in space a third of its angular momentum in 5 s",
+    "[long]")
 {
   const JointRun run = run_of("position_based");
   CHECK(apart_under(run, 1000) < 20);
@@ -80,9 +82,11 @@ TEST_CASE("position_based holds 1,000 kg nudged within 2 cm, but a pendulum lose
 // [positions_fail]
 
 // [avbd_fails]
-TEST_CASE("AVBD bursts under none of these loads, yet gives 26 cm under 100 kg, and changes both "
-          "momenta; soft "
-          "steps change neither")
+TEST_CASE(
+    "AVBD bursts under none of these loads, yet gives 26 cm under 100 kg, and changes both "
+    "momenta; soft "
+    "steps change neither",
+    "[long]")
 {
   const JointRun avbd = run_of("avbd");
   CHECK(std::isfinite(sink_under(avbd, 10000)));
@@ -99,7 +103,8 @@ TEST_CASE("AVBD bursts under none of these loads, yet gives 26 cm under 100 kg, 
 // [direct_holds]
 TEST_CASE(
     "direct holds 10,000 kg, 1:1000, a bridge and a tower within 10 um, a ring within .1 mm, and "
-    "energy within 1 %")
+    "energy within 1 %",
+    "[long]")
 {
   const JointRun direct = run_of("direct");
   CHECK(std::abs(sink_under(direct, 10000)) < 0.01);

@@ -100,7 +100,8 @@ TEST_CASE("a door that hits its limit with 10 rad/s stops there, where engines r
 
 // [hinge_axis]
 TEST_CASE(
-    "a hinge that swings for 60 s keeps its anchors to 1e-7 m and its axis to 1e-6 rad", "[R56]")
+    "a hinge that swings for 60 s keeps its anchors to 1e-7 m and its axis to 1e-6 rad",
+    "[R56][long]")
 {
   for (const std::string solver : {"direct", "soft_steps"})
   {
@@ -317,7 +318,8 @@ TEST_CASE("an arm rests on its cone, 30° below the axis, and its twist at its b
 // [cone]
 
 // [wheel]
-TEST_CASE("a car of 400 kg on four springs of 10 kN/m sags by m g / 4 k, at any step", "[R60]")
+TEST_CASE(
+    "a car of 400 kg on four springs of 10 kN/m sags by m g / 4 k, at any step", "[R60][long]")
 {
   for (const double rate : {60.0, 240.0})
   {
@@ -547,7 +549,8 @@ TEST_CASE("two bodies in space keep their momenta to rounding on every kind of j
 }
 // [joint_momenta]
 
-TEST_CASE("every kind of joint, copied with its motors, goes on to the bit under every solver")
+TEST_CASE(
+    "every kind of joint, copied with its motors, goes on to the bit under every solver", "[long]")
 {
   for (const std::string& solver : solver_names())
   {

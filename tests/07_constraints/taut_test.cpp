@@ -70,7 +70,7 @@ GameWorld four_bars()
 // [R63]
 TEST_CASE(
     "a nudged chain of 20 links under 1 t needs four explicit solves a frame: three explode",
-    "[R63]")
+    "[R63][long]")
 {
   const TautLink top{9.81 * 1019.5, 0.5, (0.25 + 0.01) / 12};
   CHECK(tension_limit(top, 1.0 / 60) == Catch::Approx(4.04).epsilon(0.01));
@@ -92,7 +92,8 @@ TEST_CASE("under 100 kg two explicit solves a frame do, and one explodes", "[R63
 // [soft_stretch]
 TEST_CASE(
     "a chain of 10 m stretches by .29 and .48 m under .1 and 1 t in 4 soft steps, in 16 by .02 "
-    "and .1 m")
+    "and .1 m",
+    "[long]")
 {
   CHECK(stretch_of({.load = 100}, softly(4)) == Catch::Approx(0.283).epsilon(0.02));
   CHECK(stretch_of({.load = 1000}, softly(4)) == Catch::Approx(0.479).epsilon(0.02));
@@ -103,7 +104,8 @@ TEST_CASE(
 // [soft_stretch]
 
 // [hanging]
-TEST_CASE("20 links under 1 t come apart by 100 nm, nudged and swung; the swing keeps .999")
+TEST_CASE(
+    "20 links under 1 t come apart by 100 nm, nudged and swung; the swing keeps .999", "[long]")
 {
   CHECK(ran({.load = 1000}, 5).gap <= 1e-7);
   CHECK(ran({.load = 1000, .nudge = 0.5}, 10).gap <= 1e-7);
@@ -114,14 +116,15 @@ TEST_CASE("20 links under 1 t come apart by 100 nm, nudged and swung; the swing 
 }
 // [hanging]
 
-TEST_CASE("links of 1 kg and 1 g in turn come apart by less than 1 µm, nudged and swung")
+TEST_CASE("links of 1 kg and 1 g in turn come apart by less than 1 µm, nudged and swung", "[long]")
 {
   CHECK(ran({.light = 0.001, .nudge = 0.5}, 10).gap <= 1e-6);
   CHECK(ran({.light = 0.001, .towards = half_right}, 5).gap <= 1e-6);
 }
 
 // [R64]
-TEST_CASE("past the limit of 16 solves implicit steps hold: 1,000 t, and 1 t from 90°", "[R64]")
+TEST_CASE(
+    "past the limit of 16 solves implicit steps hold: 1,000 t, and 1 t from 90°", "[R64][long]")
 {
   const TrialChain heavy{.load = 1e6, .nudge = 0.5};
   CHECK(ran(heavy, 5).gap <= 1e-4);
@@ -135,7 +138,8 @@ TEST_CASE("past the limit of 16 solves implicit steps hold: 1,000 t, and 1 t fro
 }
 // [R64]
 
-TEST_CASE("a chain of 100 links falls from 90° with no more energy than it had, in 10 s", "[R64]")
+TEST_CASE(
+    "a chain of 100 links falls from 90° with no more energy than it had, in 10 s", "[R64][long]")
 {
   const TautRun whip = ran({.links = 100, .towards = level}, 10);
   CHECK(whip.gap <= 0.01);
@@ -143,7 +147,7 @@ TEST_CASE("a chain of 100 links falls from 90° with no more energy than it had,
 }
 
 // [R65]
-TEST_CASE("a bridge of 30 planks under 50 kg sags as its closed form, to 10 µm", "[R65]")
+TEST_CASE("a bridge of 30 planks under 50 kg sags as its closed form, to 10 µm", "[R65][long]")
 {
   const HangingBridge bridge{.load = 50 * 9.81};
   double reach = 0;
@@ -167,7 +171,9 @@ TEST_CASE("planks that hang straight, and two without a load, have the angles of
 }
 
 // [loops]
-TEST_CASE("ten welded beams of 5 m droop by less than 10 µm, and a ring of links holds together")
+TEST_CASE(
+    "ten welded beams of 5 m droop by less than 10 µm, and a ring of links holds together",
+    "[long]")
 {
   CHECK(droop_of_beams(10) <= 1e-5);
   GameWorld ring = hanging_ring();
@@ -225,7 +231,8 @@ TEST_CASE("a pendulum from 90° has the period of the elliptic integral to 1e-4,
   CHECK(swing.most <= 5e-3 * swing.swings_up);
 }
 
-TEST_CASE("two links swing as Lagrange's equation says, to 1 cm in 5 s, and keep .999 for 60 s")
+TEST_CASE(
+    "two links swing as Lagrange's equation says, to 1 cm in 5 s, and keep .999 for 60 s", "[long]")
 {
   const TrialChain chain{.links = 2, .towards = {0.6, 0.8}};
   GameWorld world = world_of(chain);
