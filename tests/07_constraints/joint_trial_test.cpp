@@ -50,7 +50,9 @@ TEST_CASE(
 // [sequential_fails]
 
 // [soft_fails]
-TEST_CASE("four soft or wide steps burst a nudged chain under 1,000 kg; eight hold it within 8 cm")
+TEST_CASE(
+    "four soft or wide steps burst a nudged chain under 1,000 kg; eight hold it within 8 cm",
+    "[long]")
 {
   for (const std::string name : {"soft_steps", "wide_steps"})
   {
@@ -127,7 +129,8 @@ TEST_CASE(
 // [swung_right]
 TEST_CASE(
     "a chain swung for 1 s is where a tree of links has it: direct within 9 mm, position_based "
-    "17 mm, soft steps 27 cm; AVBD .9 m away")
+    "17 mm, soft steps 27 cm; AVBD .9 m away",
+    "[long]")
 {
   CHECK(swing_off(run_of("direct")) < 0.009);
   CHECK(swing_off(run_of("position_based")) < 0.018);

@@ -141,7 +141,8 @@ TEST_CASE("a motor holds a beam up to its weight's torque, m g l / 2", "[R57]")
 
 // [hinge_spring]
 TEST_CASE(
-    "a spring bears a beam where its torque is the weight's, and swings it by its inertia", "[R57]")
+    "a spring bears a beam where its torque is the weight's, and swings it by its inertia",
+    "[R57][long]")
 {
   GameWorld world = beam("direct", {.stiffness = 100, .damping = 20});
   step(world, 600);
@@ -213,7 +214,8 @@ TEST_CASE(
 // [slider_motor]
 
 // [weld_beam]
-TEST_CASE("a beam of ten welds droops by less than 1 um and bears its torque, 245.25 N m", "[R55]")
+TEST_CASE(
+    "a beam of ten welds droops by less than 1 um and bears its torque, 245.25 N m", "[R55][long]")
 {
   std::vector<SceneBody> parts;
   for (int i = 0; i < 10; ++i)
@@ -360,7 +362,7 @@ TEST_CASE("a wheel is turned by its motor, and steered about its suspension", "[
 // [wheel]
 
 // [mouse]
-TEST_CASE("a mouse joint lifts what weighs less than its force, and no more", "[R61]")
+TEST_CASE("a mouse joint lifts what weighs less than its force, and no more", "[R61][long]")
 {
   for (const std::string solver : {"direct", "soft_steps", "sequential_impulses"})
   {
@@ -530,7 +532,8 @@ Momenta momenta_of(const GameWorld& world)
 } // namespace
 
 // [joint_momenta]
-TEST_CASE("two bodies in space keep their momenta to rounding on every kind of joint", "[R54]")
+TEST_CASE(
+    "two bodies in space keep their momenta to rounding on every kind of joint", "[R54][long]")
 {
   for (const std::string solver : {"direct", "soft_steps"})
   {

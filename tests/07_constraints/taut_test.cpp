@@ -80,7 +80,7 @@ TEST_CASE(
 }
 // [R63]
 
-TEST_CASE("under 100 kg two explicit solves a frame do, and one explodes", "[R63]")
+TEST_CASE("under 100 kg two explicit solves a frame do, and one explodes", "[R63][long]")
 {
   const TautLink top{9.81 * 119.5, 0.5, (0.25 + 0.01) / 12};
   CHECK(tension_limit(top, 1.0 / 60) == Catch::Approx(1.38).epsilon(0.01));
@@ -187,7 +187,9 @@ TEST_CASE(
   CHECK(gap <= 1e-4);
 }
 
-TEST_CASE("four bars on hinges, three rows too many, swing with the period of their closed form")
+TEST_CASE(
+    "four bars on hinges, three rows too many, swing with the period of their closed form",
+    "[long]")
 {
   GameWorld bars = four_bars();
   const double start = energy_of(bars), crank = (1 + 0.01) / 12 + 0.25;
