@@ -76,7 +76,7 @@ inline void accelerate_outwards(
 /// What steps put their states in, so that no step asks for memory.
 struct StepMemory
 {
-  TreeState next, at;    ///< the state at the end of a step, and on the way there
+  TreeState next, at;    ///< the state at the end of a step, and at a stage of it
   Eigen::VectorXd rates; ///< of all positions
 };
 

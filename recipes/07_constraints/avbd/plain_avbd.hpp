@@ -16,7 +16,7 @@ namespace cookbook
 {
 
 // [distance_error]
-/// How far [m] two particles are from their distance, but for a share of what they were off before
+/// How far [m] two particles are from their distance, less a fraction of what they were off before
 /// the step: so an old error is taken away over several steps.
 inline double distance_error(
     const Particles& particles, const std::vector<Vector3<double>>& before,

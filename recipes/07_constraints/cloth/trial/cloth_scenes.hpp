@@ -88,7 +88,7 @@ inline std::vector<Vector3<double>> pleats(std::size_t count, double length)
   return rail;
 }
 
-/// The curtain, and its tie on the way.
+/// The curtain in its pleats, with a tie that is in its place within a second.
 inline Curtain curtain()
 {
   const double thread = 2.0 / 28;
