@@ -5,6 +5,7 @@
 #include "06_world/ball_joint/ball_joint.hpp"
 #include "06_world/ball_joint/trial/joint_pendulum.hpp"
 #include "06_world/game_world/solvers.hpp"
+#include "06_world/game_world/trial/world_measures.hpp"
 #include "06_world/game_world/world_inputs.hpp"
 #include "06_world/scenes/trial/scene_bodies.hpp"
 #include "06_world/scenes/trial/world_scenes.hpp"
@@ -72,17 +73,8 @@ struct Balance
 
 Balance balance_of(const GameWorld& world)
 {
-  Balance sum;
-  for (const RigidBody& body : world.bodies())
-  {
-    const Vector3<double> momentum = body.motion.velocity / body.inverse_mass;
-    const Vector3<double> spin = body.axes.transpose() * body.motion.angular_velocity;
-    sum.linear += momentum;
-    sum.angular += body.motion.center.cross(momentum);
-    sum.angular += body.axes * body.moments.cwiseProduct(spin);
-    sum.energy += kinetic_energy(body);
-  }
-  return sum;
+  const std::vector<RigidBody>& bodies = world.bodies();
+  return {momentum(bodies), angular_momentum(bodies), energy(bodies, world.scene().gravity)};
 }
 
 void step(GameWorld& world, int steps)

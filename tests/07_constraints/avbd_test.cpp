@@ -52,7 +52,7 @@ TEST_CASE(
 {
   const auto stays = [](int passes)
   {
-    GameWorld world = loaded_chain(1000, one_by_one(Avbd({.iterations = passes})));
+    GameWorld world = world_of(TrialChain{.load = 1000}, one_by_one(Avbd({.iterations = passes})));
     world.set_velocity(10, {0.5, 0, 0}, {0, 0, 0});
     double lowest = 0;
     for (int step = 0; step < 300; ++step)

@@ -57,6 +57,22 @@ inline Vector3<double> momentum(std::span<const RigidBody> bodies)
   return sum;
 }
 
+/// The angular momentum [kg m²/s] of the movable bodies of a world, about the origin.
+inline Vector3<double> angular_momentum(std::span<const RigidBody> bodies)
+{
+  Vector3<double> sum = Vector3<double>::Zero();
+  for (const RigidBody& body : bodies)
+  {
+    if (!is_fixed(body))
+    {
+      const Vector3<double> spin = body.axes.transpose() * body.motion.angular_velocity;
+      sum += body.motion.center.cross(body.motion.velocity / body.inverse_mass);
+      sum += body.axes * body.moments.cwiseProduct(spin);
+    }
+  }
+  return sum;
+}
+
 /// The deepest overlap [m] at any contact point of a world.
 inline double deepest_overlap(const GameWorld& world)
 {

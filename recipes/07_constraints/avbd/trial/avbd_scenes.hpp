@@ -3,12 +3,12 @@
 /// \file
 /// \brief Scenes for AVBD: a cable, a loaded chain, a tower.
 
-#include "06_world/ball_joint/ball_joint.hpp"
 #include "06_world/game_world/solvers.hpp"
 #include "06_world/scenes/trial/scene_bodies.hpp"
 #include "07_constraints/avbd/avbd.hpp"
 #include "07_constraints/avbd/plain_avbd.hpp"
 #include "07_constraints/rope/rope.hpp"
+#include "07_constraints/taut/trial/taut_scenes.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -38,31 +38,10 @@ inline double cable_off(const AvbdSettings& settings)
   return std::abs(-cable.particles.positions[20].y() - 2.65526);
 }
 
-/// A chain of twenty links of 1 kg and half a metre, the last with a load [kg] on it, that hangs
-/// from a hook at 20 m; by ball joints.
-inline GameWorld loaded_chain(double load, const WorldSolver& solver)
-{
-  Scene scene{.bodies = {box_body("hook", {0.1, 0.1, 0.1}, {0, 20, 0}, 0)}};
-  for (int i = 0; i < 20; ++i)
-  {
-    scene.bodies.push_back(box_body("link", {0.05, 0.25, 0.05}, {0, 19.75 - 0.5 * i, 0}));
-  }
-  scene.bodies.push_back(box_body("load", {0.25, 0.25, 0.25}, {0, 9.75, 0}, load));
-  GameWorld world(scene, solver);
-  BallJoints joints;
-  for (int i = 0; i < 21; ++i)
-  {
-    const auto upper = static_cast<BodyId>(i);
-    joints.add(ball_joint_at(world, upper, upper + 1, {0, 20 - 0.5 * i, 0}));
-  }
-  world.add(joints);
-  return world;
-}
-
-/// By how much [m] the load on a chain has sunk after 10 s.
+/// By how much [m] the load [kg] on a chain of twenty links of 1 kg has sunk after 10 s.
 inline double chain_sink(double load, const AvbdSettings& settings)
 {
-  GameWorld world = loaded_chain(load, one_by_one(Avbd(settings)));
+  GameWorld world = world_of(TrialChain{.load = load}, one_by_one(Avbd(settings)));
   for (int step = 0; step < 600; ++step)
   {
     world.step();

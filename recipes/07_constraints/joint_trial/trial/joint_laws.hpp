@@ -47,24 +47,25 @@ inline MomentaOff momenta_off(const JointRun& run)
 {
   const JointedScene pair = tumbling_pair_of();
   int frame = 0;
-  Vector6 first, now;
+  Vector3<double> linear_first, linear, angular_first, angular;
   double energy_first = 0, energy_now = 0;
   run_joints(
       run, pair, 301,
       [&](GameWorld& world)
       {
-        now = trial_momenta(world);
-        energy_now = trial_energy(world);
+        linear = momentum(world.bodies());
+        angular = angular_momentum(world.bodies());
+        energy_now = energy(world);
         if (++frame == 1) // which has brought the anchors' speeds together
         {
-          first = now;
+          linear_first = linear;
+          angular_first = angular;
           energy_first = energy_now;
         }
       });
-  const Vector6 off = now - first;
   return {
-      off.head<3>().norm() / first.head<3>().norm(), off.tail<3>().norm() / first.tail<3>().norm(),
-      energy_now / energy_first};
+      (linear - linear_first).norm() / linear_first.norm(),
+      (angular - angular_first).norm() / angular_first.norm(), energy_now / energy_first};
 }
 
 /// By how much [m] the topmost cube of a tower of ten has sunk after so many frames.

@@ -7,6 +7,7 @@
 #include "06_world/game_world/solvers.hpp"
 #include "06_world/scenes/trial/scene_bodies.hpp"
 #include "07_constraints/taut/taut.hpp"
+#include "07_constraints/taut/trial/taut_scenes.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -35,15 +36,7 @@ struct JointedScene
 inline GameWorld jointed_world(JointedScene of, const WorldSolver& solver, int rate = 60)
 {
   of.scene.step = 1.0 / rate;
-  const int bodies = static_cast<int>(of.scene.bodies.size());
-  for (int a = 0; a < bodies; ++a)
-  {
-    for (int b = a + 1; b < bodies; ++b)
-    {
-      of.scene.ignored.emplace_back(a, b);
-    }
-  }
-  GameWorld world(of.scene, solver);
+  GameWorld world(without_contacts(of.scene), solver);
   BallJoints joints;
   for (const JointPlace& one : of.joints)
   {

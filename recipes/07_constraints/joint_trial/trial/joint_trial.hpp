@@ -4,9 +4,10 @@
 /// \brief What is measured of worlds with joints: how far these come apart, and what is left
 /// of energy.
 
-#include "06_world/scenes/trial/scene_bodies.hpp"
+#include "06_world/game_world/trial/world_measures.hpp"
 #include "07_constraints/joint_trial/trial/joint_methods.hpp"
 #include "07_constraints/joint_trial/trial/joint_scenes.hpp"
+#include "07_constraints/taut/trial/taut_run.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,46 +25,13 @@ inline constexpr double joint_fails = std::numeric_limits<double>::infinity();
 /// How far [m] the anchors of a world's joints are apart, at most.
 inline double most_apart(GameWorld& world)
 {
-  const BallJoints& joints = world.constraints<BallJoints>(0);
-  double most = 0;
-  for (std::size_t i = 0; i < joints.size(); ++i)
-  {
-    const BallJoint& joint = joints[i];
-    const RigidBody& a = world.bodies()[static_cast<std::size_t>(joint.a)];
-    const RigidBody& b = world.bodies()[static_cast<std::size_t>(joint.b)];
-    most = std::max(most, anchors_of(a, b, joint.anchor_a, joint.anchor_b).error.norm());
-  }
-  return most;
+  return largest_gap(world, world.constraints<BallJoints>(0));
 }
 
 /// The energy [J] of all bodies, from the height of the origin.
-inline double trial_energy(const GameWorld& world)
+inline double energy(const GameWorld& world)
 {
-  double sum = 0;
-  for (const RigidBody& body : world.bodies())
-  {
-    if (body.inverse_mass > 0)
-    {
-      sum +=
-          kinetic_energy(body) - world.scene().gravity.dot(body.motion.center) / body.inverse_mass;
-    }
-  }
-  return sum;
-}
-
-/// Linear [kg m/s] and angular momentum [kg m²/s] of all bodies, one below the other.
-inline Vector6 trial_momenta(const GameWorld& world)
-{
-  Vector6 sum = Vector6::Zero();
-  for (const RigidBody& body : world.bodies())
-  {
-    const Vector3<double> momentum = body.motion.velocity / body.inverse_mass;
-    const Vector3<double> spin = body.axes.transpose() * body.motion.angular_velocity;
-    sum.head<3>() += momentum;
-    sum.tail<3>() += body.motion.center.cross(momentum);
-    sum.tail<3>() += body.axes * body.moments.cwiseProduct(spin);
-  }
-  return sum;
+  return energy(world.bodies(), world.scene().gravity);
 }
 
 /// A method with a count of its own.
@@ -123,9 +91,9 @@ sink_of(const JointRun& run, const JointedScene& scene, std::size_t body, int fr
 /// What is left of the energy of a swing, whose lowest energy [J] is given, after so many frames.
 inline double energy_left(const JointRun& run, const JointedScene& scene, double lowest, int frames)
 {
-  const double start = trial_energy(jointed_world(scene, run.method.solver(run.count)));
+  const double start = energy(jointed_world(scene, run.method.solver(run.count)));
   double last = start;
-  const auto look = [&](GameWorld& world) { last = trial_energy(world); };
+  const auto look = [&](GameWorld& world) { last = energy(world); };
   return run_joints(run, scene, frames, look) ? (last - lowest) / (start - lowest) : joint_fails;
 }
 // [joint_measures]

@@ -3,6 +3,7 @@
 /// \file
 /// \brief How far joints of taut scenes come apart, and what is left of their energy.
 
+#include "06_world/game_world/trial/world_measures.hpp"
 #include "07_constraints/taut/trial/taut_scenes.hpp"
 
 #include <algorithm>
@@ -29,19 +30,6 @@ double largest_gap(const GameWorld& world, const Set& joints)
   return gap;
 }
 
-/// The energy [J] of all bodies, with heights from y = 0.
-inline double energy_of(const GameWorld& world)
-{
-  double sum = 0;
-  for (const RigidBody& body : world.bodies())
-  {
-    sum += is_fixed(body)
-               ? 0
-               : kinetic_energy(body) + 9.81 / body.inverse_mass * body.motion.center.y();
-  }
-  return sum;
-}
-
 /// What has come of a scene.
 struct TautRun
 {
@@ -61,13 +49,13 @@ inline TautRun run_chain(GameWorld& world, double seconds)
     const double below = (body.motion.center - hook).norm();
     lowest += is_fixed(body) ? 0 : 9.81 / body.inverse_mass * (hook.y() - below);
   }
-  const double start = energy_of(world) - lowest;
+  const double start = energy(world.bodies(), world.scene().gravity) - lowest;
   TautRun run;
   for (int i = 0; i < seconds * 60; ++i)
   {
     world.step();
     run.gap = std::max(run.gap, largest_gap(world, world.constraints<BallJoints>(0)));
-    run.left = (energy_of(world) - lowest) / start;
+    run.left = (energy(world.bodies(), world.scene().gravity) - lowest) / start;
     run.most = std::max(run.most, run.left);
     if (!(run.gap < 1e6) || !(run.most < 1e6)) // it explodes
     {
