@@ -127,7 +127,7 @@ public:
         solve_row(one.rows, i, one.factor, a, b, rigid<double>(), substep, one.impulses);
       }
     }
-    solve_rigid(one.rows, one.factor, a, b, rigid<double>(), 0, one.impulses);
+    solve_rigid(one.rows, one.factor, a, b, rigid<double>(), substep, one.impulses);
   }
 
   void store(int number, int substeps) override

@@ -21,24 +21,17 @@ struct DirectRow
 {
   int a, b;                 ///< the two bodies
   Vector6 on_a, on_b;       ///< J
-  double stiffness;         ///< [kg], an impulse for a speed
-  double offset;            ///< [N s], what it takes to close its error, and of what is driven
-  double lower, upper;      ///< [N s], bounds
-  double impulse;           ///< [N s]
-  bool bends;               ///< whether its error changes otherwise than J says, as it turns
-  double error;             ///< [m, rad], before the step
   const ConstraintPair* of; ///< where it comes from
-  int at = 0;               ///< −1 or 1: at its lower or upper bound; 0: within them
-  bool unbounded = false;   ///< whether its bounds are left out in the next change
+  double stiffness = 0;     ///< [kg], an impulse for a speed
+  double offset = 0;        ///< [N s], what it takes to close its error, and of what is driven
+  double lower = 0;         ///< [N s], bounds
+  double upper = 0;
+  double impulse = 0;     ///< [N s]
+  bool bends = false;     ///< whether its error changes otherwise than J says, as it turns
+  double error = 0;       ///< [m, rad], before the step
+  int at = 0;             ///< −1 or 1: at its lower or upper bound; 0: within them
+  bool unbounded = false; ///< whether its bounds are left out in the next change
 };
-
-/// The number in an island of a body of the world; −1 if it is none of its bodies.
-inline int number_in(const Island& island, int body)
-{
-  const auto found = std::lower_bound(island.bodies.begin(), island.bodies.end(), body);
-  const bool there = found != island.bodies.end() && *found == body;
-  return there ? static_cast<int>(found - island.bodies.begin()) : -1;
-}
 
 /// The impulse [N s] that a row takes for each m/s and rad/s, of bodies that give way by
 /// `inverse_mass` to it: a spring as stiff as its step asks, and the rest as stiff as can be.
@@ -74,19 +67,21 @@ inline void gather(
       a, b, pair.number, step,
       [&](const ConstraintRow& row)
       {
+        DirectRow& made = rows.emplace_back(DirectRow{in_a, in_b, row.a, row.b, &pair});
         const double inverse_mass = inverse_mass_of(a, row.a) + inverse_mass_of(b, row.b);
-        if (inverse_mass == 0) // it moves nothing
+        if (inverse_mass == 0)
         {
-          rows.push_back({in_a, in_b, row.a, row.b, 0, 0, 0, 0, 0, false, 0, &pair});
-          return;
+          return; // it moves nothing
         }
-        const double stiffness = stiffness_of(row, inverse_mass, settings);
         const double driven = (in_a < 0 ? row.a.dot(velocities_of(a.motion)) : 0) +
                               (in_b < 0 ? row.b.dot(velocities_of(b.motion)) : 0);
-        const double offset = offset_of(row, inverse_mass, stiffness, step, settings);
-        rows.push_back(
-            {in_a, in_b, row.a, row.b, stiffness, offset + stiffness * driven, step * row.lower,
-             step * row.upper, 0, !is_spring(row) && !row.motor, row.error, &pair});
+        made.stiffness = stiffness_of(row, inverse_mass, settings);
+        made.offset =
+            offset_of(row, inverse_mass, made.stiffness, step, settings) + made.stiffness * driven;
+        made.lower = step * row.lower;
+        made.upper = step * row.upper;
+        made.bends = !is_spring(row) && !row.motor;
+        made.error = row.error;
       });
 }
 

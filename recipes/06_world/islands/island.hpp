@@ -32,6 +32,14 @@ inline bool is_alone(const Island& island)
   return island.contacts.empty() && island.constraints.empty();
 }
 
+/// The number in an island of a body of the world; −1 if it is none of its bodies.
+inline int number_in(const Island& island, int body)
+{
+  const auto found = std::lower_bound(island.bodies.begin(), island.bodies.end(), body);
+  const bool there = found != island.bodies.end() && *found == body;
+  return there ? static_cast<int>(found - island.bodies.begin()) : -1;
+}
+
 /// All islands of a world, in order of their first bodies; a body that touches nothing is one too.
 class Islands
 {

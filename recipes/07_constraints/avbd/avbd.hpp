@@ -124,11 +124,9 @@ private:
     }
     for (const int body : {a, b})
     {
-      const auto found = std::lower_bound(island_.bodies.begin(), island_.bodies.end(), body);
-      if (found != island_.bodies.end() && *found == body)
+      if (const int place = number_in(island_, body); place >= 0)
       {
-        items_of_[static_cast<std::size_t>(found - island_.bodies.begin())].push_back(
-            items_.size());
+        items_of_[index_of(place)].push_back(items_.size());
       }
     }
     items_.push_back(std::move(item));

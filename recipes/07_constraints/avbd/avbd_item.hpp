@@ -67,8 +67,9 @@ inline void look(
   }
   else
   {
-    const bool open = is_limit(of) && (of.lower == 0 ? start : -start) > 0;
-    row.error = of.error - (open ? 0 : settings.stabilization * start);
+    ConstraintRow before = of;
+    before.error = start;
+    row.error = of.error - (is_open(before) ? 0 : settings.stabilization * start);
   }
 }
 
