@@ -7,7 +7,6 @@
 #include "tools/program/program.hpp"
 #include "tools/program/table.hpp"
 
-#include <cmath>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -16,23 +15,6 @@ namespace
 {
 
 using namespace cookbook;
-
-/// What a way makes of a spring: "frequency, damping ratio".
-std::string got(const SpringWay& way, const SpringAsked& asked)
-{
-  const StepFactors factors = factors_of(way, asked);
-  if (factors.growth() > 1 + 1e-9)
-  {
-    return "explodes";
-  }
-  const SpringAsked is = got_of(factors, asked.step);
-  if (std::isnan(is.frequency)) // one of its factors is negative
-  {
-    return "flips";
-  }
-  const auto cut = [](double value) { return number(std::round(1000 * value) / 1000); };
-  return cut(is.frequency) + ", " + cut(is.damping_ratio);
-}
 
 // [print_springs]
 void run(const Arguments& given)

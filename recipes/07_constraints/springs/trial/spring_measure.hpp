@@ -5,6 +5,7 @@
 
 #include "07_constraints/springs/exact_spring.hpp"
 #include "07_constraints/springs/spring_ways.hpp"
+#include "tools/program/table.hpp"
 
 #include <Eigen/Core>
 
@@ -102,6 +103,23 @@ inline SpringAsked got_of(const StepFactors& factors, double step)
   }
   const double z = std::sqrt(product);
   return {z / step / (2 * std::numbers::pi), -both / z, step};
+}
+
+/// What a way makes of a spring: "frequency, damping ratio".
+inline std::string got(const SpringWay& way, const SpringAsked& asked)
+{
+  const StepFactors factors = factors_of(way, asked);
+  if (factors.growth() > 1 + 1e-9)
+  {
+    return "explodes";
+  }
+  const SpringAsked is = got_of(factors, asked.step);
+  if (std::isnan(is.frequency)) // one of its factors is negative
+  {
+    return "flips";
+  }
+  const auto cut = [](double value) { return number(std::round(1000 * value) / 1000); };
+  return cut(is.frequency) + ", " + cut(is.damping_ratio);
 }
 
 /// Twice the energy over the mass, in squared speeds.
