@@ -38,11 +38,14 @@ bool are_passing(
   const double fraction = separation > near_fraction * margin ? 1 : near_fraction;
   const auto passes = [&](Vector3<double> axis)
   {
+    if (std::abs(axis.dot(normal)) >= across_cosine)
+    {
+      return false;
+    }
     axis *= axis.dot(offset) < 0 ? -1 : 1;
     const double reach_a = projected_radius(a, axis), reach_b = projected_radius(b, -axis);
     const double overlap = reach_a + reach_b - axis.dot(offset);
-    return std::abs(axis.dot(normal)) < across_cosine &&
-           overlap <= fraction * std::min({margin, reach_a, reach_b});
+    return overlap <= fraction * std::min({margin, reach_a, reach_b});
   };
   for (int i = 0; i < 3; ++i)
   {

@@ -15,15 +15,22 @@ namespace cookbook
 /// points that stick would ask for more than one body can do, and strain it.
 inline constexpr double max_stick_turn = 0.05;
 
-/// The centripetal acceleration [m/s²] of a body's point at an arm [m], as the body turns. None of
-/// a body that turns so slowly that its arms stay as they were.
+/// Whether what a body turns with goes round in a step [s]: not where it turns so slowly that its
+/// arms stay as they were, nor where it turns too far.
+inline bool carries_round(const RigidBody& body, double step)
+{
+  const double speed = body.motion.angular_velocity.norm();
+  return speed > max_lagging_spin && step * speed <= max_stick_turn;
+}
+
+/// The centripetal acceleration [m/s²] of a body's point at an arm [m], where the body carries it
+/// round.
 inline Vector3<double>
 centripetal_acceleration(const RigidBody& body, const Vector3<double>& arm, double step)
 {
-  const Vector3<double>& spin = body.motion.angular_velocity;
-  const double speed = spin.norm();
-  const bool stays = speed > max_lagging_spin && step * speed <= max_stick_turn;
-  return stays ? cookbook::centripetal_acceleration(spin, arm) : Vector3<double>(0, 0, 0);
+  return carries_round(body, step)
+             ? cookbook::centripetal_acceleration(body.motion.angular_velocity, arm)
+             : Vector3<double>(0, 0, 0);
 }
 
 /// How fast [m/s²] the velocity with which B's surface slides over A's must grow, so that the point
@@ -38,7 +45,7 @@ inline Vector3<double> stick_drift(
     const RigidBody& a, const RigidBody& b, const Vector3<double>& normal, const Arms<double>& arms,
     double step)
 {
-  if (a.is_sphere || b.is_sphere)
+  if (a.is_sphere || b.is_sphere || !(carries_round(a, step) || carries_round(b, step)))
   {
     return Vector3<double>::Zero();
   }
