@@ -102,6 +102,17 @@ public:
     return otherwise && !find(name) ? *otherwise : checked(name, need(name), limits);
   }
 
+  /// Whether a name is true; `otherwise` where there is none.
+  bool flag(const std::string& name, bool otherwise) const
+  {
+    const JsonValue* const member = find(name);
+    if (member && member->kind != JsonValue::Kind::boolean)
+    {
+      wrong(name, *member, "true or false", described(*member));
+    }
+    return member ? member->number != 0 : otherwise;
+  }
+
   /// As many numbers as the vector has; `otherwise` where there are none.
   template <int Size>
   Vector<double, Size> vector(

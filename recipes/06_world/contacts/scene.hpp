@@ -9,12 +9,15 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace cookbook
 {
+
+class ConstraintSet;
 
 // [scene]
 /// What may change how a body moves.
@@ -60,6 +63,8 @@ struct Scene
   double duration = 10;                       ///< [s], of a program that runs it
   std::vector<SceneBody> bodies{};            ///< results have them in this order
   std::vector<std::pair<int, int>> ignored{}; ///< bodies that pass through each other
+  /// Joints and the like with which a world of it begins; their bodies are numbered as here.
+  std::vector<std::shared_ptr<const ConstraintSet>> constraints{};
 };
 
 /// Whether two bodies of a scene, the smaller number first, pass through each other.

@@ -84,6 +84,7 @@ public:
   /// std::out_of_range, and nothing changes, where one is of a body that is not there. The
   /// constraints of a body that is removed are dropped.
   std::size_t add(const ConstraintSet& set);
+  std::size_t constraint_sets() const; ///< how many sets there are
   /// A set by its place, to be read or changed; std::out_of_range where there is none.
   ConstraintSet& constraint_set(std::size_t place);
   /// The same of a kind; std::bad_cast where it is of another.

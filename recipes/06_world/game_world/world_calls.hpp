@@ -13,6 +13,8 @@
 #include <cstddef>
 #include <memory>
 #include <numeric>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,6 +28,24 @@ struct GameWorld::Inside
   WorldSolver solver;
   WorldState state{};
 };
+
+/// Adds a set of a scene, or throws InvalidScene.
+inline void add_checked(GameWorld& world, const std::shared_ptr<const ConstraintSet>& set)
+{
+  if (!set)
+  {
+    throw InvalidScene("scene: one of constraints is null");
+  }
+  try
+  {
+    world.add(*set);
+  }
+  catch (const std::out_of_range& wrong)
+  {
+    throw InvalidScene(
+        std::string("scene: ").append(set->name()).append(": ").append(wrong.what()));
+  }
+}
 
 COOKBOOK_WORLD_INLINE
 GameWorld::GameWorld(const Scene& scene, WorldSolver solver, bool may_sleep)
@@ -54,6 +74,11 @@ GameWorld::GameWorld(const Scene& scene, WorldSolver solver, WorldModules module
   while (state.bodies.size() < state.scene.bodies.size())
   {
     add_body(state, state.scene.bodies[state.bodies.size()]);
+  }
+  state.scene.constraints.clear(); // the world has copies, which go on
+  for (const std::shared_ptr<const ConstraintSet>& set : scene.constraints)
+  {
+    add_checked(*this, set);
   }
 }
 
@@ -146,6 +171,11 @@ COOKBOOK_WORLD_INLINE std::size_t GameWorld::add(const ConstraintSet& set)
   inside_->state = std::move(with);
   wake_joined(inside_->state, inside_->state.sets.size() - 1);
   return inside_->state.sets.size() - 1;
+}
+
+COOKBOOK_WORLD_INLINE std::size_t GameWorld::constraint_sets() const
+{
+  return inside_->state.sets.size();
 }
 
 COOKBOOK_WORLD_INLINE ConstraintSet& GameWorld::constraint_set(std::size_t place)

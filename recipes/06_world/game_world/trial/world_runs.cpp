@@ -3,6 +3,7 @@
 
 #include "06_world/game_world/trial/world_runs.hpp"
 #include "06_world/game_world/solvers.hpp"
+#include "06_world/game_world/trial/joint_opening.hpp"
 #include "06_world/game_world/trial/world_cost_measured.hpp"
 #include "06_world/game_world/trial/world_measures.hpp"
 #include "06_world/islands/island_points.hpp"
@@ -34,6 +35,7 @@ WorldRun run_world(
   WorldRun run;
   run.frames.push_back(frame_of(world));
   run.energy_start = run.energy_most = energy(world.bodies(), gravity);
+  run.joined = world.constraint_sets() > 0;
   const std::size_t steps = steps_of(scene, settings.duration);
   const double bodies = movable_bodies(scene);
   for (std::size_t i = 1; i <= steps; ++i)
@@ -47,6 +49,9 @@ WorldRun run_world(
     run.longest_step = std::max(run.longest_step, seconds / bodies);
     run.deepest = std::max(run.deepest, deepest_overlap(world));
     run.energy_most = std::max(run.energy_most, energy(world.bodies(), gravity));
+    const JointOpening open = joint_opening(world);
+    run.joints_open = std::max(run.joints_open, open.length);
+    run.joints_turned = std::max(run.joints_turned, open.angle);
     if (settings.keeps_frames || i == steps)
     {
       run.frames.push_back(frame_of(world));

@@ -36,6 +36,9 @@ struct WorldRun
   std::vector<Frame> frames; ///< the first, and one a step or only the last
   double overlap = 0;        ///< [m], the deepest at the end
   double deepest = 0;        ///< [m], the deepest at any time
+  bool joined = false;       ///< whether there are joints
+  double joints_open = 0;    ///< [m], the farthest that a joint is open at any time
+  double joints_turned = 0;  ///< [rad], the same about an axis
   double drift = 0;          ///< [m], the farthest that a body is across gravity at the end
   double sink = 0;           ///< [m], the farthest that a body is up or down at the end
   double energy_start = 0;   ///< [J]

@@ -24,6 +24,11 @@ inline std::string measures(const WorldRun& run, const RunSettings& settings)
   Table table({"measure", settings.solver});
   table.row({"deepest overlap at the end [mm]", to_a_millionth(run.overlap * 1e3)});
   table.row({"deepest overlap ever [mm]", to_a_millionth(run.deepest * 1e3)});
+  if (run.joined)
+  {
+    table.row({"joints open at most [mm]", to_a_millionth(run.joints_open * 1e3)});
+    table.row({"joints turned at most [rad]", to_a_millionth(run.joints_turned)});
+  }
   table.row({"farthest across gravity [mm]", to_a_millionth(run.drift * 1e3)});
   table.row({"farthest up or down [mm]", to_a_millionth(run.sink * 1e3)});
   table.row({"energy at the start [J]", to_a_millionth(run.energy_start)});

@@ -7,6 +7,7 @@
 #include "tools/files/csv.hpp"
 
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 
 namespace cookbook
@@ -81,9 +82,14 @@ inline std::string body_json(const SceneBody& body)
   return text + "}";
 }
 
-/// The scene as JSON, a line for each body; it reads back as the same scene.
+/// The scene as JSON, a line for each body; it reads back as the same scene. std::invalid_argument
+/// where it has joints, which it cannot write.
 inline std::string scene_json(const Scene& scene)
 {
+  if (!scene.constraints.empty())
+  {
+    throw std::invalid_argument("a scene with joints cannot be written as JSON");
+  }
   std::string text = "{\n  \"gravity\": " + json_list(scene.gravity) +
                      ",\n  \"step\": " + round_trip(scene.step) +
                      ",\n  \"duration\": " + round_trip(scene.duration) + ",\n  \"bodies\": [\n";

@@ -2,6 +2,7 @@
 /// \brief Makes scenes of JSON values, and checks each value where it is read.
 
 #include "06_world/scenes/trial/scene_text.hpp"
+#include "06_world/scenes/trial/scene_joints.hpp"
 #include "tools/files/json_object_file.hpp"
 
 #include <algorithm>
@@ -23,8 +24,8 @@ constexpr double most_steps = 1e7; // of a whole scene
 
 const Vector3<double> zero(0, 0, 0);
 
-const std::vector<std::string> scene_members{"gravity",  "step",        "duration",
-                                             "friction", "restitution", "bodies"};
+const std::vector<std::string> scene_members{"gravity",     "step",   "duration", "friction",
+                                             "restitution", "bodies", "joints"};
 
 /// The members that a body of a shape can have; of any shape where that is not known yet.
 std::vector<std::string> body_members(const std::string& shape = "")
@@ -200,6 +201,10 @@ Scene scene_in(const std::string& text, const std::string& file)
   defaults.friction = object.number("friction", frictions, defaults.friction);
   defaults.restitution = object.number("restitution", restitutions, defaults.restitution);
   scene.bodies = read_bodies(object, file, defaults);
+  if (const JsonValue* const joints = object.find("joints"))
+  {
+    read_joints(*joints, file, scene);
+  }
   return scene;
 }
 

@@ -19,6 +19,7 @@ namespace cookbook
 /// and `offset` [m]; boxes and spheres with `mass` [kg], 0: fixed, and as needed `position`,
 /// `orientation` (w, x, y, z), `velocity`, `angular_velocity`, `friction`, `restitution`. Lengths
 /// of quaternions and normals within a thousandth of one are taken as rounded and set to one.
+/// `joints`, where there are some, are read by read_joints().
 ///
 /// Throws SceneError for anything else, with the line and the reason.
 Scene scene_in(const std::string& text, const std::string& file);
