@@ -115,8 +115,8 @@ taken() { # taken NAME [OPTION]: compiles alone for the web, or for this machine
   compile "$id" "the taken header, alone," "$@" -include "$work/$name.hpp" /dev/null || true
 }
 
-# A compiler that knows the web compiles each header alone, for it, and all of them together for this
-# machine; another one, g++, compares bits. Either takes a minute.
+# A compiler that knows the web compiles each header alone, for it, plainly, and all of them together for
+# this machine; another one, g++, compares bits. Either takes a minute or two.
 web="-fno-exceptions -fno-rtti" wasm=wasm32-wasi
 if echo '#include <vector>' | "$compiler" --target="$wasm" -fsyntax-only -x c++ - 2>/dev/null; then
   web="$web --target=$wasm"
@@ -181,7 +181,7 @@ complaints=$(
     ! eigen_first || alone | two_at_a_time
   elif first; then
     # shellcheck disable=SC2086 # the names are words
-    { all_calls "calls house" "calls taken"; plainly; printf 'taken %s\n' $only_declare; echo compiled_once; } |
+    { all_calls "calls house" "calls taken"; printf 'taken %s\n' $only_declare; echo compiled_once; } |
       two_at_a_time
     all_calls same_bits | one_by_one
   fi
