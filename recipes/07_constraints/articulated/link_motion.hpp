@@ -21,7 +21,7 @@ struct MovingLink
   Vector3<double> center{0, 0, 0};                ///< [m], of mass
   Vector3<double> arm{0, 0, 0};                   ///< [m], from the parent's centre
   SpatialVector velocity = SpatialVector::Zero(); ///< v
-  SpatialVector bias = SpatialVector::Zero();     ///< c, acceleration by velocity alone
+  SpatialVector bias = SpatialVector::Zero();     ///< a₀, acceleration by velocity alone
   SpatialMatrix inertia = SpatialMatrix::Zero();  ///< of the link, then articulated
   SpatialVector force = SpatialVector::Zero(); ///< f₀, what it takes to move without acceleration
   SpatialVector acceleration = SpatialVector::Zero(); ///< a

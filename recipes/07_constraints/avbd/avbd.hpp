@@ -18,7 +18,7 @@ namespace cookbook
 {
 
 // [avbd]
-/// One step of an island, for run_substeps(). Kinematic bodies go along.
+/// One step of an island, for run_substeps(). Kinematic bodies move along.
 class AvbdStep
 {
 public:
@@ -36,7 +36,7 @@ public:
     return 1;
   }
 
-  /// Remembers from where the bodies go, and how far each row is off there.
+  /// Stores where the bodies are, and how far each row is off there.
   void solve(double step)
   {
     for (const int i : island_.bodies)
@@ -62,7 +62,7 @@ public:
     }
   }
 
-  /// The bodies have gone as if alone: from there each in turn goes to rest, pass by pass.
+  /// The bodies have moved as if alone; from there each in turn moves to where its forces balance.
   void correct(double step)
   {
     driven_->move(step);
@@ -79,7 +79,7 @@ public:
       }
       for (AvbdItem& item : items_)
       {
-        look(item, step, settings_);
+        evaluate(item, step, settings_);
         for (AvbdRow& row : item.rows)
         {
           update(row, settings_);
@@ -88,7 +88,7 @@ public:
     }
   }
 
-  /// Velocities are what has led the bodies there.
+  /// Velocities are those that have moved the bodies there.
   void relax(double step)
   {
     for (std::size_t k = 0; k < before_.size(); ++k)
@@ -109,10 +109,10 @@ private:
       double step)
   {
     AvbdItem item{&world_.bodies[index_of(a)], &world_.bodies[index_of(b)], set, number, point};
-    look(item, step, settings_);
+    evaluate(item, step, settings_);
     if (set != nullptr)
     {
-      look_at_curves(item, step);
+      evaluate_bending(item, step);
     }
     for (std::size_t i = 0; i < item.rows.size(); ++i)
     {
@@ -141,7 +141,7 @@ private:
     for (const std::size_t i : items)
     {
       AvbdItem& item = items_[i];
-      look(item, step, settings_);
+      evaluate(item, step, settings_);
       for (const AvbdRow& row : item.rows)
       {
         &body == item.a ? add_row(block, row, row.a, row.curve_a)

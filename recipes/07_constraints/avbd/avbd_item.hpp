@@ -42,9 +42,10 @@ inline double moved_along(const AvbdItem& item, const Vector6& a, const Vector6&
   return a.dot(moved(item.start_a, *item.a)) + b.dot(moved(item.start_b, *item.b));
 }
 
-/// Brings a row up to date with a joint's, in a step [s]. A spring has a stiffness of its own, with
-/// which it ends the step at the speed that it asks for; a motor counts from where it would be.
-inline void look(
+/// Evaluates a row of a joint where the bodies are, in a step [s]. A spring has a stiffness of its
+/// own, with which it ends the step at the speed that it asks for; the error of a motor is how far
+/// the bodies are from where its speed would have brought them.
+inline void evaluate(
     AvbdRow& row, const ConstraintRow& of, const AvbdItem& item, double start, double step,
     const AvbdSettings& settings)
 {
@@ -55,7 +56,7 @@ inline void look(
   if (is_spring(of))
   {
     const double give = inverse_mass_of(*item.a, of.a) + inverse_mass_of(*item.b, of.b);
-    const double keeps = std::max(of.keeps, 1e-9); // a spring of no give is a rigid joint
+    const double keeps = std::max(of.keeps, 1e-9); // of a spring that does not give: rigid
     row.is_spring = true;
     row.memory.stiffness = give > 0 ? (1 / keeps - 1) / (give * step * step) : 0;
     row.memory.push = give > 0 ? -of.pulls / (keeps * give * step) * start : 0;
@@ -74,7 +75,7 @@ inline void look(
 }
 
 /// The same of all rows of a joint.
-inline void look_at_joint(AvbdItem& item, double step, const AvbdSettings& settings)
+inline void evaluate_joint(AvbdItem& item, double step, const AvbdSettings& settings)
 {
   const bool first = item.rows.empty();
   std::size_t i = 0;
@@ -87,14 +88,14 @@ inline void look_at_joint(AvbdItem& item, double step, const AvbdSettings& setti
           item.rows.emplace_back().memory.stiffness = settings.least;
           item.start_error.push_back(of.error);
         }
-        look(item.rows[i], of, item, item.start_error[i], step, settings);
+        evaluate(item.rows[i], of, item, item.start_error[i], step, settings);
         ++i;
       });
 }
 
 /// By how much the rows of a joint bend as one of its bodies turns about an axis of the world: by
 /// its turning, were it to spin at 1 rad/s.
-inline void look_at_curves(AvbdItem& item, double step)
+inline void evaluate_bending(AvbdItem& item, double step)
 {
   for (int axis = 0; axis < 6; ++axis)
   {
@@ -112,9 +113,9 @@ inline void look_at_curves(AvbdItem& item, double step)
   }
 }
 
-/// Brings the three rows of a contact point up to date: apart it does not push, and across it
-/// pushes by no more than friction allows.
-inline void look_at_point(AvbdItem& item, const AvbdSettings& settings)
+/// Evaluates the three rows of a contact point where the bodies are: it pushes only where they
+/// touch, and across the normal by no more than friction allows.
+inline void evaluate_point(AvbdItem& item, const AvbdSettings& settings)
 {
   const IslandPoint& point = *item.point;
   if (item.rows.empty())
@@ -143,12 +144,13 @@ inline void look_at_point(AvbdItem& item, const AvbdSettings& settings)
   }
 }
 
-/// Brings the rows of an item up to date with its bodies.
-inline void look(AvbdItem& item, double step, const AvbdSettings& settings)
+/// Evaluates the rows of an item where its bodies are.
+inline void evaluate(AvbdItem& item, double step, const AvbdSettings& settings)
 {
-  item.set != nullptr ? look_at_joint(item, step, settings) : look_at_point(item, settings);
+  item.set != nullptr ? evaluate_joint(item, step, settings) : evaluate_point(item, settings);
 }
-/// Writes down what the rows of an item have pushed in a step [s].
+
+/// Stores the impulses of an item's rows in a step [s], and their memories.
 inline void keep(const AvbdItem& item, const AvbdKey& key, double step, AvbdMemories& memories)
 {
   std::vector<double> impulses;

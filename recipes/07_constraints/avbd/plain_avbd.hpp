@@ -61,11 +61,12 @@ inline void settle_particle(
 // [settle_particle]
 
 // [step_plain_avbd]
-/// Moves particles on by a step [s]: each in turn goes to where its forces balance, pass by pass,
-/// and after each pass the constraints grow stiffer.
+/// Moves particles on by a step: each in turn goes to where its forces balance, pass by pass, and
+/// after each pass the constraints grow stiffer.
 ///
-/// `memories` has one entry for each constraint; what is missing is added. Compliance is not read:
-/// lengths are exact in the end. Throws std::invalid_argument as step_xpbd() does. Source: Giles,
+/// `settings.iterations` are the passes; those of `descent` are not read. `memories` has one entry
+/// for each constraint; what is missing is added. Compliance is not read: lengths are exact in the
+/// end. Throws std::invalid_argument as step_xpbd() does. Source: Giles,
 /// Diaz and Yuksel 2025.
 inline void step_plain_avbd(
     Particles& particles, std::span<const DistanceConstraint> constraints,

@@ -13,8 +13,8 @@ int main()
   for (int frame = 0; frame < 30; ++frame)
     step_mass_spring(rope.particles, rope.links, {.substeps = 4});
   std::printf("4 substeps: end at %.2f m\n", rope.particles.positions[20].y());
-  for (int frame = 0; frame < 6; ++frame)
+  for (int frame = 0; frame < 16; ++frame)
     step_mass_spring(rope.particles, rope.links, {.substeps = 3});
-  std::printf("3 substeps: end at %.3g m\n", rope.particles.positions[20].y());
+  std::printf("3 substeps: end at %.0f m\n", rope.particles.positions[20].y());
 }
 // [example]
