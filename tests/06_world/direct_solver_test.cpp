@@ -1061,8 +1061,9 @@ TEST_CASE(
     }
     system.contacts.push_back({0, 1, &contact, 0, system.points.size(), {10, 10}, 1, {}});
     find_residual(system);
-    moved +=
-        moved_bounds(system, 1, 0, {.friction_tolerance = 1e-9, .bounds_move = i % 2 == 0}) ? 1 : 0;
+    moved += update_bounds(system, 1, 0, {.friction_tolerance = 1e-9, .bounds_move = i % 2 == 0})
+                 ? 1
+                 : 0;
     const std::vector<Vector6> residual = system.residual;
     find_residual(system);
     for (std::size_t body = 0; body < 2; ++body)

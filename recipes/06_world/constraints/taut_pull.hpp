@@ -31,8 +31,8 @@ struct TautPull
   }
 };
 
-/// By how much [kg m²] a pull stiffens its body in a step [s], h² K: K = T L (1 − u uᵀ), R63. It is
-/// at most that, as for a pull along the arm; none where nothing pulls.
+/// By how much [kg m²] a pull stiffens its body in a step [s], h² K: K = T L (1 − u uᵀ), R64. L is
+/// the whole arm, as for a pull along it; zero where nothing pulls.
 inline Matrix3<double> taut_stiffness(const TautPull& pull, double step)
 {
   const double size = pull.impulse.norm(); // h T

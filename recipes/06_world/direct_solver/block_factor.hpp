@@ -12,7 +12,7 @@
 namespace cookbook
 {
 
-/// What one body's six feel of another's.
+/// A block of the matrix: how the impulses on one body change with the velocities of another.
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// The inverse of the lower triangular factor of a block; false if it has none.

@@ -15,7 +15,7 @@ namespace cookbook
 {
 
 // [direct_answer]
-/// How a body leaves a step by an answer.
+/// The velocities of a body after a step, by an answer.
 struct DirectVelocity
 {
   Vector3<double> velocity;         ///< [m/s], world
@@ -49,8 +49,8 @@ inline void mark_pushed(
   }
 }
 
-/// Writes the velocities of an answer down. The residual is applied to the bodies, which keeps
-/// momentum to rounding.
+/// Writes down the velocities of an answer. What is left of the residual is applied to the bodies,
+/// which keeps momentum to rounding.
 inline void write_answer(
     const DirectSystem& system, const std::vector<Vector6>& residual, IslandView world,
     const Island& island, std::vector<DirectVelocity>& answer)

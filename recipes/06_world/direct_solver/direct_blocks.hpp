@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief What the velocities of two bodies change in the impulses of both, through a contact.
+/// \brief How the impulses on two bodies change with the velocities of both, through a contact.
 
 #include "05_resolution/spinning_bodies/cross_matrix.hpp"
 #include "06_world/direct_solver/block_cholesky.hpp"
@@ -13,7 +13,8 @@ namespace cookbook
 {
 
 // [direct_blocks]
-/// What the velocities of two bodies change in the impulses and turns of both, through a contact.
+/// How the impulses and angular impulses on two bodies change with the velocities of both, through
+/// a contact.
 struct DirectBlocks
 {
   Matrix6 aa = Matrix6::Zero(); ///< of A in A; only its lower half is right

@@ -22,19 +22,19 @@ struct DirectSettings
   double correction = 0.2;          ///< [1], fraction of an overlap that a step takes away
   double row_correction = 1;        ///< [1], the same of the error of a joint
   double correction_speed = 0.5;    ///< [m/s], no overlap is taken away faster
-  double tolerance = 1e-9;          ///< [1], of the largest impulse: what may be missing
+  double tolerance = 1e-9;          ///< [1], of the largest impulse: what may be left of a residual
   double friction_tolerance = 1e-6; ///< [1], of the same: how far friction may be off its cone
   double friction_speed = 1e-4;     ///< [m/s], and no farther than changes two bodies by this
   int iterations = 8;               ///< of Newton's method, after which it gives up
   std::size_t products = 100'000;   ///< of blocks, above which factoring takes too long
-  double softening = 0;             ///< [1], 0: contacts are stiff; 1: soft, as GiveSettings says
-  double residual = 0;              ///< [N s], may be missing, however small impulses are
+  double softening = 0; ///< [1], 0: contacts are stiff; 1: soft, as SofteningSettings says
+  double residual = 0;  ///< [N s], may be left, however small impulses are
   double squared_swing = most_squared_swing; ///< [1], above which joints swing bodies implicitly
-  bool bounds_move = true; ///< whether bounds of friction follow the pushes found here, stays()
+  bool bounds_move = true; ///< whether bounds of friction follow the impulses found, bound_stays()
   bool opening_friction = true; ///< whether there is friction where an overlap opens
 };
 
-/// An overlap that opens no faster than this [m/s] does no harm, and is treated as none.
+/// An overlap that opens no faster than this [m/s] is treated as none.
 inline constexpr double slow_opening = 1e-3;
 // [direct_settings]
 
@@ -54,7 +54,7 @@ struct DirectStiffness
   double friction; ///< across it
 };
 
-/// In which way a point pushes.
+/// Whether a point is active, and what its friction does: its part of the active set.
 struct ContactState
 {
   bool active;                  ///< whether the surfaces push
@@ -74,19 +74,18 @@ struct DirectPoint : ContactState
 {
   Arms<double> arms;  ///< [m], world, from the centres of mass
   double coefficient; ///< [1], of friction
-  double bias;        ///< [m/s], the speed at which the gap may close, or is to open
-  double bound;       ///< [N s], the most that friction can do; infinite: not known yet
-  bool bound_is_new;  ///< whether the frame before has left none
-  bool solved;        ///< whether the frame before knew it
-  Vector3<double> stored_friction;    ///< [N s], friction that there is without any slip
+  double bias;  ///< [m/s], speed at which the gap may close; below zero, at which an overlap opens
+  double bound; ///< [N s], the most that friction can do; infinite: not known yet
+  bool bound_is_new;                  ///< whether the frame before has set none
+  bool solved;                        ///< whether the frame before knew it
+  Vector3<double> stored_friction;    ///< [N s], at no slip
   double impulse;                     ///< [N s], along the normal
   Vector3<double> friction;           ///< [N s], across it
   Vector3<double> unbounded_friction; ///< [N s], friction that would hold the surfaces
 };
 
-/// Sets what pushes at a point whose surfaces move past each other at a velocity [m/s].
-///
-/// Both the push and friction are springs.
+/// Sets impulse, friction and state of a point at a relative velocity [m/s] of its surfaces, each
+/// as the impulse of a stiff spring.
 inline void update_point(
     DirectPoint& point, const Vector3<double>& normal, const Vector3<double>& velocity,
     const DirectStiffness& stiffness)
@@ -111,22 +110,22 @@ inline void update_point(
   }
 }
 
-/// A bound of friction so many times what the push at a point bears, and above it by more than this
-/// fraction of the largest impulse, was set too early, by impulses that were still far from an
-/// answer.
+/// A bound of friction this many times the one that the impulse found now would set, and above it
+/// by more than this fraction of the largest impulse, was set too early, by impulses that were
+/// still far from an answer.
 inline constexpr double early_bound = 2, early_fraction = 0.1;
 
-/// Whether the bound of friction stays where bounds do not move: what the frame before has left
-/// does. Where it has left none, one is set, and again only if it was set too early: by what the
-/// push there bears [N s] now, and by the largest impulse [N s].
-inline bool bound_stays(const DirectPoint& point, double bears, double largest)
+/// Whether the bound of friction stays where bounds do not move: one of the frame before does. A
+/// new one is set once, and again only if it was set too early: `now` [N s] is the bound by the
+/// impulse found now, `largest` [N s] the largest impulse.
+inline bool bound_stays(const DirectPoint& point, double now, double largest)
 {
   const bool early =
-      point.bound > early_bound * bears && point.bound - bears > early_fraction * largest;
+      point.bound > early_bound * now && point.bound - now > early_fraction * largest;
   return !point.bound_is_new || (point.bound < std::numeric_limits<double>::infinity() && !early);
 }
 
-/// How much impulse [N s] a velocity [m/s] at a point changes: its stiffness [kg].
+/// The stiffness [kg] of a point: how its impulse [N s] changes with its velocity [m/s].
 inline Matrix3<double> stiffness_at(
     const DirectPoint& point, const Vector3<double>& normal, const DirectStiffness& stiffness)
 {

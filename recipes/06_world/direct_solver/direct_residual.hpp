@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief What is missing in an island at given velocities, and how little is little enough.
+/// \brief The residual of an island at given velocities, and how small is small enough.
 
 #include "06_world/direct_solver/direct_system.hpp"
 
@@ -14,7 +14,7 @@ namespace cookbook
 {
 
 // [contact_states]
-/// Presses the points of a contact at the velocities as they are.
+/// Updates the points of a contact at the present velocities.
 inline void update_point(DirectSystem& system, const DirectContact& contact)
 {
   const Motion<double> a = motion_of(system, contact, contact.a);
@@ -27,7 +27,7 @@ inline void update_point(DirectSystem& system, const DirectContact& contact)
   }
 }
 
-/// Adds what the points of a contact give its two bodies, so many times, to what these are missing.
+/// Adds the impulses of a contact, so many times, to the residuals of its two bodies.
 inline void add_impulses(DirectSystem& system, const DirectContact& contact, double times)
 {
   const Vector3<double> normal = contact.of->normal;
@@ -53,8 +53,8 @@ inline void add_impulses(DirectSystem& system, const DirectContact& contact, dou
 // [contact_states]
 
 // [direct_residual]
-/// Presses all points at the velocities as they are, and finds the impulses that are missing, body
-/// by body: those of the contacts less the change of momentum.
+/// Updates all points and rows at the present velocities, and finds the residual of each body: the
+/// impulses on it less its change of momentum.
 inline void find_residual(DirectSystem& system)
 {
   system.residual.resize(system.bodies.size());
@@ -96,8 +96,8 @@ inline double largest_impulse(const DirectSystem& system)
   return most;
 }
 
-/// How far [N s] friction at a contact may be off its cone: by the largest impulse [N s], but by no
-/// more than slightly changes the two bodies, unless so much may be missing [N s].
+/// How far [N s] friction at a contact may be off its cone: a fraction of the largest impulse
+/// [N s], but no more than hardly moves the two bodies, or as much as the residual may be [N s].
 inline double friction_tolerance_at(
     const DirectContact& contact, double largest, double residual, const DirectSettings& settings)
 {
@@ -105,21 +105,21 @@ inline double friction_tolerance_at(
   return std::max(residual, std::min(settings.friction_tolerance * largest, slight));
 }
 
-/// A square [m²] of the radius of gyration about all axes together: by it turns count as ways.
+/// The squared radius of gyration [m²] about all three axes together: it makes rotations lengths.
 inline double squared_radius(const DirectBody& body)
 {
   return body.inertia.trace() / body.mass;
 }
 
-/// No load is so many times what the bodies of an island bring into a step, each by its motion and
-/// by what pulls it, and what kinematic bodies bring. More is the strain of bodies that are jammed
-/// between others which give no way.
+/// An impulse this many times the momentum that bodies bring into a step, kinematic ones and
+/// external accelerations counted, is no load: bodies are jammed between others that do not give
+/// way, and the island is over-constrained.
 inline constexpr double over_constraint_ratio = 4;
-/// A machine, so many times as heavy as the lightest, brings only what pulls it: a game may renew
-/// its motion in every step.
+/// Of a body so many times as heavy as the lightest, a machine, only external accelerations count:
+/// a game may renew its velocity in every step.
 inline constexpr double machine_ratio = 100;
 
-/// Whether the largest impulse [N s] of an island, or its friction, is such a strain.
+/// Whether an island is over-constrained, by its largest impulse [N s] and its friction.
 inline bool is_over_constrained(const DirectSystem& system, double largest)
 {
   for (const DirectPoint& point : system.points)
@@ -151,7 +151,7 @@ inline bool is_over_constrained(const DirectSystem& system, double largest)
   return largest > over_constraint_ratio * brought;
 }
 
-/// How fast [m/s] overlaps open, at that point among those that push where it is fastest.
+/// The largest speed [m/s] at which an overlap opens at an active point.
 inline double fastest_opening(const DirectSystem& system)
 {
   double fastest = 0;
@@ -167,14 +167,14 @@ inline double fastest_opening(const DirectSystem& system)
   return fastest;
 }
 
-/// Whether any overlap is to open faster than slowly.
+/// Whether any overlap is to open faster than slow_opening.
 inline bool any_opens(const DirectSystem& system)
 {
   const auto opens = [](const DirectPoint& point) { return -point.bias > slow_opening; };
   return std::any_of(system.points.begin(), system.points.end(), opens);
 }
 
-/// How much is missing [N s], as a root of a sum of squares; turns count by the radius of gyration.
+/// The norm of the residual [N s]; rotations count by the radius of gyration.
 inline double residual_norm(const DirectSystem& system)
 {
   double sum = 0;
@@ -186,7 +186,7 @@ inline double residual_norm(const DirectSystem& system)
   return std::sqrt(sum);
 }
 
-/// What rounding of the velocities alone leaves missing [N s], at the stiffest contact.
+/// The residual [N s] that rounding of the velocities alone leaves, at the stiffest contact.
 inline double rounding_of(const DirectSystem& system)
 {
   double fastest = 0, stiffest = 0;

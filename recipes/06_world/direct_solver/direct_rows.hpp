@@ -15,7 +15,7 @@ namespace cookbook
 {
 
 // [direct_rows]
-/// A row of a constraint beside contacts; its bodies as those of a contact. It pushes by
+/// A row of a joint; its bodies are numbered as those of a contact. Its impulse is
 /// −(stiffness · speed + offset), within its bounds.
 struct DirectRow
 {
@@ -23,18 +23,18 @@ struct DirectRow
   Vector6 on_a, on_b;       ///< J
   const ConstraintPair* of; ///< where it comes from
   double stiffness = 0;     ///< [kg], an impulse for a speed
-  double offset = 0;        ///< [N s], what it takes to close its error, and of what is driven
+  double offset = 0;        ///< [N s], to close its error, and for bodies not of the island
   double lower = 0;         ///< [N s], bounds
   double upper = 0;
   double impulse = 0;     ///< [N s]
-  bool bends = false;     ///< whether its error changes otherwise than J says, as it turns
+  bool bends = false;     ///< whether its error bends off what J says as bodies turn
   double error = 0;       ///< [m, rad], before the step
   int at = 0;             ///< −1 or 1: at its lower or upper bound; 0: within them
   bool unbounded = false; ///< whether its bounds are left out in the next change
 };
 
-/// The impulse [N s] that a row takes for each m/s and rad/s, of bodies that give way by
-/// `inverse_mass` to it: a spring as stiff as its step asks, and the rest as stiff as can be.
+/// The stiffness [kg] of a row, an impulse for a speed, of bodies that give way to it by
+/// `inverse_mass`: of a spring what its step asks for, of other rows the stiffest there is.
 inline double
 stiffness_of(const ConstraintRow& row, double inverse_mass, const DirectSettings& settings)
 {
@@ -42,7 +42,7 @@ stiffness_of(const ConstraintRow& row, double inverse_mass, const DirectSettings
   return is_spring(row) ? std::min((1 / row.keeps - 1) / inverse_mass, stiffest) : stiffest;
 }
 
-/// The impulse [N s] that a row takes at no speed in a step [s].
+/// The impulse [N s] of a row at no speed, but for its sign, in a step [s].
 inline double offset_of(
     const ConstraintRow& row, double inverse_mass, double stiffness, double step,
     const DirectSettings& settings)
@@ -95,7 +95,7 @@ inline void guess_motors(std::vector<DirectRow>& rows)
   }
 }
 
-/// Gives rows their bounds back; whether any was without.
+/// Gives rows their bounds back; whether any was without them.
 inline bool bound_all(std::vector<DirectRow>& rows)
 {
   bool any = false;
@@ -116,8 +116,8 @@ inline RigidBody moved_by(RigidBody body, const Vector6& velocities, double step
   return body;
 }
 
-/// Asks all rows how far they are off where an answer leads in a step [s], and has them take away
-/// what J does not know of: what turns leaves its tangent.
+/// Asks all rows how far they will be off where an answer leads in a step [s], and adds to their
+/// offsets what J did not predict: an anchor that goes round leaves its tangent.
 inline void bend_rows(
     std::vector<DirectRow>& rows, IslandView world, const std::vector<Vector6>& velocities,
     double step)
@@ -139,14 +139,14 @@ inline void bend_rows(
         [&](const ConstraintRow& after)
         {
           DirectRow& row = rows[i++];
-          const double straight = row.error + step * (row.on_a.dot(of_a) + row.on_b.dot(of_b));
-          row.offset += row.bends ? row.stiffness / step * (after.error - straight) : 0;
+          const double predicted = row.error + step * (row.on_a.dot(of_a) + row.on_b.dot(of_b));
+          row.offset += row.bends ? row.stiffness / step * (after.error - predicted) : 0;
         });
     first = i;
   }
 }
 
-/// Adds what rows resist to a matrix: Jᵀ k J.
+/// Adds the stiffness of rows to a matrix: Jᵀ k J.
 inline void add_rows(const std::vector<DirectRow>& rows, BlockCholesky& matrix)
 {
   for (const DirectRow& row : rows)
@@ -170,7 +170,7 @@ inline void add_rows(const std::vector<DirectRow>& rows, BlockCholesky& matrix)
   }
 }
 
-/// Has a row pull at the velocities as they are, and adds what it gives its bodies.
+/// Sets the impulse of a row at the present velocities, and adds it to its bodies' residuals.
 inline void
 update_row(DirectRow& row, const std::vector<Vector6>& velocities, std::vector<Vector6>& residual)
 {

@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief Contacts that give way for a while, so that an island finds back to exact answers.
+/// \brief Contacts that give way for a while, so that an island returns to exact answers.
 
 #include "06_world/contacts/world_contact.hpp"
 #include "06_world/direct_solver/direct_points.hpp"
@@ -20,9 +20,10 @@ struct SofteningSettings
   double normal_speed = 0.01; ///< [m/s], at which a contact gives way to what pushed there last
   double tangent_speed = 0.3; ///< [m/s], the same of friction
   double kept = 0.9;          ///< [1], fraction of the friction that stays from frame to frame
-  double tolerance = 1e-8;    ///< [1], of the largest impulse: what may be missing meanwhile
-  double decay = 0.95;        ///< [1], how soft contacts are after a frame, of what they were
-  double smallest = 1e-7;     ///< [1], from here on contacts are stiff
+  double tolerance =
+      1e-8;               ///< [1], of the largest impulse: what may be left of a residual meanwhile
+  double decay = 0.95;    ///< [1], how soft contacts are after a frame, of what they were
+  double smallest = 1e-7; ///< [1], from here on contacts are stiff
 };
 
 /// How stiff the points of a contact are that has these inverse masses [1/kg] together.
@@ -60,7 +61,7 @@ kept_friction(const WorldContact& contact, const WorldPoint& point, double push,
 }
 
 /// How the direct solver is run where contacts are so soft; where they are, friction keeps to the
-/// bounds that the frame before has left; at new points, to one of its own, stays().
+/// bounds that the frame before has left; at new points, to one of its own, bound_stays().
 inline DirectSettings settings_at(double softening)
 {
   DirectSettings settings{.softening = softening};

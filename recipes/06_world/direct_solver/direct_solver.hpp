@@ -20,9 +20,9 @@ namespace cookbook
 {
 
 // [direct_bounds]
-/// Takes all new points for pressed whose gaps a speed [m/s] could close in a step: so a tower
-/// stands from the first iteration on, not box upon box. Whether there are any: then the
-/// first change, which takes what is missing without them, leads past the answer.
+/// Guesses that every new point is active whose gap a speed [m/s] could close in the step, so that
+/// a tower stands from the first iteration on and not box by box. Whether there are any: then the
+/// residual was found without them, and the first change leads past the answer.
 inline bool guess_active_set(DirectSystem& system, double speed)
 {
   bool any = false;
@@ -38,16 +38,17 @@ inline bool guess_active_set(DirectSystem& system, double speed)
   return any;
 }
 
-/// Has friction follow the impulses along the normals, of which this is the largest [N s], and so
-/// much may be missing [N s]; false where no friction was off by more than the settings allow.
+/// Sets the bounds of friction by the normal impulses that were found. `largest` [N s] is the
+/// largest impulse, `residual` [N s] what may be left of a residual. Whether any friction was off
+/// its bound by more than the settings allow.
 inline bool
-moved_bounds(DirectSystem& system, double largest, double residual, const DirectSettings& settings)
+update_bounds(DirectSystem& system, double largest, double residual, const DirectSettings& settings)
 {
   bool off = false;
   for (const DirectContact& contact : system.contacts)
   {
     const double tolerance = friction_tolerance_at(contact, largest, residual, settings);
-    bool any = false;
+    bool changes = false;
     for (std::size_t i = contact.first; i < contact.end; ++i)
     {
       DirectPoint& point = system.points[i];
@@ -59,12 +60,12 @@ moved_bounds(DirectSystem& system, double largest, double residual, const Direct
       const double above = point.friction.norm() - bound;
       const auto off_by_more_than = [&](double most)
       { return above > most || (point.friction_state != FrictionState::stick && -above > most); };
-      any = any || off_by_more_than(0) ||
-            (point.friction_state != FrictionState::none) != (bound > 0);
+      changes = changes || off_by_more_than(0) ||
+                (point.friction_state != FrictionState::none) != (bound > 0);
       off = off || off_by_more_than(tolerance);
       point.bound = bound;
     }
-    if (any)
+    if (changes)
     {
       add_impulses(system, contact, -1);
       update_point(system, contact);
@@ -97,9 +98,10 @@ public:
     const bool was_guessed = guess_active_set(system_, 2 * step * world.gravity.norm());
     const bool stiff = settings.softening == 0;
     bool fresh = false; // whether the matrix was factored in this step
-    bool bent = false;  // whether joints know where they turn to
+    bool bent = false;  // whether joints know how far they will be off, bend_rows()
     for (int i = 0; i < settings.iterations; ++i)
     {
+      // Factors the matrix, unless the factor at hand is of the same active set.
       const bool at_hand = (i > 0 ? fresh : stiff && system_.rows.empty()) &&
                            factored_.are_those_of(system_.points, system_.rows);
       if (!at_hand && !factor())
@@ -107,17 +109,22 @@ public:
         return false;
       }
       fresh = fresh || !at_hand;
+      // Takes a step of Newton's method.
       change_ = system_.residual;
       matrix_.solve(change_);
-      const LineSearch searched = line_search(system_, change_);
-      const bool guessed = !searched.stuck && bound_rows(system_);
-      const double most = largest_impulse(system_);
-      small_ = std::max({settings.tolerance * most, rounding_of(system_), settings.residual});
-      const bool exact = searched.exact && fresh && !guessed && (i > 0 || !was_guessed);
-      const bool found = exact || residual_norm(system_) <= small_;
+      const LineSearch search = line_search(system_, change_);
+      const bool was_unbounded = !search.stuck && bound_rows(system_);
+      // Asks whether that is an answer.
+      const double largest = largest_impulse(system_);
+      tolerance_ =
+          std::max({settings.tolerance * largest, rounding_of(system_), settings.residual});
+      const bool exact = search.exact && fresh && !was_unbounded && (i > 0 || !was_guessed);
+      const bool found = exact || residual_norm(system_) <= tolerance_;
       residual_ = system_.residual; // before the bounds move
-      const bool follows = found || searched.stuck || (stiff && searched.fraction >= 0.5);
-      const bool moved = follows && moved_bounds(system_, most, small_, settings);
+      // Moves the bounds of friction, where the impulses are good enough to set them.
+      const bool sets_bounds = found || search.stuck || (stiff && search.fraction >= 0.5);
+      const bool moved = sets_bounds && update_bounds(system_, largest, tolerance_, settings);
+      // With joints, solves once more: for where the first answer leads, or implicitly, R64.
       if (found && !moved && !bent && !system_.rows.empty())
       {
         bent = !too_taut(step, settings);
@@ -128,23 +135,24 @@ public:
       else if (found && !moved)
       {
         write_answer(system_, residual_, world, island, velocities_);
-        store(system_, is_over_constrained(system_, most), world, island);
+        store(system_, is_over_constrained(system_, largest), world, island);
         return true;
       }
     }
     return false;
   }
 
-  /// Solves an island once more without the speed that opens overlaps, friction bounded by what
-  /// pushed in the first answer; whether there is such an answer.
+  /// Solves an island once more without the speed that opens overlaps, friction bounded by the
+  /// impulses of the first answer; whether there is such an answer.
   bool solve_without_opening(IslandView world, const Island& island, double step)
   {
-    return solve(world, island, step, {.correction = 0, .residual = small_, .bounds_move = false});
+    return solve(
+        world, island, step, {.correction = 0, .residual = tolerance_, .bounds_move = false});
   }
 
   /// The answer, body by body.
   const std::vector<DirectVelocity>& velocities() const { return velocities_; }
-  /// The largest ω h [1] by which joints swing a body, in the last answer, R63.
+  /// The largest ω h [1] with which joints swing a body, in the last answer; R63.
   double swing() const { return std::sqrt(squared_swing_); }
   /// Whether any overlap was to open, with an answer or without.
   bool opens() const { return any_opens(system_); }
@@ -209,7 +217,8 @@ private:
   std::vector<Vector6> change_, residual_;
   std::vector<DirectVelocity> velocities_;
   std::vector<std::pair<int, int>> coupled_, laid_out_;
-  double small_ = 0, squared_swing_ = 0;
+  double tolerance_ = 0; // [N s], that the last residual was held against
+  double squared_swing_ = 0;
 };
 // [direct_solver]
 

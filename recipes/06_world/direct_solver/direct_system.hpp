@@ -27,10 +27,10 @@ struct DirectBody
   double mass;             ///< [kg]
   Matrix3<double> inertia; ///< [kg m²], world
   Vector6 free;            ///< [m/s, rad/s], after the step if nothing touched it
-  Vector6 pulled;          ///< [m/s, rad/s], how much of that its pull has given it
+  Vector6 pulled;          ///< [m/s, rad/s], the part of it by external accelerations
 };
 
-/// A contact of an island; its bodies by their numbers in the island, −1 where no push moves one.
+/// A contact of an island; its bodies by their numbers in it, −1 for one that no impulse moves.
 struct DirectContact
 {
   int a, b;                  ///< the two bodies
@@ -38,7 +38,7 @@ struct DirectContact
   std::size_t first, end;    ///< its points
   DirectStiffness stiffness; ///< of each
   double mass;               ///< [kg], reduced mass of the two: 1 / (1/m_A + 1/m_B)
-  Motion<double> driven;     ///< how that one moves which is not of the island, if any
+  Motion<double> driven;     ///< of the body that is not of the island, if there is one
 };
 
 /// All of an island.
@@ -48,13 +48,14 @@ struct DirectSystem
   std::vector<DirectContact> contacts;
   std::vector<DirectPoint> points;
   std::vector<DirectRow> rows;
-  std::vector<Matrix3<double>> taut; ///< [kg m²], what joints add to inertia, stiffen(); or none
-  std::vector<Vector6> velocities;   ///< [m/s, rad/s], as they are found
-  std::vector<Vector6> residual;     ///< [N s, N m s], at these velocities
+  std::vector<Matrix3<double>>
+      taut; ///< [kg m²], what taut joints add to inertia, stiffen(); or none
+  std::vector<Vector6> velocities; ///< [m/s, rad/s], as they are found
+  std::vector<Vector6> residual;   ///< [N s, N m s], at these velocities
 
-  std::vector<ContactState> states_before; ///< room for how points pushed before a change
-  std::vector<int> rows_before;            ///< room for at which bounds rows were before it
-  std::vector<Vector6> velocities_before;  ///< room for the velocities before it
+  std::vector<ContactState> states_before; ///< scratch: states of points before a change
+  std::vector<int> rows_before;            ///< scratch: at which bounds rows were before it
+  std::vector<Vector6> velocities_before;  ///< scratch: the velocities before it
 };
 
 /// Adds a contact and its points to a system.
@@ -148,8 +149,8 @@ inline Motion<double> motion_of(const DirectSystem& system, const DirectContact&
 // [direct_system]
 
 // [direct_assemble]
-/// Writes what impulses a change of velocities takes into a matrix: masses, and the stiffness of
-/// all contacts.
+/// Assembles the matrix, which takes a change of velocities to impulses: masses, and the stiffness
+/// of all contacts and rows.
 inline void assemble(const DirectSystem& system, BlockCholesky& matrix)
 {
   matrix.clear();

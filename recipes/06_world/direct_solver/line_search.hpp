@@ -14,7 +14,7 @@ namespace cookbook
 {
 
 // [line_search]
-/// How fast the energy falls along a change of velocities.
+/// How fast the energy falls along a change of velocities: the residual along it.
 inline double residual_along(const DirectSystem& system, const std::vector<Vector6>& change)
 {
   double sum = 0;
@@ -25,7 +25,7 @@ inline double residual_along(const DirectSystem& system, const std::vector<Vecto
   return sum;
 }
 
-/// True if all points and rows push in the way that they did before, and no point slips.
+/// True if the states of all points and rows are as before, and no point slips.
 inline bool has_same_active_set(const DirectSystem& system)
 {
   return std::equal(
@@ -41,11 +41,11 @@ inline bool has_same_active_set(const DirectSystem& system)
 struct LineSearch
 {
   double fraction; ///< [1], of the way
-  bool exact;      ///< all of it, and no point pushes in another way than before
+  bool exact;      ///< all of it, and with the same active set
   bool stuck;      ///< nowhere did the energy stop falling, as at a point without a bound
 };
 
-/// Takes the velocities so far along a change, and what is missing there.
+/// Moves the velocities by a fraction of a change, and finds the residual there.
 inline void go_along(DirectSystem& system, const std::vector<Vector6>& change, double fraction)
 {
   for (std::size_t i = 0; i < change.size(); ++i)
@@ -55,7 +55,7 @@ inline void go_along(DirectSystem& system, const std::vector<Vector6>& change, d
   find_residual(system);
 }
 
-/// Gives rows their bounds back, and finds what is missing with them; whether any was without.
+/// Gives rows their bounds back, and finds the residual with them; whether any was without.
 inline bool bound_rows(DirectSystem& system)
 {
   const bool any = bound_all(system.rows);

@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief What a box that is hit drives along, and the bounce of all at once.
+/// \brief The bodies that a box which is hit pushes along, and the impulses of all at once.
 
 #include "06_world/impacts/toi_impulse.hpp"
 
@@ -32,13 +32,13 @@ inline bool can_push(const RigidBody& body)
 /// The most bodies that one event pushes along, fixed ones not counted.
 inline constexpr int max_pushed_bodies = 6;
 
-/// Bodies of a TOI event: the two that touch, and the boxes and planes they would be pushed into.
+/// Bodies of a TOI event: the two that touch, and what they would be pushed into.
 ///
-/// One by one they would touch again and again, as often as one box is heavier than the other.
+/// Solved pair by pair they would touch again and again, the more often the more masses differ.
 class ToiIsland
 {
 public:
-  /// The two that touch, after their own impulse; an approach up to a threshold [m/s] only ends.
+  /// The two that touch, after their own impulse; up to a threshold [m/s] an approach only stops.
   ToiIsland(
       const StepTrajectories& step, const ToiEvent& event, const ToiManifold& manifold,
       const ToiBody& first, const ToiBody& other, double threshold)
@@ -69,7 +69,7 @@ public:
   const std::deque<ToiBody>& bodies() const { return bodies_; } ///< the two that touch first
 
 private:
-  /// Where two of them press on each other.
+  /// Two of them in contact.
   struct Pair
   {
     std::pair<int, int> numbers; // the smaller first
@@ -77,13 +77,14 @@ private:
     WorldContact contact;
   };
 
-  static constexpr double high_restitution = 0.5; // what restitution that takes
-  static constexpr double rough_tolerance =
-      0.01; // of the fastest speed: what is left touches again
-  static constexpr double allowed =
-      0.02; // of a depth that does no harm: no farther apart they touch
+  // With this much restitution a pair is left to an event of its own.
+  static constexpr double high_restitution = 0.5;
+  // Of the fastest speed; an approach that is left makes another event.
+  static constexpr double rough_tolerance = 0.01;
+  // Of the allowed penetration: a separation up to it counts as contact.
+  static constexpr double allowed = 0.02;
 
-  /// What may lie against a body, itself and balls among them, in order of number.
+  /// The numbers of all bodies that may touch one, in order, itself and spheres among them.
   std::vector<int> bodies_near(const ToiBody& one) const
   {
     const auto& shape = step_.scene.bodies[index_of(one.number)].shape;
@@ -98,7 +99,7 @@ private:
     return found;
   }
 
-  /// Has one of them bounce off a body that it is driven into, which is one of them from then on.
+  /// Resolves the impact of one of them on a body that it is pushed into, and adds that body.
   template <class At>
   void push_into(ToiBody& one, int j, const At& at)
   {

@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// \brief Speculative contacts of boxes, which solvers know of before they are deep.
+/// \brief Speculative contacts of boxes, which solvers get before they are deep.
 
 #include "04_obb_manifolds/box_box/box_box_in_registers.hpp"
 #include "04_obb_manifolds/feature_memory/feature_memory.hpp"
@@ -20,8 +20,7 @@ namespace cookbook
 {
 
 // [depth_between]
-/// The depth [m] of two bodies of a scene, in any poses; some negative number if they are
-/// separated.
+/// The depth [m] of two bodies of a scene in any poses; negative if they are separated.
 inline double depth_between(
     const Scene& scene, const std::pair<int, int>& pair, const RigidBody& a, const RigidBody& b)
 {
@@ -31,7 +30,7 @@ inline double depth_between(
     const auto there = placed(b, of_b);
     if constexpr (
         std::is_same_v<decltype(here), decltype(there)> &&
-        std::is_same_v<decltype(here), const Obb<double>>) // asked of most: fast
+        std::is_same_v<decltype(here), const Obb<double>>) // most pairs: the fast test
     {
       const auto found = box_axis_in<RowInRegisters<double>>(here, there);
       return found ? found->second : -1;
@@ -57,8 +56,8 @@ inline Vector3<double> predicted_displacement(const PredictedStep& step, int i, 
   return stays(body) ? Vector3<double>::Zero()
                      : Vector3<double>(time * (body.motion.velocity + gained));
 }
-inline constexpr double held_fraction = 0, flying_fraction = 0.5,
-                        pushed_fraction = 1; // for predicted_displacement()
+/// That fraction for a body that is held, for one that nothing touches, for one that is pushed.
+inline constexpr double held_fraction = 0, flying_fraction = 0.5, pushed_fraction = 1;
 
 /// The predicted angular velocity [rad/s].
 inline Vector3<double> predicted_spin(const PredictedStep& step, int i)
@@ -67,7 +66,7 @@ inline Vector3<double> predicted_spin(const PredictedStep& step, int i)
          step.scene.step * force_on(step.forces, index_of(i)).angular_acceleration;
 }
 
-/// How far [m] that moves any of its points; zero for a sphere.
+/// How far [m] that rotation moves any point of the body; zero for a sphere.
 inline double predicted_rotation(const PredictedStep& step, int i)
 {
   const RigidBody& body = step.bodies[index_of(i)];
@@ -75,8 +74,8 @@ inline double predicted_rotation(const PredictedStep& step, int i)
   return turns ? rotation_displacement(step.scene, i, predicted_spin(step, i), step.scene.step) : 0;
 }
 
-/// A displacement is clearly more than another at so many times that: forces and pushes, which are
-/// not known yet, would not bring it back below.
+/// A displacement this many times another is clearly more: forces and impulses that are not known
+/// yet would not bring it below.
 inline constexpr double clearly_more = 1.25;
 
 /// Whether a displacement [m] is clearly more than half of a body's smallest size.
@@ -85,7 +84,7 @@ inline bool is_far(const Scene& scene, int i, double displacement)
   return displacement > clearly_more * inner_radius(scene, i);
 }
 
-/// Predicts the step of a body that nothing pushes.
+/// Predicts the step of a body that nothing touches.
 inline Prediction predict(const PredictedStep& step, int i)
 {
   Prediction prediction;
@@ -95,7 +94,7 @@ inline Prediction predict(const PredictedStep& step, int i)
   return prediction;
 }
 
-/// Whether a body is left to the sweep: a box that goes far, a sphere sooner.
+/// Whether a body is left to the sweep: a box that moves far, a sphere that might penetrate.
 inline bool is_left_to_sweep(const PredictedStep& step, int i)
 {
   const Prediction& prediction = step.prediction[index_of(i)];
@@ -117,8 +116,8 @@ inline RigidBody predicted_body(const PredictedStep& step, int i, double fractio
   return body;
 }
 
-/// The AABB of a body, wider by half the contact margin [m], swept to its predicted pose unless
-/// that is far: then the sweep finds what it meets.
+/// The AABB of a body, wider by half the contact margin [m], swept to its predicted pose, unless
+/// that is far: then the sweep finds what it touches.
 inline Eigen::AlignedBox<double, 3>
 predicted_bounds(const PredictedStep& step, int i, double margin)
 {
@@ -151,23 +150,22 @@ inline double max_approach(const PredictedStep& step, int i, int j)
   return displacement + of_a.rotation + of_b.rotation;
 }
 
-/// Where gravity is weak, boxes may overlap by one of so many parts of their displacement.
+/// Where gravity is weak, boxes may overlap by their displacement over this.
 inline constexpr double displacement_parts = 10;
 
-/// An overlap of so many margins is taken away with a speed that gravity takes back in a few steps.
+/// An overlap of so many margins is removed at a speed that gravity stops in a few steps.
 inline constexpr double margins_taken_back = 20;
 
-/// The margins of two bodies: the contact margin [m]; wider by the displacement by forces that push
-/// them together, or by all they may come closer if they would end too deep (speculative contacts).
-///
-/// Weak gravity would not take back the speed with which boxes are separated.
+/// The margins of two bodies: the contact margin [m]; wider by their displacement by forces that
+/// push them together, or, of speculative contacts, by all they may come closer if they would end
+/// too deep: weak gravity would not stop the speed at which a deep overlap of boxes is removed.
 inline ContactMargins predicted_margins(const PredictedStep& step, int i, int j, double margin)
 {
   const Prediction &of_a = step.prediction[index_of(i)], &of_b = step.prediction[index_of(j)];
   const RigidBody &a = step.bodies[index_of(i)], &b = step.bodies[index_of(j)];
-  const double small = std::min(of_a.allowed_penetration, of_b.allowed_penetration);
+  const double smaller = std::min(of_a.allowed_penetration, of_b.allowed_penetration);
   const double allowed_penetration =
-      a.is_sphere || b.is_sphere ? small : std::min(small, margins_taken_back * margin);
+      a.is_sphere || b.is_sphere ? smaller : std::min(smaller, margins_taken_back * margin);
   const bool forced = are_forced(step, i, j);
   const double closing = max_approach(step, i, j);
   const bool penetrates =
@@ -179,20 +177,22 @@ inline ContactMargins predicted_margins(const PredictedStep& step, int i, int j,
   const auto depth = [&](const RigidBody& one, const RigidBody& other) {
     return depth_between(step.scene, {i, j}, one, other);
   };
-  const auto end_of = [&](double share_of_a, double share_of_b)
-  { return depth(predicted_body(step, i, share_of_a), predicted_body(step, j, share_of_b)); };
-  const double flown = end_of(flying_fraction, flying_fraction);
-  const double end = forced ? std::max(flown, end_of(pushed_fraction, pushed_fraction)) : flown;
+  const auto end_depth = [&](double of_forces_on_a, double of_forces_on_b) {
+    return depth(predicted_body(step, i, of_forces_on_a), predicted_body(step, j, of_forces_on_b));
+  };
+  const double flown = end_depth(flying_fraction, flying_fraction);
+  const double end = forced ? std::max(flown, end_depth(pushed_fraction, pushed_fraction)) : flown;
   const double by_forces = forced ? displacement_by_forces(step.scene, step.forces, i, j) : 0;
-  const double ghost = ghost_margin(margin, by_forces, small);
-  const double smallest =
-      std::max(allowed_penetration, std::min(small, closing / displacement_parts));
-  if (penetrates && end > smallest && end > depth(a, b) + allowed_penetration / deepening_parts)
+  const double ghost = ghost_margin(margin, by_forces, smaller);
+  const double too_deep =
+      std::max(allowed_penetration, std::min(smaller, closing / displacement_parts));
+  if (penetrates && end > too_deep && end > depth(a, b) + allowed_penetration / deepening_parts)
   {
     return {margin + closing, ghost};
   }
-  const bool pressed_together = forced && (end > 0 || end_of(pushed_fraction, held_fraction) > 0 ||
-                                           end_of(held_fraction, pushed_fraction) > 0);
+  const bool pressed_together =
+      forced && (end > 0 || end_depth(pushed_fraction, held_fraction) > 0 ||
+                 end_depth(held_fraction, pushed_fraction) > 0);
   return {pressed_together ? margin + by_forces : margin, ghost};
 }
 // [predicted_contacts]
