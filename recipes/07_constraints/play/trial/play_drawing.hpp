@@ -4,12 +4,14 @@
 /// \brief A world as a picture: bodies, shadows, contacts, impulses, islands and sleep.
 
 #include "02_primitives/picture/picture.hpp"
-#include "06_world/play/trial/play_colours.hpp"
-#include "06_world/play/trial/play_world.hpp"
+#include "07_constraints/play/trial/play_colours.hpp"
+#include "07_constraints/play/trial/play_joints.hpp"
+#include "07_constraints/play/trial/play_world.hpp"
 
 #include <cmath>
 #include <cstddef>
 #include <variant>
+#include <vector>
 
 namespace cookbook::play
 {
@@ -138,9 +140,44 @@ inline void draw_contacts(const Drawing& in)
   }
 }
 
+/// Draws joints over everything: a dot at each anchor and a line in between, red where they are to
+/// be at one point; and the axis of those that have one.
+inline void draw_joints(const Drawing& in, const std::vector<JointMark>& joints)
+{
+  const auto& [picture, camera, world, shown, palette] = in;
+  for (const JointMark& joint : joints)
+  {
+    const RigidBody& a = world.bodies()[index_of(joint.a)];
+    const RigidBody& b = world.bodies()[index_of(joint.b)];
+    const Vector3<double> at_a = a.motion.center + a.orientation * joint.anchor_a;
+    const Vector3<double> at_b = b.motion.center + b.orientation * joint.anchor_b;
+    if (joint.axis_a)
+    {
+      const Vector3<double> half = 0.15 * (a.orientation * *joint.axis_a);
+      draw_segment(picture, camera, {at_a - half, at_a + half}, palette.ink, 1.5, Cover::none);
+    }
+    const Colour& between = joint.together ? palette.overlap : palette.ink;
+    draw_segment(picture, camera, {at_a, at_b}, between, 2, Cover::none);
+    draw_dot(picture, camera, at_a, palette.ink, 2, Cover::none);
+    draw_dot(picture, camera, at_b, palette.ink, 2, Cover::none);
+  }
+}
+
+/// Draws what the hand holds, and where it pulls it.
+inline void draw_hand(const Drawing& in, const Hand& hand)
+{
+  if (hand.held && in.world.has(hand.held->body))
+  {
+    const RigidBody& body = in.world.body(hand.held->body);
+    const Vector3<double> at = body.motion.center + body.orientation * hand.held->anchor;
+    draw_segment(in.picture, in.camera, {at, hand.held->target}, in.palette.ink, 2, Cover::none);
+    draw_dot(in.picture, in.camera, at, in.palette.b, 4, Cover::none);
+  }
+}
+
 /// Draws all of it.
 inline void draw(
-    Picture& picture, const Camera<double>& camera, const Play& play, const Shown& shown,
+    Picture& picture, const Camera<double>& camera, Play& play, const Shown& shown,
     const Islands& islands)
 {
   const Palette palette = shown.dark ? dark_palette() : light_palette();
@@ -149,13 +186,8 @@ inline void draw(
   draw_floors(in, play.orbit.target);
   draw_bodies(in, islands);
   draw_contacts(in);
-  if (play.held && play.world.has(play.held->body))
-  {
-    const RigidBody& body = play.world.body(play.held->body);
-    const Vector3<double> at = body.motion.center + body.orientation * play.held->anchor;
-    draw_segment(picture, camera, {at, play.held->target}, palette.ink, 2, Cover::none);
-    draw_dot(picture, camera, at, palette.b, 4, Cover::none);
-  }
+  draw_joints(in, joint_marks(play.world, play.hand.place));
+  draw_hand(in, play.hand);
 }
 
 } // namespace cookbook::play

@@ -1,9 +1,11 @@
 /// \file
 /// \brief A scene of the game's world to throw balls at, to drag bodies in, and to look inside.
 
+#include "06_world/game_world/trial/joint_opening.hpp"
 #include "06_world/game_world/trial/world_measures.hpp"
-#include "06_world/play/trial/play_drawing.hpp"
 #include "06_world/scenes/trial/scene_text.hpp"
+#include "07_constraints/play/trial/play_drawing.hpp"
+#include "07_constraints/play/trial/play_pointer.hpp"
 #include "tools/live/page.hpp"
 
 #include <array>
@@ -20,43 +22,21 @@ namespace
 
 using namespace play;
 
-constexpr int width = 640, height = 400; // of the picture in every host, so that pointers agree
-
 std::unique_ptr<Play> played;
 Picture canvas, seen;
-Vector2<double> last_pointer(0, 0);
 
 /// What the pointer does in this event: drags a body or the camera, or throws.
 void follow_pointer(Page& page, bool throws, const Throw& how)
 {
-  const Pointer& pointer = page.pointer();
-  Play& play = *played;
-  const Camera<double> camera = orbit_camera(play.orbit, width, height);
-  const Ray<double> ray = picking_ray(camera, pointer.at);
-  if (pointer.wheel != 0)
+  const auto press = [&](const Ray<double>& ray)
   {
-    zoom(play.orbit, pointer.wheel > 0 ? 0.9 : 1 / 0.9);
-  }
-  if (pointer.pressed && take_hold(play, ray) && throws)
-  {
-    throw_ball(play, ray, how);
-  }
-  else if (pointer.down && play.held)
-  {
-    play.held->target =
-        drag_point(camera, pointer.at, play.held->target).value_or(play.held->target);
-  }
-  else if (pointer.down && !pointer.pressed)
-  {
-    const Vector2<double> moved = pointer.at - last_pointer;
-    turn(play.orbit, moved.x(), moved.y());
-    play.orbit.pitch = std::max(play.orbit.pitch, 0.02); // above the ground
-  }
-  if (!pointer.down || throws)
-  {
-    play.held.reset();
-  }
-  last_pointer = pointer.at;
+    if (take_hold(*played, ray) && throws)
+    {
+      throw_ball(*played, ray, how);
+      let_go(played->world, played->hand);
+    }
+  };
+  play::follow_pointer(*played, page.pointer(), press);
 }
 
 /// Shows what is measured.
@@ -81,10 +61,15 @@ void read_out(Page& page, const Islands& islands)
   page.number("islands", static_cast<double>(islands.size()));
   page.number("energy", joules, "J");
   page.number("deepest overlap", deepest, "mm");
+  if (played->world.constraint_sets() > 1) // besides the hand's
+  {
+    page.number(
+        "joints open by", std::round(1e6 * joint_opening(played->world).length) / 1000, "mm");
+  }
   page.number("time", world.time(), "s");
   page.plot("energy", joules, "J");
   page.plot("deepest overlap", deepest, "mm");
-  if (awake == 0 && !played->held)
+  if (awake == 0 && !played->hand.held)
   {
     page.rests();
   }
@@ -174,7 +159,7 @@ void prepare(Page& page, const Chosen& chosen)
   if (begins || page.changed("solver") || page.changed("substeps"))
   {
     wake_all(played->world);
-    played->solver.change(chosen.solver, chosen.substeps);
+    played->solver.change(solver_named(chosen.solver, chosen.substeps));
   }
 }
 
@@ -185,10 +170,10 @@ void figure(Page& page)
   const Chosen chosen = ask(page);
   prepare(page, chosen);
   follow_pointer(page, chosen.throws, chosen.ball);
-  const Camera<double> camera = orbit_camera(played->orbit, width, height);
+  const Camera<double> camera = camera_of(*played);
   if (chosen.thrown)
   {
-    const Vector2<double> middle(width / 2.0, height / 2.0);
+    const Vector2<double> middle(picture_width / 2.0, picture_height / 2.0);
     throw_ball(*played, picking_ray(camera, middle), chosen.ball);
   }
   for (int i = 0; i < page.steps(); ++i)
@@ -197,10 +182,10 @@ void figure(Page& page)
   }
   Islands islands;
   islands.find(played->world.bodies(), played->world.contacts());
-  canvas = make_picture(width, height, 2);
+  canvas = make_picture(picture_width, picture_height, 2);
   draw(canvas, camera, *played, chosen.shown, islands);
   seen = shown(canvas);
-  page.show(width, height, seen.pixels);
+  page.show(picture_width, picture_height, seen.pixels);
   read_out(page, islands);
 }
 

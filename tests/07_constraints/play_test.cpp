@@ -1,12 +1,18 @@
 /// \file
 /// The live figure in which a reader throws balls at scenes, drags bodies and opens files.
 
-#include "06_world/play/trial/play_world.hpp"
+#include "06_world/game_world/trial/joint_opening.hpp"
+#include "06_world/scenes/trial/scene_text.hpp"
+#include "07_constraints/joint_trial/trial/live_joints.hpp"
+#include "07_constraints/play/trial/play_joints.hpp"
+#include "07_constraints/play/trial/play_world.hpp"
 #include "tools/live/session.hpp"
 
 #include "tests/catch.hpp"
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 using Catch::Approx;
 using namespace cookbook;
@@ -36,13 +42,14 @@ const live::File two_crates{"two crates.json", R"({"bodies": [
   {"name": "two", "shape": "box", "half_extents": [0.5, 0.5, 0.5], "mass": 1, "position": [0, 1.5, 0]}
 ]})"};
 
-/// A cube of 1 kg that is held at its centre, without gravity.
+/// A cube of 1 kg that is held at the middle of its front, without gravity.
 Play held_cube(const Vector3<double>& target)
 {
   Scene scene{.gravity = {0, 0, 0}};
   scene.bodies.push_back(cube_body("cube", {0, 0, 0}));
   Play play(scene, false);
-  play.held = Held{0, {0, 0, 0}, target};
+  take_hold(play, {{0, 0, 9}, {0, 0, -1}});
+  play.hand.held->target = target;
   return play;
 }
 
@@ -55,7 +62,9 @@ TEST_CASE("a held cube is within a millimetre of the pointer after two seconds",
   {
     step(play);
   }
-  CHECK((play.world.body(0).motion.center - Vector3<double>(2, 1, 0)).norm() < 1e-3);
+  const RigidBody& cube = play.world.body(0);
+  const Vector3<double> held = cube.motion.center + cube.orientation * play.hand.held->anchor;
+  CHECK((held - Vector3<double>(2, 1, 0)).norm() < 1e-3);
 }
 
 TEST_CASE("the pointer pulls 1 kg by at most 100 N, however far it is away", "[play]")
@@ -116,6 +125,58 @@ TEST_CASE("a scene file is opened, and another choice of scene closes it", "[pla
   CHECK(shown(session, "bodies awake") == "10 of 10");
   session.send("reset");
   CHECK(shown(session, "bodies awake") == "10 of 10");
+}
+
+TEST_CASE("joints of a scene file are marked where they are, and do not open", "[play]")
+{
+  const live::File door{"door.json", R"({"bodies": [
+    {"name": "post", "shape": "box", "half_extents": [0.1, 1, 0.1], "mass": 0, "position": [0, 1, 0]},
+    {"name": "door", "shape": "box", "half_extents": [0.5, 1, 0.1], "mass": 20, "position": [1, 1, 0]}
+  ], "joints": [
+    {"kind": "hinge", "a": "post", "b": "door", "point": [0.3, 1, 0], "axis": [0, 1, 0]},
+    {"kind": "distance", "a": "post", "b": "door", "point_a": [0, 2, 0], "point_b": [1, 2, 0], "least": 0, "most": 3}
+  ]})"};
+  Play play(scene_in(door.text, door.name), false);
+  const std::vector<JointMark> marks = joint_marks(play.world, play.hand.place);
+  REQUIRE(marks.size() == 2);
+  CHECK(marks[0].anchor_b.isApprox(Vector3<double>(-0.7, 0, 0)));
+  CHECK(marks[0].axis_a.value().isApprox(Vector3<double>(0, 1, 0)));
+  CHECK(marks[0].together);
+  CHECK(!marks[1].together);
+  Session session(live::figure);
+  CHECK(shown(session, "joints open by").empty());
+  session.send(live::file_event("scene file", door) + "\nset solver 0\nstep 60");
+  CHECK(std::stod(shown(session, "joints open by")) < 0.01);
+}
+
+TEST_CASE("a ton on a chain is dragged by 500 N, and no joint opens by a micrometre", "[play]")
+{
+  const auto chain = play_joints(live_joints()[0], 1000, solver_named("direct"), 1.0 / 60);
+  const Vector3<double> load = chain->world.body(21).motion.center, front(0, 0, 9);
+  const auto force = [](const RigidBody&) { return 500.0; };
+  REQUIRE(take_hold(chain->world, chain->hand, {load + front, {0, 0, -1}}, force));
+  CHECK(chain->hand.held->body == 21);
+  chain->hand.held->target.z() += 100;
+  double open = 0, pull = 0;
+  for (int i = 0; i < 60; ++i)
+  {
+    step(*chain);
+    open = std::max(open, joint_opening(chain->world).length);
+    pull = std::max(pull, 60 * joints_of(chain->world, chain->hand).impulses(0)[2]);
+  }
+  CHECK(open < 1e-6);
+  CHECK(pull == Approx(500));
+}
+
+TEST_CASE("a ragdoll that has fallen lies with its joints closed to a micrometre", "[play]")
+{
+  const auto ragdoll = play_joints(live_joints().back(), 1, solver_named("direct"), 1.0 / 60);
+  for (int i = 0; i < 240; ++i)
+  {
+    step(*ragdoll);
+  }
+  CHECK(ragdoll->world.body(2).motion.center.y() == Approx(0.13).margin(0.01)); // its head
+  CHECK(joint_opening(ragdoll->world).length < 1e-6);
 }
 
 TEST_CASE("a file that cannot be read leaves everything as it was", "[play]")
