@@ -12,7 +12,7 @@ namespace
 {
 
 #if defined TAKE_impulse || defined TAKE_contact_constraint || defined TAKE_friction ||            \
-    defined TAKE_restitution
+    defined TAKE_restitution || defined TAKE_springs
 Body<double> drawn_body(Draw& draw)
 {
   const Motion<double> motion{draw.vector(1), draw.vector(2), draw.vector(2)};
@@ -23,7 +23,8 @@ Body<double> drawn_body(Draw& draw)
 }
 #endif
 
-#if defined TAKE_impulse || defined TAKE_friction || defined TAKE_restitution
+#if defined TAKE_impulse || defined TAKE_friction || defined TAKE_restitution ||                   \
+    defined TAKE_springs
 /// Two bodies and where they meet.
 struct Meeting
 {
@@ -41,6 +42,40 @@ void add(Bits& bits, const BodyPair<double>& bodies)
 {
   bits(bodies.a.motion.velocity, bodies.a.motion.angular_velocity);
   bits(bodies.b.motion.velocity, bodies.b.motion.angular_velocity);
+}
+#endif
+
+#if defined TAKE_weld || defined TAKE_hinge || defined TAKE_slider || defined TAKE_distance ||     \
+    defined TAKE_ball_limits || defined TAKE_wheel || defined TAKE_mouse
+JointFrame drawn_frame(Draw& draw)
+{
+  return {draw.vector(1), draw.orientation()};
+}
+
+/// Prints the rows of joints that `make(draw)` makes, between bodies that turn.
+template <class Make>
+void print_rows(const char* name, Make make)
+{
+  print(
+      name,
+      [&](Draw& draw, Bits& bits)
+      {
+        RigidBody a{}, b{};
+        for (RigidBody* const body : {&a, &b})
+        {
+          body->motion = {draw.vector(1), draw.vector(1), draw.vector(1)};
+          body->orientation = draw.orientation();
+          body->inverse_mass = draw.number(0.1, 9);
+          body->inverse_inertia = body->inverse_mass * Matrix3<double>::Identity();
+        }
+        JointRows rows;
+        joint_rows(make(draw), a, b, 1.0 / 60, rows);
+        for (const ConstraintRow& row : rows.all())
+        {
+          const Vector3<double> along = row.b.head<3>(), about = row.b.tail<3>();
+          bits(along, about, row.error, row.turning, row.keeps, row.pulls);
+        }
+      });
 }
 #endif
 
@@ -399,6 +434,122 @@ int main()
       {
         sequential_impulses(view, island, 1.0 / 60, SequentialSettings{});
         return true;
+      });
+#endif
+#ifdef TAKE_weld
+  print_rows(
+      "weld",
+      [](Draw& draw) {
+        return WeldJoint{0, 1, drawn_frame(draw), drawn_frame(draw)};
+      });
+#endif
+#ifdef TAKE_hinge
+  print_rows(
+      "hinge",
+      [](Draw& draw)
+      {
+        HingeJoint hinge{0, 1, drawn_frame(draw), drawn_frame(draw)};
+        hinge.drive = {.lower = -1, .upper = 1, .stiffness = draw.number(0, 99), .damping = 1};
+        return hinge;
+      });
+#endif
+#ifdef TAKE_slider
+  print_rows(
+      "slider",
+      [](Draw& draw)
+      {
+        SliderJoint slider{0, 1, drawn_frame(draw), drawn_frame(draw)};
+        slider.drive = {.upper = 1, .motor_speed = draw.number(-1, 1), .motor_force = 2};
+        return slider;
+      });
+#endif
+#ifdef TAKE_distance
+  print_rows(
+      "distance",
+      [](Draw& draw)
+      {
+        DistanceJoint rope{0, 1, draw.vector(1), draw.vector(1)};
+        rope.most = draw.number(0, 2);
+        return rope;
+      });
+#endif
+#ifdef TAKE_ball_limits
+  print_rows(
+      "ball_limits",
+      [](Draw& draw)
+      {
+        ConeTwistJoint shoulder{0, 1, drawn_frame(draw), drawn_frame(draw)};
+        shoulder.cone = draw.number(0, 3);
+        shoulder.twist = {.lower = -0.5, .upper = 0.5};
+        return shoulder;
+      });
+#endif
+#ifdef TAKE_wheel
+  print_rows(
+      "wheel",
+      [](Draw& draw)
+      {
+        WheelJoint wheel{0, 1, drawn_frame(draw), drawn_frame(draw)};
+        wheel.suspension = {.stiffness = 2500, .damping = 250};
+        wheel.steering = draw.number(-1, 1);
+        return wheel;
+      });
+#endif
+#ifdef TAKE_mouse
+  print_rows("mouse", [](Draw& draw) { return MouseJoint{0, 1, draw.vector(1), draw.vector(1)}; });
+#endif
+#ifdef TAKE_springs
+  print(
+      "springs",
+      [](Draw& draw, Bits& bits)
+      {
+        const auto [frequency, ratio] = spring_numbers(draw.number(1, 999), 2.0, 3.0);
+        const auto spring = spring_coefficients(frequency, ratio, 1.0 / 60);
+        auto [bodies, normal, point] = drawn_meeting(draw);
+        const double load = load_speed(spring, frequency, 1.0 / 60, 9.81);
+        const double impulse = apply_spring<double>(
+            bodies.a, bodies.b, {point, point + normal}, draw.number(0, 2), spring, load);
+        add(bits, bodies);
+        bits(impulse);
+      });
+#endif
+#ifdef TAKE_first_joint
+  print(
+      "first_joint",
+      [](Draw& draw, Bits& bits)
+      {
+        PhasePoint<Vector3<double>> at{draw.vector(1), draw.vector(2)};
+        const Rod<double> rod{draw.number(0.2, 2), draw.number(0, 1)};
+        for (int step = 0; step < 4; ++step)
+        {
+          at = rod_step<double>(at, rod, {0, -9.81, 0}, 1.0 / 60);
+        }
+        bits(at.position, at.velocity);
+      });
+#endif
+#ifdef TAKE_articulated
+  print(
+      "articulated",
+      [](Draw& draw, Bits& bits)
+      {
+        std::vector<Link> links(4);
+        for (std::size_t i = 0; i < links.size(); ++i)
+        {
+          links[i].parent = i == 0 ? -1 : 0;
+          links[i].joint = i % 2 == 0 ? JointType::hinge : JointType::slider;
+          links[i].solid = solid_box<double>(draw.number(0.1, 9), draw.half_extents());
+          links[i].anchor_parent = draw.vector(1);
+          links[i].anchor_child = draw.vector(1);
+        }
+        ArticulatedBody tree(links);
+        TreeState state = zero_state(links);
+        state.velocities[0] = draw.number(-2, 2);
+        semi_implicit_step(tree, state, 1.0 / 240);
+        rk4_step(tree, state, 1.0 / 240);
+        for (int i = 0; i < 4; ++i)
+        {
+          bits(state.positions[i], state.velocities[i]);
+        }
       });
 #endif
 #ifdef TAKE_joints
