@@ -4,6 +4,7 @@
 
 #include "07_constraints/cloth/cloth.hpp"
 #include "07_constraints/cloth/trial/cloth_scenes.hpp"
+#include "07_constraints/cloth/trial/live_cloth.hpp"
 
 #include "tests/catch.hpp"
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -371,3 +373,25 @@ TEST_CASE("cloths, obstacles and wind that make no sense are refused with member
       step_cloth(cloth, {}), ContainsSubstring("triangles[3] must join three of 256 particles"));
 }
 // [cloth_inputs]
+
+TEST_CASE("a particle that is dragged is there in time, and free when it is let go", "[cloth]")
+{
+  Cloth cloth = held_square();
+  const Vector3<double> at = cloth.particles.positions[136];
+  const double inverse_mass = cloth.particles.inverse_masses[136];
+  std::optional<DraggedParticle> held =
+      take_hold(cloth, {at - Vector3<double>(0, 9, 0), {0, 1, 0}});
+  REQUIRE(held.has_value());
+  CHECK(held->place == 136);
+  held->target.y() += 0.2;
+  for (int frame = 0; frame < 5; ++frame) // at 3 m/s it takes four
+  {
+    pull(cloth, *held, 1.0 / 60);
+    step_cloth(cloth, {.substeps = 10});
+  }
+  CHECK((cloth.particles.positions[136] - held->target).norm() < 1e-12);
+  let_go(cloth, held);
+  CHECK(!held);
+  CHECK(cloth.particles.inverse_masses[136] == inverse_mass);
+  CHECK(!take_hold(cloth, {{9, 9, 9}, {0, 1, 0}}));
+}
