@@ -67,6 +67,12 @@ Chosen ask(Page& page)
       force};
 }
 
+/// Whether joints have come so far apart that nothing is left to see.
+bool has_burst(Play& play)
+{
+  return !(joint_opening(play.world).length < 1000);
+}
+
 /// Shows what is measured.
 void read_out(Page& page, const Chosen& chosen)
 {
@@ -80,10 +86,16 @@ void read_out(Page& page, const Chosen& chosen)
     pull = std::hypot(given[0], given[1], given[2]) / world.scene().step;
   }
   page.text("a frame takes", std::to_string(chosen.count) + " × " + chosen.method.counted);
+  page.number("time", world.time(), "s");
+  if (has_burst(*played)) // its numbers may be infinite
+  {
+    page.text("joints", "have burst");
+    page.rests();
+    return;
+  }
   page.number("joints open by", std::round(1e6 * open) / 1e6, "mm");
   page.number("energy gained", gained, "J");
   page.number("the mouse pulls by", pull, "N");
-  page.number("time", world.time(), "s");
   page.plot("joints open by", open, "mm");
   page.plot("energy gained", gained, "J");
   if (world.time() > 60 && !played->hand.held)
@@ -110,7 +122,7 @@ void figure(Page& page)
     take_hold(played->world, played->hand, ray, force);
   };
   follow_pointer(*played, page.pointer(), press);
-  for (int i = 0; i < steps * page.steps(); ++i)
+  for (int i = 0; i < steps * page.steps() && !has_burst(*played); ++i)
   {
     step(*played);
   }
