@@ -17,25 +17,12 @@ namespace
 
 using namespace cookbook;
 
-/// A length [m] in millimetres, or that it fails.
-std::string millimetres(double length)
-{
-  const double size = 1000 * std::abs(length);
-  return !std::isfinite(size) ? "fails" : size < 1e-3 ? "<0.001" : rounded(size);
-}
-
 /// How far [m] a tower sinks, in millimetres with one digit: at ten cubes on each other rounding
 /// errors grow, and compilers differ in the second.
 std::string one_digit(double length)
 {
   const double size = 1000 * std::abs(length), unit = size < 10 ? 1 : 10;
   return size < 1e-3 ? "<0.001" : size < 1 ? "<1" : number(unit * std::round(size / unit));
-}
-
-/// A fraction that is to be one, or that it fails.
-std::string kept(double fraction)
-{
-  return std::isfinite(fraction) ? number(std::round(1000 * fraction) / 1000) : "fails";
 }
 
 /// A fraction that is to be zero.

@@ -57,6 +57,10 @@ public:
     ++steps_;
   }
 
+  /// Bullet's own world, for what a scene does not say, and its bodies in the scene's order.
+  btDiscreteDynamicsWorld& world() { return world_; }
+  const std::vector<std::unique_ptr<btRigidBody>>& bodies() const { return bodies_; }
+
   /// Where the bodies are, in the scene's order.
   Frame frame() const
   {

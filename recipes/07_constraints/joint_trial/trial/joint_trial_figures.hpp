@@ -1,10 +1,12 @@
 #pragma once
 
 /// \file
-/// \brief The figure of joints on trial: how far a loaded chain comes apart, against the cost.
+/// \brief The figure of joints on trial: how far a loaded chain comes apart, against the cost; and
+/// what tables of them say.
 
 #include "07_constraints/joint_trial/trial/joint_trial.hpp"
 #include "tools/plot/charts/chart.hpp"
+#include "tools/program/table.hpp"
 
 #include <cmath>
 #include <string>
@@ -12,6 +14,19 @@
 
 namespace cookbook
 {
+
+/// A length [m] in millimetres, or that it fails.
+inline std::string millimetres(double length)
+{
+  const double size = 1000 * std::abs(length);
+  return !std::isfinite(size) ? "fails" : size < 1e-3 ? "<0.001" : rounded(size);
+}
+
+/// A fraction that is to be one, or that it fails.
+inline std::string kept(double fraction)
+{
+  return std::isfinite(fraction) ? number(std::round(1000 * fraction) / 1000) : "fails";
+}
 
 /// The counts with which a method is charted.
 inline std::vector<int> charted_counts(const JointMethod& method)
