@@ -6,6 +6,7 @@
 #if defined(COOKBOOK_HAS_BULLET)
 
 #include "06_world/scenes/trial/frames.hpp"
+#include "06_world/world_chart/trial/bullet_numbers.hpp"
 
 #include <btBulletDynamicsCommon.h>
 
@@ -32,7 +33,7 @@ public:
   {
     gCalculateCombinedFrictionCallback = combined_friction;
     gCalculateCombinedRestitutionCallback = combined_restitution;
-    world_.setGravity(vector(scene.gravity));
+    world_.setGravity(to_bullet(scene.gravity));
     for (const SceneBody& body : scene.bodies)
     {
       add(body);
@@ -68,12 +69,9 @@ public:
     for (const auto& body : bodies_)
     {
       const btTransform& pose = body->getCenterOfMassTransform();
-      const btQuaternion turn = pose.getRotation();
       frame.bodies.push_back(
-          {vector(pose.getOrigin()),
-           {double(turn.w()), double(turn.x()), double(turn.y()), double(turn.z())},
-           vector(body->getLinearVelocity()),
-           vector(body->getAngularVelocity())});
+          {from_bullet(pose.getOrigin()), from_bullet(pose.getRotation()),
+           from_bullet(body->getLinearVelocity()), from_bullet(body->getAngularVelocity())});
     }
     return frame;
   }
@@ -117,15 +115,6 @@ private:
     }
   }
 
-  static btVector3 vector(const Vector3<double>& v)
-  {
-    return {
-        static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
-  }
-  static Vector3<double> vector(const btVector3& v)
-  {
-    return {double(v.x()), double(v.y()), double(v.z())};
-  }
   static btScalar combined_friction(const btCollisionObject* a, const btCollisionObject* b)
   {
     return btSqrt(a->getFriction() * b->getFriction());
@@ -139,7 +128,7 @@ private:
   {
     if (const auto* const box = std::get_if<BoxShape>(&body.shape))
     {
-      return std::make_unique<btBoxShape>(vector(box->half_extents));
+      return std::make_unique<btBoxShape>(to_bullet(box->half_extents));
     }
     if (const auto* const sphere = std::get_if<SphereShape>(&body.shape))
     {
@@ -147,7 +136,7 @@ private:
     }
     const PlaneShape& plane = std::get<PlaneShape>(body.shape);
     return std::make_unique<btStaticPlaneShape>(
-        vector(plane.normal), static_cast<btScalar>(plane.offset));
+        to_bullet(plane.normal), static_cast<btScalar>(plane.offset));
   }
 
   void add(const SceneBody& body)
@@ -160,14 +149,12 @@ private:
       shapes_.back()->calculateLocalInertia(mass, inertia);
     }
     btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, shapes_.back().get(), inertia);
-    const Quaternion<float> q = body.orientation.cast<float>();
-    info.m_startWorldTransform =
-        btTransform(btQuaternion(q.x(), q.y(), q.z(), q.w()), vector(body.position));
+    info.m_startWorldTransform = btTransform(to_bullet(body.orientation), to_bullet(body.position));
     info.m_friction = static_cast<btScalar>(body.friction);
     info.m_restitution = static_cast<btScalar>(body.restitution);
     bodies_.push_back(std::make_unique<btRigidBody>(info));
-    bodies_.back()->setLinearVelocity(vector(body.velocity));
-    bodies_.back()->setAngularVelocity(vector(body.angular_velocity));
+    bodies_.back()->setLinearVelocity(to_bullet(body.velocity));
+    bodies_.back()->setAngularVelocity(to_bullet(body.angular_velocity));
     bodies_.back()->setUserIndex(static_cast<int>(bodies_.size()) - 1);
     bodies_.back()->setActivationState(DISABLE_DEACTIVATION);
     world_.addRigidBody(bodies_.back().get());

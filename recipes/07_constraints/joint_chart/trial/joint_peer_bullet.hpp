@@ -26,13 +26,6 @@ struct BulletSettings
   bool exact = false;  ///< by Dantzig's pivots instead
 };
 
-/// A vector of ours as one of Bullet's.
-inline btVector3 bullet_vector(const Vector3<double>& v)
-{
-  const Vector3<float> rounded = v.cast<float>();
-  return {rounded.x(), rounded.y(), rounded.z()};
-}
-
 /// A scene of bodies and ball joints in Bullet. No two bodies touch.
 class BulletJoints
 {
@@ -56,7 +49,7 @@ public:
     for (const JointPlace& joint : of.joints)
     {
       btRigidBody &a = body(joint.a), &b = body(joint.b);
-      const btVector3 point = bullet_vector(joint.point);
+      const btVector3 point = to_bullet(joint.point);
       joints_.push_back(std::make_unique<btPoint2PointConstraint>(
           a, b, a.getCenterOfMassTransform().invXform(point),
           b.getCenterOfMassTransform().invXform(point)));

@@ -31,12 +31,12 @@ public:
         substeps_(substeps),
         chain_(static_cast<int>(of.joints.size()), 0, btVector3(0, 0, 0), true, false)
   {
-    world_.setGravity(bullet_vector(of.scene.gravity));
+    world_.setGravity(to_bullet(of.scene.gravity));
     for (const JointPlace& joint : of.joints)
     {
       hang(of.scene.bodies[index_of(joint.b)], of.scene.bodies[index_of(joint.a)], joint);
     }
-    chain_.setBasePos(bullet_vector(of.scene.bodies[0].position));
+    chain_.setBasePos(to_bullet(of.scene.bodies[0].position));
     chain_.setLinearDamping(0);
     chain_.setAngularDamping(0);
     chain_.finalizeMultiDof();
@@ -67,40 +67,27 @@ public:
     for (int i = 0; i < chain_.getNumLinks(); ++i)
     {
       const btTransform& pose = chain_.getLink(i).m_cachedWorldTransform;
-      const btQuaternion turn = pose.getRotation();
       const btMatrix3x3& axes = pose.getBasis();
       frame.bodies[index_of(i + 1)] = {
-          ours(pose.getOrigin()),
-          {double(turn.w()), double(turn.x()), double(turn.y()), double(turn.z())},
-          ours(axes * velocities[i + 1]),
-          ours(axes * spins[i + 1])};
+          from_bullet(pose.getOrigin()), from_bullet(pose.getRotation()),
+          from_bullet(axes * velocities[i + 1]), from_bullet(axes * spins[i + 1])};
     }
     return frame;
   }
 
 private:
-  static Vector3<double> ours(const btVector3& v)
-  {
-    return {double(v.x()), double(v.y()), double(v.z())};
-  }
-  static btQuaternion turn(const Quaternion<double>& q)
-  {
-    const Quaternion<float> rounded = q.cast<float>();
-    return {rounded.x(), rounded.y(), rounded.z(), rounded.w()};
-  }
-
   void hang(const SceneBody& body, const SceneBody& parent, const JointPlace& joint)
   {
     const Vector3<double> moments = rigid_body(body).moments;
     const Quaternion<double> back = parent.orientation.conjugate();
     const Quaternion<double> own = body.orientation.conjugate();
     chain_.setupSpherical(
-        joint.b - 1, static_cast<btScalar>(body.mass), bullet_vector(moments), joint.a - 1,
-        turn(own * parent.orientation), bullet_vector(back * (joint.point - parent.position)),
-        bullet_vector(own * (body.position - joint.point)), true);
+        joint.b - 1, static_cast<btScalar>(body.mass), to_bullet(moments), joint.a - 1,
+        to_bullet(own * parent.orientation), to_bullet(back * (joint.point - parent.position)),
+        to_bullet(own * (body.position - joint.point)), true);
     if (!body.velocity.isZero(0)) // an impulse at that link, in the first step
     {
-      chain_.addLinkForce(joint.b - 1, bullet_vector(60.0 * substeps_ * body.mass * body.velocity));
+      chain_.addLinkForce(joint.b - 1, to_bullet(60.0 * substeps_ * body.mass * body.velocity));
     }
   }
 
