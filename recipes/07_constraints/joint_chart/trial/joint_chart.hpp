@@ -27,12 +27,10 @@ struct JointError
   std::function<double(const JointRun&)> of; ///< [m]
 };
 
-/// How far joints of a scene come apart in so many frames.
-inline JointError
-stretch_error(const std::string& name, const JointedScene& scene, int frames = 180)
+/// How far joints of a scene come apart.
+inline JointError stretch_error(const std::string& name, const JointedScene& scene)
 {
-  return {
-      name, scene, [scene, frames](const JointRun& run) { return stretch_of(run, scene, frames); }};
+  return {name, scene, [scene](const JointRun& run) { return stretch_of(run, scene); }};
 }
 
 /// How far a body sinks.
