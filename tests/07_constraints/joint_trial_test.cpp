@@ -1,13 +1,17 @@
 /// \file
 /// Joints on trial: where each solver fails, and which one holds there.
 
+#include "06_world/scenes/trial/scene_text.hpp"
 #include "07_constraints/joint_trial/trial/joint_laws.hpp"
 #include "07_constraints/joint_trial/trial/joint_trial.hpp"
+#include "07_constraints/joint_trial/trial/own_scene.hpp"
+#include "07_constraints/joint_trial/trial/trial_methods.hpp"
 
 #include "tests/catch.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -19,7 +23,7 @@ namespace
 /// A solver by its name, with so much of it a frame, or as it comes.
 JointRun run_of(const std::string& name, int count = 0)
 {
-  static const std::vector<JointMethod> all = joint_methods();
+  static const std::vector<JointMethod> all = trial_methods();
   const auto is_it = [&](const JointMethod& one) { return one.name == name; };
   const JointMethod& method = *std::find_if(all.begin(), all.end(), is_it);
   return {method, count > 0 ? count : method.usual};
@@ -138,6 +142,85 @@ TEST_CASE(
   CHECK(swing_off(run_of("avbd")) > 0.8);
 }
 // [swung_right]
+
+// [ngs_fails]
+TEST_CASE(
+    "three passes over positions hold 1 kg within 2 cm, where sequential_impulses bursts; they "
+    "burst under 1,000 kg, and take 3 % of the energy of a pair in space, which soft steps keep")
+{
+  CHECK(sink_under(run_of("ngs"), 1) < 20);
+  CHECK(std::isinf(sink_under(run_of("ngs"), 1000)));
+  CHECK(momenta_off(run_of("ngs")).energy < 0.98);
+  CHECK(momenta_off(run_of("ngs")).angular > 1e-3);
+  CHECK(momenta_off(run_of("soft_steps")).energy == Catch::Approx(1).margin(1e-3));
+}
+// [ngs_fails]
+
+// [gradients_fail]
+TEST_CASE(
+    "20 passes of conjugate gradients hold 1:1000 within 1 um and both momenta to rounding, and "
+    "burst under a nudged ton, which 100 passes hold within 1 mm",
+    "[long]")
+{
+  const JointRun run = run_of("conjugate_gradients");
+  CHECK(1000 * stretch_of(run, light_and_heavy(), 60) < 1e-3);
+  CHECK(momenta_off(run).linear < 1e-12);
+  CHECK(momenta_off(run).angular < 1e-12);
+  CHECK(std::isinf(apart_under(run, 1000)));
+  JointMethod longer = run.method;
+  longer.solver = [](int substeps)
+  {
+    return one_by_one(
+        [substeps](IslandView world, const Island& island, double step)
+        { gradient_steps(world, island, step, {.substeps = substeps, .iterations = 100}); });
+  };
+  CHECK(apart_under({longer, longer.usual}, 1000) < 1);
+}
+// [gradients_fail]
+
+// [tree_holds]
+TEST_CASE(
+    "a tree of links keeps energy to 1e-3 and momenta to 1e-9, and no joint of it opens; a ring "
+    "and a tower are none")
+{
+  const JointRun run = run_of("articulated");
+  CHECK(apart_under(run, 1000) < 1e-6);
+  CHECK(momenta_off(run).energy == Catch::Approx(1).margin(1e-3));
+  CHECK(momenta_off(run).angular < 1e-9);
+  CHECK_THROWS_AS(stretch_of(run, closed_ring()), std::logic_error);
+  CHECK_THROWS_AS(tower_sink_of(run), std::logic_error);
+}
+// [tree_holds]
+
+// [own_scene_laws]
+TEST_CASE(
+    "of a scene that nobody knows the laws are: joints closed, energy, and momenta where nothing "
+    "holds it, under gravity too")
+{
+  const auto scene = [](const std::string& a, const std::string& more)
+  {
+    return scene_in(
+        R"({"duration": 0.5, "bodies": [
+        {"name": "floor", "shape": "plane", "normal": [0, 1, 0], "offset": -99},
+        {"name": "one", "shape": "sphere", "radius": 0.1, "mass": 1, "velocity": [0, 1, 2]},
+        {"name": "two", "shape": "box", "half_extents": [0.1, 0.2, 0.3], "mass": 2, "position": [1, 0, 0]}],
+        "joints": [{"kind": "hinge", "a": ")" +
+            a + R"(", "b": "two", "point": [0.5, 0, 0], "axis": [0, 1, 0])" + more + "}]}",
+        "own.json");
+  };
+  const LawsKept thrown = laws_kept(run_of("direct"), scene("one", ""));
+  CHECK_FALSE(thrown.held);
+  CHECK(thrown.linear < 1e-9);
+  CHECK(thrown.angular < 1e-9);
+  CHECK(thrown.open.length < 1e-4);
+  CHECK(thrown.open.angle < 1e-4);
+  CHECK(laws_kept(run_of("avbd"), scene("one", "")).angular > 1e-4);
+  CHECK(laws_kept(run_of("direct"), scene("world", "")).held);
+  CHECK_THROWS_WITH(
+      laws_kept(run_of("conjugate_gradients"), scene("one", R"(, "drive": {"upper": 1})")),
+      "hinges have limits, motors or springs: rigid rows alone are solved");
+}
+// [own_scene_laws]
 
 // [start_right]
 TEST_CASE("a ring closes, and a bridge reaches from hook to hook: no joint is open at the start")

@@ -16,7 +16,7 @@ mkdir -p "$drawn"
 # What was made, and where it is kept, a line each.
 pairs() {
   printf '%s\t%s\n' "$drawn/$name.printed" "$expected"
-  for made in "$drawn"/*.svg "$drawn"/*.html; do
+  for made in "$drawn"/*.svg "$drawn"/*.html "$drawn"/*.csv; do
     [ ! -f "$made" ] || printf '%s\t%s\n' "$made" "$figures/${made##*/}"
   done
 }

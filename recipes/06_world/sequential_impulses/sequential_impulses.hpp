@@ -147,7 +147,8 @@ public:
     warm_start_constraints(world_, island_, substep);
     for (int i = 0; i < settings_.iterations; ++i)
     {
-      solve_constraints(world_, island_, {settings_.correction / substep, 1, 0});
+      const double correction = settings_.position_iterations > 0 ? 0 : settings_.correction;
+      solve_constraints(world_, island_, {correction / substep, 1, 0});
       velocity_pass(points_);
     }
     for (const SequentialPoint& one : points_)
@@ -156,10 +157,12 @@ public:
     }
   }
 
-  void correct(double)
+  void correct(double substep)
   {
     for (int i = 0; i < settings_.position_iterations; ++i)
     {
+      correct_constraints(world_, island_, substep, false);
+      update_joined_axes(world_, island_);
       position_pass(points_, settings_);
     }
   }

@@ -1,98 +1,119 @@
 /// \file
 /// \brief Solvers of joints on trial: chains, loops, towers and pairs in space by each of them,
-/// against what is right.
+/// against what is right; or a scene of the reader's, against the laws.
 
-#include "07_constraints/joint_trial/trial/joint_trial.hpp"
-#include "07_constraints/joint_trial/trial/joint_laws.hpp"
+#include "06_world/scenes/trial/scene_file.hpp"
 #include "07_constraints/joint_trial/trial/joint_trial_figures.hpp"
+#include "07_constraints/joint_trial/trial/own_scene.hpp"
+#include "07_constraints/joint_trial/trial/trial_columns.hpp"
+#include "07_constraints/joint_trial/trial/trial_methods.hpp"
 #include "tools/program/program.hpp"
-#include "tools/program/table.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <string>
+#include <vector>
 
 namespace
 {
 
 using namespace cookbook;
 
-/// How far [m] a tower sinks, in millimetres with one digit: at ten cubes on each other rounding
-/// errors grow, and compilers differ in the second.
-std::string one_digit(double length)
+/// What a method is given in a frame.
+std::string settings_of(const JointMethod& method)
 {
-  const double size = 1000 * std::abs(length), unit = size < 10 ? 1 : 10;
-  return size < 1e-3 ? "<0.001" : size < 1 ? "<1" : number(unit * std::round(size / unit));
+  return std::to_string(method.usual) + " " + method.counted;
 }
 
-/// A fraction that is to be zero.
-std::string lost(double fraction)
+// [print_trial]
+/// Prints a table of all methods, and returns its rows as CSV.
+std::string
+print_trial(const std::string& title, const std::vector<TrialColumn>& columns, bool settings)
 {
-  return fraction < 1e-9 ? "<1e-09" : rounded(fraction);
-}
-
-// [print_chains]
-void print_chains()
-{
-  Table table(
-      {"stretch [mm]", "1 kg", "100 kg", "1,000 kg", "10,000 kg", "100 nudged", "1,000 nudged",
-       "100 swung", "1:1000"});
-  for (const JointMethod& method : joint_methods())
+  std::vector<std::string> head{title};
+  if (settings)
+  {
+    head.emplace_back("settings");
+  }
+  for (const TrialColumn& column : columns)
+  {
+    head.push_back(column.title);
+  }
+  Table table(head);
+  std::string csv;
+  for (const JointMethod& method : trial_methods())
   {
     const JointRun run{method, method.usual};
-    const auto sink = [&](double load)
-    { return millimetres(sink_of(run, loaded_chain_of(load), 21)); };
-    const auto apart = [&](const JointedScene& scene)
-    { return millimetres(stretch_of(run, scene)); };
-    table.row(
-        {method.name, sink(1), sink(100), sink(1000), sink(10000), apart(nudged_chain(100)),
-         apart(nudged_chain(1000)), apart(swung_chain()), apart(light_and_heavy())});
+    std::vector<std::string> row{method.name};
+    if (settings)
+    {
+      row.push_back(settings_of(method));
+    }
+    for (const TrialColumn& column : columns)
+    {
+      row.push_back(column.of(run));
+      csv += trial_row(run, column.scene, column.measure, row.back());
+    }
+    table.row(row);
   }
   std::cout << table.text();
+  return csv;
 }
+// [print_trial]
 
-// [print_chains]
-
-// [print_laws]
-void print_loops()
+// [print_own]
+/// What the laws say of a scene from a file, by each method.
+void print_own(const Scene& scene)
 {
-  Table table(
-      {"off by [mm]", "settings", "swung, 1 s", "bridge sags", "ring opens", "tower sinks"});
-  for (const JointMethod& method : joint_methods())
+  if (scene.constraints.empty())
   {
-    const JointRun run{method, method.usual};
-    table.row(
-        {method.name, std::to_string(method.usual) + " " + method.counted,
-         millimetres(swing_off(run)), millimetres(sink_of(run, hanging_bridge(), 15)),
-         millimetres(stretch_of(run, closed_ring())), one_digit(tower_sink_of(run))});
+    throw std::invalid_argument("the scene has no joints, \"joints\": [...], to try");
   }
-  std::cout << '\n' << table.text();
-}
-
-void print_laws()
-{
   Table table(
-      {"energy left", "pendulum", "swung chain", "pair", "period off", "momentum off",
-       "angular off"});
-  for (const JointMethod& method : joint_methods())
+      {scene.name, "settings", "joints open [mm]", "turned [rad]", "worst at [s]",
+       "energy changes [J]", "momentum off", "angular off"});
+  std::string reasons;
+  double start = 0;
+  for (const JointMethod& method : trial_methods())
   {
-    const JointRun run{method, method.usual};
-    const MomentaOff momenta = momenta_off(run);
-    table.row(
-        {method.name, kept(energy_left(run, pendulum_of(0.96, 0.28), -2 * 9.81, 1200)),
-         kept(energy_left(run, swung_chain(), energy_hanging(100), 300)), kept(momenta.energy),
-         lost(period_off(run, 0.96, 0.28)), lost(momenta.linear), lost(momenta.angular)});
+    std::vector<std::string> row{method.name, settings_of(method)};
+    try
+    {
+      const LawsKept laws = laws_kept({method, method.usual}, scene);
+      start = laws.energy_start;
+      const bool closed = laws.open.length < 1e-6;
+      row.insert(
+          row.end(), {millimetres(laws.open.length), lost(laws.open.angle),
+                      closed ? "-" : number(std::round(100 * laws.worst) / 100),
+                      lost(std::abs(laws.energy_end - laws.energy_start)),
+                      laws.held ? "-" : lost(laws.linear), laws.held ? "-" : lost(laws.angular)});
+    }
+    catch (const std::logic_error& cannot)
+    {
+      row.resize(8, "-");
+      reasons += method.name + ": " + cannot.what() + "\n";
+    }
+    table.row(row);
   }
-  std::cout << '\n' << table.text();
+  std::cout << table.text() << "energy at the start: " << rounded(start) << " J\n" << reasons;
 }
-// [print_laws]
+// [print_own]
 
 void run(const Arguments& given)
 {
-  print_chains();
-  print_loops();
-  print_laws();
-  save_figure(given, "joint_trial.svg", stretch_chart(1000).svg());
+  const std::string& file = given.value("scene-file");
+  if (!file.empty())
+  {
+    return print_own(read_scene(std::filesystem::path(file)));
+  }
+  std::string csv = trial_header + print_trial("stretch [mm]", chain_columns(), false);
+  std::cout << '\n';
+  csv += print_trial("off by [mm]", loop_columns(), true);
+  std::cout << '\n';
+  csv += print_trial("energy left", law_columns(), false);
+  save_figure(given, "joint_trial.svg", stretch_chart(1000, csv).svg());
+  save_figure(given, "joint_trial.csv", csv);
 }
 
 } // namespace
@@ -101,6 +122,16 @@ int main(int argc, char** argv)
 {
   const Arguments arguments{
       .name = "joint_trial",
-      .summary = "Chains, loops, towers and pairs by each solver of joints."};
+      .summary =
+          "Chains, loops, towers and pairs by each solver of joints, as tables, as a chart, and "
+          "as CSV.",
+      .options = {
+          {"scene-file",
+           "a JSON file with your own scene and its joints: what the laws say of it",
+           "",
+           {},
+           {},
+           {},
+           FileUse::read}}};
   return run_program(argc, argv, arguments, run);
 }
