@@ -3,7 +3,6 @@
 /// \file
 /// \brief The equations of joints in the direct solver: each a stiff spring.
 
-#include "06_world/contacts/integrate_body.hpp"
 #include "06_world/direct_solver/block_cholesky.hpp"
 #include "06_world/direct_solver/direct_points.hpp"
 
@@ -29,6 +28,8 @@ struct DirectRow
   double impulse = 0;     ///< [N s]
   bool bends = false;     ///< whether its error bends off what J says as bodies turn
   double error = 0;       ///< [m, rad], before the step
+  double bent = 0;        ///< [m, rad], what the offset takes of what J does not predict
+  double bend = 0;        ///< [m, rad], what it does not take yet
   int at = 0;             ///< −1 or 1: at its lower or upper bound; 0: within them
   bool unbounded = false; ///< whether its bounds are left out in the next change
 };
@@ -105,45 +106,6 @@ inline bool bound_all(std::vector<DirectRow>& rows)
     row.unbounded = false;
   }
   return any;
-}
-
-/// How a body is once it has moved with these velocities for a step [s].
-inline RigidBody moved_by(RigidBody body, const Vector6& velocities, double step)
-{
-  body.motion.velocity = velocities.head<3>();
-  body.motion.angular_velocity = velocities.tail<3>();
-  integrate_position(body, step);
-  return body;
-}
-
-/// Asks all rows how far they will be off where an answer leads in a step [s], and adds to their
-/// offsets what J did not predict: an anchor that goes round leaves its tangent.
-inline void bend_rows(
-    std::vector<DirectRow>& rows, IslandView world, const std::vector<Vector6>& velocities,
-    double step)
-{
-  for (std::size_t first = 0; first < rows.size();)
-  {
-    const ConstraintPair& pair = *rows[first].of;
-    const auto velocities_in = [&](int in_island, int body)
-    {
-      return in_island < 0 ? velocities_of(world.bodies[index_of(body)].motion)
-                           : velocities[index_of(in_island)];
-    };
-    const Vector6 of_a = velocities_in(rows[first].a, pair.a);
-    const Vector6 of_b = velocities_in(rows[first].b, pair.b);
-    std::size_t i = first;
-    world.sets[pair.set]->rows(
-        moved_by(world.bodies[index_of(pair.a)], of_a, step),
-        moved_by(world.bodies[index_of(pair.b)], of_b, step), pair.number, step,
-        [&](const ConstraintRow& after)
-        {
-          DirectRow& row = rows[i++];
-          const double predicted = row.error + step * (row.on_a.dot(of_a) + row.on_b.dot(of_b));
-          row.offset += row.bends ? row.stiffness / step * (after.error - predicted) : 0;
-        });
-    first = i;
-  }
 }
 
 /// Adds the stiffness of rows to a matrix: Jᵀ k J.

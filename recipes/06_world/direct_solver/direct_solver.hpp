@@ -4,6 +4,7 @@
 /// \brief All contacts of an island at once: Newton's method with an exact factorisation.
 
 #include "06_world/direct_solver/direct_answer.hpp"
+#include "06_world/direct_solver/direct_bends.hpp"
 #include "06_world/direct_solver/direct_residual.hpp"
 #include "06_world/direct_solver/direct_taut.hpp"
 #include "06_world/direct_solver/factored_points.hpp"
@@ -98,7 +99,7 @@ public:
     const bool was_guessed = guess_active_set(system_, 2 * step * world.gravity.norm());
     const bool stiff = settings.softening == 0;
     bool fresh = false; // whether the matrix was factored in this step
-    bool bent = false;  // whether joints know how far they will be off, bend_rows()
+    bends_ = 0;
     for (int i = 0; i < settings.iterations; ++i)
     {
       // Factors the matrix, unless the factor at hand is of the same active set.
@@ -124,12 +125,15 @@ public:
       // Moves the bounds of friction, where the impulses are good enough to set them.
       const bool sets_bounds = found || search.stuck || (stiff && search.fraction >= 0.5);
       const bool moved = sets_bounds && update_bounds(system_, largest, tolerance_, settings);
-      // With joints, solves once more: for where the first answer leads, or implicitly, R64.
-      if (found && !moved && !bent && !system_.rows.empty())
+      // With joints, solves once more: for where that answer leads, or implicitly, R64.
+      if (found && !moved && bends_ == 0 && too_taut(step, settings))
       {
-        bent = !too_taut(step, settings);
-        bent ? bend_rows(system_.rows, world, system_.velocities, step) : stiffen(system_, step);
-        fresh = bent;
+        stiffen(system_, step);
+        fresh = false;
+        find_residual(system_);
+      }
+      else if (found && !moved && bend_again(world, step))
+      {
         find_residual(system_);
       }
       else if (found && !moved)
@@ -144,10 +148,13 @@ public:
 
   /// Solves an island once more without the speed that opens overlaps, friction bounded by the
   /// impulses of the first answer; whether there is such an answer.
-  bool solve_without_opening(IslandView world, const Island& island, double step)
+  bool solve_without_opening(
+      IslandView world, const Island& island, double step, DirectSettings settings = {})
   {
-    return solve(
-        world, island, step, {.correction = 0, .residual = tolerance_, .bounds_move = false});
+    settings.correction = 0;
+    settings.residual = tolerance_;
+    settings.bounds_move = false;
+    return solve(world, island, step, settings);
   }
 
   /// The answer, body by body.
@@ -160,15 +167,43 @@ public:
   double opening() const { return fastest_opening(system_); }
 
 private:
+  static constexpr double bent_twice = 0.02; // [rad], turn of a body in a step above which one
+                                             // correction leaves enough to gain energy by
+
   /// Whether joints swing a body faster than a step [s] can follow, for the first time in it.
   bool too_taut(double step, const DirectSettings& settings)
   {
-    if (!system_.taut.empty())
+    if (!system_.taut.empty() || system_.rows.empty())
     {
       return false;
     }
     squared_swing_ = largest_squared_swing(system_, step);
     return squared_swing_ > settings.squared_swing;
+  }
+
+  /// Whether joints are told how far they will be off where the answer of a step [s] leads: once,
+  /// and a second time where bodies turn fast, though no pull swings them by more than a radian in
+  /// the step, and the first has left less than half.
+  bool bend_again(IslandView world, double step)
+  {
+    const auto turns_fast = [&](const Vector6& velocities)
+    { return step * velocities.tail<3>().norm() > bent_twice; };
+    const std::vector<Vector6>& velocities = system_.velocities;
+    if (system_.rows.empty() || bends_ == 2 ||
+        (bends_ == 1 && (std::none_of(velocities.begin(), velocities.end(), turns_fast) ||
+                         largest_squared_swing(system_, step) > 1)))
+    {
+      return false;
+    }
+    const double bend = find_bends(system_.rows, world, velocities, step);
+    if (bends_ == 1 && !(bend < largest_bend_ / 2))
+    {
+      return false;
+    }
+    take_bends(system_.rows, step);
+    largest_bend_ = bend;
+    ++bends_;
+    return true;
   }
 
   /// Factors the matrix of the system; false if it has none.
@@ -219,6 +254,8 @@ private:
   std::vector<std::pair<int, int>> coupled_, laid_out_;
   double tolerance_ = 0; // [N s], that the last residual was held against
   double squared_swing_ = 0;
+  double largest_bend_ = 0; // [m, rad], that joints were told last
+  int bends_ = 0;           // how often they were told in this step
 };
 // [direct_solver]
 

@@ -120,7 +120,8 @@ private:
     }
     first_ = tries.direct.velocities();
     const bool opens = answer == DirectAnswer::exact && tries.direct.opening() > slow_opening &&
-                       tries.direct.solve_without_opening(world, island, step);
+                       tries.direct.solve_without_opening(
+                           world, island, step, {.squared_swing = joints_.squared_swing});
     DirectStep stepped(world, island, first_, opens ? tries.direct.velocities() : first_);
     run_substeps(world, {&island, 1}, step, stepped);
     return true;
@@ -182,7 +183,8 @@ private:
     bool found = solve_at(tries.softening, DirectSettings{}.iterations);
     if (!found && !soft && island.bodies.size() <= few && tries.direct.opens())
     {
-      found = tries.direct.solve(world, island, step, {.opening_friction = false});
+      found = tries.direct.solve(
+          world, island, step, {.squared_swing = joints_.squared_swing, .opening_friction = false});
     }
     if (!found && !soft && !island.constraints.empty()) // contacts give way rather than joints
     {
