@@ -50,13 +50,13 @@ inline bool is_rigid(const ConstraintRow& row)
 /// Whether a row only pushes, and its error is above zero where it need not.
 inline bool is_limit(const ConstraintRow& row)
 {
-  return row.lower == 0 || row.upper == 0;
+  return row.lower == 0;
 }
 
 /// Whether a row is a limit that is not reached.
 inline bool is_open(const ConstraintRow& row)
 {
-  return is_limit(row) && (row.lower == 0 ? row.error : -row.error) > 0;
+  return is_limit(row) && row.error > 0;
 }
 
 /// The velocities of a body as six numbers [m/s, rad/s].

@@ -20,9 +20,10 @@ namespace cookbook
 struct ConstraintPair
 {
   int a, b;
-  bool collides;       ///< whether the two may touch
-  std::size_t set = 0; ///< which of the world's sets it is of
-  int number = 0;      ///< its number there
+  bool collides;        ///< whether the two may touch
+  std::size_t set = 0;  ///< which of the world's sets it is of
+  int number = 0;       ///< its number there
+  bool changed = false; ///< whether the game has changed it since the last step: both wake
 };
 
 /// The two bodies of a constraint.

@@ -34,27 +34,34 @@ public:
   std::size_t size() const { return joints_.size(); }                   ///< how many
   const Kind& operator[](std::size_t i) const { return joints_[i].of; } ///< one of them
 
-  /// Changes a joint, such as the speed of its motor; its bodies wake by GameWorld::wake().
+  /// Changes a joint, such as the speed of its motor; its bodies wake with the next step.
   void set(std::size_t i, const Kind& joint)
   {
     check_joint(joint);
     joints_.at(i).of = joint;
+    joints_[i].changed = true;
   }
 
   /// The impulses [N s, N m s] of a joint's rows in the last step, by their order.
   const JointImpulses& impulses(std::size_t i) const { return joints_[i].impulses; }
 
   /// Has a joint break when its mean force [N] in a step is above this, zero or more; infinity:
-  /// never. Broken, it keeps its number, and does nothing.
+  /// never. Broken, it keeps its number, and does nothing. Its bodies wake with the next step.
   void set_strength(std::size_t i, double strength)
   {
     check_strength(strength);
     joints_.at(i).strength = strength;
+    joints_[i].changed = true;
   }
   /// The mean force [N] on B in the last step, world, of a joint that has a strength.
   const Vector3<double>& force(std::size_t i) const { return joints_[i].force; }
   bool is_broken(std::size_t i) const { return joints_[i].broken; } ///< whether it has
-  void mend(std::size_t i) { joints_.at(i).broken = false; }        ///< joins it again
+  /// Joins it again; its bodies wake with the next step.
+  void mend(std::size_t i)
+  {
+    joints_.at(i).broken = false;
+    joints_[i].changed = true;
+  }
 
   const char* name() const override { return Kind::name; }
 
@@ -70,7 +77,7 @@ public:
       const Kind& joint = joints_[i].of;
       if (!joints_[i].broken)
       {
-        call({joint.a, joint.b, joint.collides, 0, static_cast<int>(i)});
+        call({joint.a, joint.b, joint.collides, 0, static_cast<int>(i), joints_[i].changed});
       }
     }
   }

@@ -29,6 +29,7 @@ struct SolvedJoint
   double strength = std::numeric_limits<double>::infinity(); ///< [N]
   Vector3<double> force{0, 0, 0}; ///< [N], on B, the mean of the last step, if it has a strength
   bool broken = false;            ///< by such a force
+  bool changed = false;           ///< by the game, since the last step of the world
 };
 
 /// Refuses a strength [N] that is none, std::invalid_argument.
@@ -114,6 +115,7 @@ void end_step(SolvedJoint<Kind>& one, const RigidBody& a, const RigidBody& b, do
     one.broken = one.broken || one.force.norm() > one.strength;
   }
   one.sum.fill(0);
+  one.changed = false;
 }
 // [solved_joint]
 

@@ -81,8 +81,9 @@ public:
 
   /// Adds a set of constraints, such as ball joints, and returns its place among all; their bodies
   /// wake. Bodies of a pair that does not touch are ignored as by ignore(), until stop_ignoring().
-  /// std::out_of_range, and nothing changes, where one is of a body that is not there. The
-  /// constraints of a body that is removed are dropped.
+  /// Nothing changes, but std::out_of_range is thrown, where one is of a body that is not there,
+  /// and InvalidScene where one joins a body with itself. The constraints of a body that is removed
+  /// are dropped.
   std::size_t add(const ConstraintSet& set);
   std::size_t constraint_sets() const; ///< how many sets there are
   /// A set by its place, to be read or changed; std::out_of_range where there is none.

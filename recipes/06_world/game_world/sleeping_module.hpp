@@ -18,21 +18,27 @@ namespace cookbook
 class Sleeping : public WorldModule
 {
 public:
-  /// Puts islands that rest to sleep, and wakes the others: also all that touch a kinematic body in
-  /// motion.
+  /// Puts islands that rest to sleep, and wakes the others: also all that touch or hang on a
+  /// kinematic body in motion, and those of a joint that the game has changed.
   void predict(WorldState& world) override
   {
     states_.resize(world.bodies.size());
-    const auto wake_driven = [&](const auto& pair)
+    const auto wake = [&](const auto& pair, bool changed)
     {
       const std::size_t a = index_of(pair.a), b = index_of(pair.b);
-      if (is_driven(world.bodies[a]) || is_driven(world.bodies[b]))
+      if (changed || is_driven(world.bodies[a]) || is_driven(world.bodies[b]))
       {
         states_[a] = states_[b] = {};
       }
     };
-    std::for_each(world.contacts.begin(), world.contacts.end(), wake_driven);
-    std::for_each(world.constraints.begin(), world.constraints.end(), wake_driven);
+    for (const WorldContact& contact : world.contacts)
+    {
+      wake(contact, false);
+    }
+    for (const ConstraintPair& pair : world.constraints)
+    {
+      wake(pair, pair.changed);
+    }
     update_sleep(states_, world.islands.numbers(), SleepLimits<double>{});
     publish(world);
   }

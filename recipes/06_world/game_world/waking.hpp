@@ -4,11 +4,13 @@
 /// \brief What hangs together by constraints, and what wakes together.
 
 #include "06_world/contacts/bounds.hpp"
+#include "06_world/game_world/invalid_scene.hpp"
 #include "06_world/game_world/world_state.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -16,8 +18,9 @@ namespace cookbook
 {
 
 // [waking]
-/// Asks all sets for their pairs: std::out_of_range where one is of a body that is not there. Those
-/// that do not touch are ignored from now on, as by GameWorld::ignore().
+/// Asks all sets for their pairs: std::out_of_range where one is of a body that is not there,
+/// InvalidScene where one joins a body with itself. Those that do not touch are ignored from now
+/// on, as by GameWorld::ignore().
 inline void find_constraints(WorldState& world)
 {
   world.constraints.clear();
@@ -36,6 +39,12 @@ inline void find_constraints(WorldState& world)
         {
           check(pair.a);
           check(pair.b);
+          if (pair.a == pair.b)
+          {
+            throw InvalidScene(
+                std::string(world.sets[set]->name()) + ": number " + std::to_string(pair.number) +
+                " joins body " + std::to_string(pair.a) + " with itself");
+          }
           pair.set = set;
           world.constraints.push_back(pair);
           const std::pair<int, int> both = std::minmax(pair.a, pair.b);

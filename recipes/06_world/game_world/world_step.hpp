@@ -89,14 +89,14 @@ inline void step(WorldState& world, const WorldSolver& solver)
       ((*module).*function)(world);
     }
   };
-  find_contacts(world); // first: it throws where all are in one place; damping only adds to gaps
+  find_constraints(world); // first: they throw where bodies are not there, or all in one place
+  find_contacts(world);
   call_modules(&WorldModule::collided);
   for (std::size_t i = 0; i < world.bodies.size(); ++i)
   {
     damp(world, i);
     set_start_state(world.scene.bodies[i], world.bodies[i]);
   }
-  find_constraints(world);
   find_islands(world);
   world.falls.assign(world.bodies.size(), false);
   world.impacts.clear();
