@@ -29,9 +29,11 @@ inline ConstraintRow axis_row(const FramePose& pose, const RigidBody& a, int axi
   return row;
 }
 
-/// The three rows that keep both anchors together.
-inline void add_point_rows(const FramePose& pose, const RigidBody& a, JointRows& rows)
+/// The three rows that keep both anchors together. What speed these have against each other before
+/// a solve, such as that of gravity, is none after it, and turns with nothing.
+inline void add_point_rows(FramePose pose, const RigidBody& a, JointRows& rows)
 {
+  pose.speed.setZero();
   for (int axis = 0; axis < 3; ++axis)
   {
     rows.add(axis_row(pose, a, axis));
