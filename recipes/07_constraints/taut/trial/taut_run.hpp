@@ -15,9 +15,8 @@ namespace cookbook
 {
 
 // [taut_run]
-/// How far [m] the anchors of the joints of a set are apart at most.
-template <class Set>
-double largest_gap(const GameWorld& world, const Set& joints)
+/// How far [m] the anchors of ball joints are apart at most.
+inline double largest_gap(const GameWorld& world, const BallJoints& joints)
 {
   double gap = 0;
   for (std::size_t i = 0; i < joints.size(); ++i)

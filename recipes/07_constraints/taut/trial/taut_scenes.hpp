@@ -1,11 +1,12 @@
 #pragma once
 
 /// \file
-/// \brief Chains, bridges, cantilevers and loops on trial, and how far their joints come apart.
+/// \brief Chains, bridges and cantilevers on trial.
 
 #include "06_world/game_world/direct_or_soft.hpp"
 #include "06_world/scenes/trial/scene_bodies.hpp"
 #include "07_constraints/taut/taut.hpp"
+#include "07_constraints/taut/trial/jointed_scene.hpp"
 #include "07_constraints/taut/trial/taut_joints.hpp"
 
 #include <algorithm>
@@ -18,20 +19,6 @@ namespace cookbook
 {
 
 // [taut_scenes]
-/// Has no two bodies of a scene touch: what is measured are its joints.
-inline Scene without_contacts(Scene scene)
-{
-  const int count = static_cast<int>(scene.bodies.size());
-  for (int i = 0; i < count; ++i)
-  {
-    for (int j = i + 1; j < count; ++j)
-    {
-      scene.ignored.emplace_back(i, j);
-    }
-  }
-  return scene;
-}
-
 /// A world of bodies that hang on each other in their order, the first of them on nothing, at
 /// these points [m]: joint i between bodies i and i + 1.
 template <class Kind>
@@ -78,34 +65,18 @@ inline WorldSolver softly(int substeps)
                     { soft_steps(world, island, step, {.substeps = substeps}); });
 }
 
-/// A chain as it starts.
+/// A chain as it starts, its hook 20 m up.
 inline GameWorld world_of(const TrialChain& chain, const WorldSolver& by = directly())
 {
-  const double length = 0.5;
-  const Vector3<double> hook(0, 20, 0), along(chain.towards.x(), -chain.towards.y(), 0);
-  const Quaternion<double> turn = turn_about_z(chain.towards.x(), chain.towards.y());
-  Scene scene{.bodies = {box_body("hook", {0.1, 0.1, 0.1}, hook, 0)}};
-  std::vector<Vector3<double>> points;
+  std::vector<double> masses;
   for (int i = 0; i < chain.links; ++i)
   {
-    SceneBody link = box_body(
-        "link", {0.05, length / 2, 0.05}, hook + length * (i + 0.5) * along,
-        i % 2 == 1 ? chain.light : 1);
-    link.velocity.x() = i == chain.links / 2 ? chain.nudge : 0;
-    scene.bodies.push_back(link);
-    points.push_back(hook + length * i * along);
+    masses.push_back(i % 2 == 1 ? chain.light : 1);
   }
-  if (chain.load > 0)
-  {
-    const Vector3<double> end = hook + length * chain.links * along;
-    scene.bodies.push_back(box_body("load", {0.25, 0.25, 0.25}, end + 0.25 * along, chain.load));
-    points.push_back(end);
-  }
-  for (SceneBody& body : scene.bodies)
-  {
-    body.orientation = turn;
-  }
-  return row_of<BallJoint>(scene, points, by);
+  JointedScene made =
+      chain_of(masses, chain.towards.x(), chain.towards.y(), chain.load, {0, 20, 0});
+  made.scene.bodies[index_of(1 + chain.links / 2)].velocity.x() = chain.nudge;
+  return jointed_world(made, by);
 }
 
 /// A bridge of planks of 1 kg as it hangs without its load, which is put on the middle; its motion
@@ -161,33 +132,7 @@ inline GameWorld cantilever(int beams, const WorldSolver& by = directly())
     scene.bodies.push_back(box_body("beam", {0.25, 0.05, 0.05}, {0.5 * i + 0.25, 5, 0}));
     points.push_back({0.5 * i, 5, 0});
   }
-  return row_of<TrialWeld>(scene, points, by);
-}
-
-/// Links in a ring that hangs on a hook, each next one turned by 1/12 of a turn, and the last one
-/// on the hook again.
-inline GameWorld hanging_ring(const WorldSolver& by = directly())
-{
-  Scene scene{.bodies = {box_body("hook", {0.1, 0.1, 0.1}, {0, 5, 0}, 0)}};
-  std::vector<Vector3<double>> points{{0, 5, 0}};
-  const double cosine = std::sqrt(3.0) / 2;
-  Vector2<double> along(-1, 0);
-  for (int i = 0; i < 12; ++i)
-  {
-    const Vector3<double> reach(0.5 * along.x(), 0.5 * along.y(), 0);
-    SceneBody link = box_body("link", {0.25, 0.05, 0.05}, points.back() + reach / 2);
-    link.orientation = Quaternion<double>::FromTwoVectors(Vector3<double>::UnitX(), reach);
-    scene.bodies.push_back(link);
-    points.push_back(points.back() + reach);
-    along = {cosine * along.x() - along.y() / 2, along.x() / 2 + cosine * along.y()};
-  }
-  const Vector3<double> end = points.back();
-  points.pop_back();
-  GameWorld world = row_of<BallJoint>(scene, points, by);
-  BallJoints closing;
-  closing.add(ball_joint_at(world, 12, 0, end));
-  world.add(closing);
-  return world;
+  return row_of<WeldJoint>(scene, points, by);
 }
 // [taut_scenes]
 
