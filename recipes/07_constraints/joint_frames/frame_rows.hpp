@@ -41,6 +41,15 @@ inline void add_point_rows(FramePose pose, const RigidBody& a, JointRows& rows)
 }
 // [axis_row]
 
+/// The pose of a joint whose anchors may only part along an axis of A's frame, 0 to 2: for the same
+/// reason with no other speed.
+inline FramePose parting_along(FramePose pose, int axis)
+{
+  const Vector3<double> along = pose.a.col(axis);
+  pose.speed = along.dot(pose.speed) * along;
+  return pose;
+}
+
 // [turn_rows]
 /// The three rows that keep B from any turn against A: those of the rotation vector; R55. Half a
 /// turn counts as its quaternion says it.

@@ -43,7 +43,7 @@ inline double slider_position(const SliderJoint& joint, const RigidBody& a, cons
 inline void joint_rows(
     const SliderJoint& joint, const RigidBody& a, const RigidBody& b, double step, JointRows& rows)
 {
-  const FramePose pose = frame_pose(a, b, joint.frame_a, joint.frame_b);
+  const FramePose pose = parting_along(frame_pose(a, b, joint.frame_a, joint.frame_b), 0);
   rows.add(axis_row(pose, a, 1));
   rows.add(axis_row(pose, a, 2));
   add_turn_rows(pose, rows);

@@ -55,7 +55,7 @@ inline void follow_joint(WheelJoint& joint, const RigidBody& a, const RigidBody&
 inline void joint_rows(
     const WheelJoint& joint, const RigidBody& a, const RigidBody& b, double step, JointRows& rows)
 {
-  const FramePose pose = steered_pose(joint, a, b);
+  const FramePose pose = parting_along(steered_pose(joint, a, b), 1);
   rows.add(axis_row(pose, a, 0));
   rows.add(axis_row(pose, a, 2));
   add_swing_rows(pose, rows);
