@@ -123,7 +123,7 @@ TEST_CASE("by every kind of joint, three bodies are one island, and two such row
     const auto count = [&](IslandView, const Island& island, double)
     { sizes.push_back(island.bodies.size()); };
     GameWorld world(cubes_at({0, 2, 4, 20, 22, 24}), count);
-    for (const BodyId first : {1, 2, 4, 5})
+    for (const BodyId first : {1U, 2U, 4U, 5U})
     {
       call(world, first, first + 1, true);
     }
