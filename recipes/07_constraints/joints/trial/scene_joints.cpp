@@ -50,6 +50,19 @@ struct JointText
   BodyId a = 0, b = 0;
 };
 
+/// Refuses a lower bound above the upper one, which is what their members say.
+void check_order(
+    const JsonObject& object, const char* lower, double least, const std::string& upper,
+    double most)
+{
+  if (least > most)
+  {
+    object.wrong(
+        lower, object.need(lower), "no more than " + upper + ", " + round_trip(most),
+        round_trip(least));
+  }
+}
+
 /// What acts along the coordinate of a joint, as a member of a name says; nothing without it.
 JointDrive read_drive(const JointText& text, const std::string& member)
 {
@@ -73,12 +86,7 @@ JointDrive read_drive(const JointText& text, const std::string& member)
   needs("rest", "stiffness");
   drive.lower = object.number("lower", places, drive.lower);
   drive.upper = object.number("upper", places, drive.upper);
-  if (drive.lower > drive.upper)
-  {
-    object.wrong(
-        "lower", object.need("lower"), "no more than upper, " + round_trip(drive.upper),
-        round_trip(drive.lower));
-  }
+  check_order(object, "lower", drive.lower, "upper", drive.upper);
   drive.motor_speed = object.number("motor_speed", places, drive.motor_speed);
   drive.motor_force = object.number("motor_force", forces, drive.motor_force);
   drive.stiffness = object.number("stiffness", forces, drive.stiffness);
@@ -121,6 +129,11 @@ SliderJoint read_slider(const JointText& text)
   return joint;
 }
 
+WeldJoint read_weld(const JointText& text)
+{
+  return weld_at(text.start, text.a, text.b, read_point(text));
+}
+
 /// A rod as long as its ends are apart, or bounds of that length.
 DistanceJoint read_distance(const JointText& text)
 {
@@ -133,12 +146,7 @@ DistanceJoint read_distance(const JointText& text)
     joint.least = object.number("least", lengths, open.least);
     joint.most = object.number("most", lengths, open.most);
   }
-  if (joint.least > joint.most)
-  {
-    object.wrong(
-        "least", object.need("least"), "no more than most, " + round_trip(joint.most),
-        round_trip(joint.least));
-  }
+  check_order(object, "least", joint.least, "most", joint.most);
   return joint;
 }
 
@@ -184,43 +192,34 @@ struct FileKind
   void (*read)(AllJoints&, const JointText&, bool);
 };
 
+/// Reads a joint of a kind, and adds it.
+template <auto read>
+void read_and_add(AllJoints& all, const JointText& text, bool on_world)
+{
+  add(all, read(text), text, on_world);
+}
+
+/// A ball joint, with limits where any is named.
+void read_ball(AllJoints& all, const JointText& text, bool on_world)
+{
+  const JsonObject& object = text.object;
+  const bool limited = object.find("axis") || object.find("cone") || object.find("twist");
+  limited ? add(all, read_cone_twist(text), text, on_world)
+          : add(all, ball_joint_at(text.start, text.a, text.b, read_point(text)), text, on_world);
+}
+
 const std::vector<FileKind>& file_kinds()
 {
   static const std::vector<FileKind> kinds{
-      {"ball",
-       {"point", "axis", "cone", "twist"},
-       [](AllJoints& all, const JointText& text, bool on_world)
-       {
-         const bool limited =
-             text.object.find("axis") || text.object.find("cone") || text.object.find("twist");
-         limited ? add(all, read_cone_twist(text), text, on_world)
-                 : add(all, ball_joint_at(text.start, text.a, text.b, read_point(text)), text,
-                       on_world);
-       }},
-      {"hinge",
-       {"point", "axis", "drive"},
-       [](AllJoints& all, const JointText& text, bool on_world)
-       { add(all, read_hinge(text), text, on_world); }},
-      {"slider",
-       {"point", "axis", "drive"},
-       [](AllJoints& all, const JointText& text, bool on_world)
-       { add(all, read_slider(text), text, on_world); }},
-      {"weld",
-       {"point"},
-       [](AllJoints& all, const JointText& text, bool on_world)
-       { add(all, weld_at(text.start, text.a, text.b, read_point(text)), text, on_world); }},
-      {"distance",
-       {"point_a", "point_b", "least", "most"},
-       [](AllJoints& all, const JointText& text, bool on_world)
-       { add(all, read_distance(text), text, on_world); }},
-      {"wheel",
-       {"axle", "up", "suspension", "spin", "steering"},
-       [](AllJoints& all, const JointText& text, bool on_world)
-       { add(all, read_wheel(text), text, on_world); }},
+      {"ball", {"point", "axis", "cone", "twist"}, read_ball},
+      {"hinge", {"point", "axis", "drive"}, read_and_add<read_hinge>},
+      {"slider", {"point", "axis", "drive"}, read_and_add<read_slider>},
+      {"weld", {"point"}, read_and_add<read_weld>},
+      {"distance", {"point_a", "point_b", "least", "most"}, read_and_add<read_distance>},
+      {"wheel", {"axle", "up", "suspension", "spin", "steering"}, read_and_add<read_wheel>},
       {"mouse",
        {"point", "target", "max_force", "frequency", "damping_ratio"},
-       [](AllJoints& all, const JointText& text, bool on_world)
-       { add(all, read_mouse(text), text, on_world); }}};
+       read_and_add<read_mouse>}};
   return kinds;
 }
 
@@ -275,15 +274,6 @@ BodyId read_body(const JsonObject& object, const char* member, const Scene& scen
   return static_cast<BodyId>(fixed - scene.bodies.begin());
 }
 
-/// Whether a member stands for the world, and no body is called so.
-bool is_world(const JsonObject& object, const char* member, const Scene& scene)
-{
-  return object.text(member) == "world" &&
-         std::none_of(
-             scene.bodies.begin(), scene.bodies.end(),
-             [](const SceneBody& body) { return body.name == "world"; });
-}
-
 /// Refuses two bodies that cannot be joined.
 void check_pair(const JointText& text, const Scene& scene)
 {
@@ -322,7 +312,9 @@ void read_joint(
   text.a = read_body(object, "a", scene);
   text.b = read_body(object, "b", scene);
   check_pair(text, scene);
-  const bool on_world = is_world(object, "a", scene) || is_world(object, "b", scene);
+  const auto is_world = [&](const char* member, BodyId id) // read_body() found none of that name
+  { return object.text(member) != scene.bodies[id].name; };
+  const bool on_world = is_world("a", text.a) || is_world("b", text.b);
   if (on_world && object.find("collides"))
   {
     object.fail(object.need("collides"), text.what + " is held by the world, which never collides");
