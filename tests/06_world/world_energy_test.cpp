@@ -288,7 +288,7 @@ std::pair<double, double> most_energy(GameWorld& world, double time, std::size_t
   while (world.time() < time)
   {
     world.step();
-    most = std::max(most, energy(world.bodies(), world.scene().gravity));
+    most = std::max(most, energy(world));
     if (world.time() > time - 2)
     {
       highest = std::max(highest, world.body(body).motion.center.y());
@@ -322,7 +322,7 @@ TEST_CASE("what leans on a smooth wall and bounces with e = 1 comes up to where 
         }
         scene.bodies[0].restitution = 1;
         GameWorld world(scene, solver_named(solver));
-        const double before = energy(world.bodies(), world.scene().gravity);
+        const double before = energy(world);
         const auto [most, highest] = most_energy(world, inputs(60, 6), 2);
         CAPTURE(solver, lean, cube);
         CHECK(most <= before * (1 + 1e-4));
@@ -352,7 +352,7 @@ TEST_CASE("an uneven box that tumbles and bounces for ten seconds gains no more 
         scene.bodies[0].friction = scene.bodies[1].friction = friction;
         scene.bodies[0].restitution = 1;
         GameWorld world(scene, solver_named(solver));
-        const double before = energy(world.bodies(), world.scene().gravity);
+        const double before = energy(world);
         const double gained = most_energy(world, 10, 1).first / before - 1;
         double& most = friction > 0 ? worst_rough : worst;
         most = std::max(most, gained);

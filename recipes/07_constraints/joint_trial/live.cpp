@@ -78,7 +78,7 @@ void read_out(Page& page, const Chosen& chosen)
 {
   GameWorld& world = played->world;
   const double open = 1000 * joint_opening(world).length;
-  const double gained = energy(world.bodies(), world.scene().gravity) - energy_at_start;
+  const double gained = energy(world) - energy_at_start;
   double pull = 0;
   if (joints_of(world, played->hand).size() > 0)
   {
@@ -114,7 +114,7 @@ void figure(Page& page)
   {
     played = play_joints(
         chosen.scene, chosen.load, chosen.method.solver(chosen.count), 1.0 / (60 * steps));
-    energy_at_start = energy(played->world.bodies(), played->world.scene().gravity);
+    energy_at_start = energy(played->world);
   }
   const auto press = [&](const Ray<double>& ray)
   {

@@ -54,7 +54,7 @@ void read_out(Page& page, const Islands& islands)
   {
     points += static_cast<int>(contact.points.size());
   }
-  const double joules = energy(world.bodies(), world.scene().gravity);
+  const double joules = energy(world);
   const double deepest = std::round(1e6 * deepest_overlap(world)) / 1000; // [mm]
   page.text("bodies awake", std::to_string(awake) + " of " + std::to_string(movable));
   page.number("contact points", points);

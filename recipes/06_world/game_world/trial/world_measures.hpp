@@ -43,6 +43,12 @@ inline double energy(std::span<const RigidBody> bodies, const Vector3<double>& g
   return sum;
 }
 
+/// That of a world, in its own gravity.
+inline double energy(const GameWorld& world)
+{
+  return energy(world.bodies(), world.scene().gravity);
+}
+
 /// The momentum [kg m/s] of the movable bodies of a world.
 inline Vector3<double> momentum(std::span<const RigidBody> bodies)
 {

@@ -29,12 +29,6 @@ inline double most_apart(GameWorld& world)
   return largest_gap(world, world.constraints<BallJoints>(0));
 }
 
-/// The energy [J] of all bodies, from the height of the origin.
-inline double energy(const GameWorld& world)
-{
-  return energy(world.bodies(), world.scene().gravity);
-}
-
 /// A method with a count of its own.
 struct JointRun
 {

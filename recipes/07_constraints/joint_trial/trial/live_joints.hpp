@@ -86,13 +86,7 @@ play_joints(const LiveJoints& chosen, double load, const WorldSolver& solver, do
   const Scene scene = chosen.ragdoll ? of.scene : without_contacts(of.scene);
   auto play = std::make_unique<Play>(scene, false);
   play->solver.change(solver);
-  BallJoints balls;
-  for (const JointPlace& one : of.joints)
-  {
-    const auto a = static_cast<BodyId>(one.a), b = static_cast<BodyId>(one.b);
-    balls.add(ball_joint_at(play->world, a, b, one.point));
-  }
-  play->world.add(balls);
+  add_ball_joints(play->world, of.joints);
   if (chosen.ragdoll)
   {
     const RagdollJoints limbs = ragdoll_joints(play->world, 1);

@@ -42,18 +42,24 @@ inline Scene without_contacts(Scene scene)
   return scene;
 }
 
-/// A world of it with a solver, at so many steps a second. Bodies do not touch.
-inline GameWorld jointed_world(JointedScene of, const WorldSolver& solver, int rate = 60)
+/// Adds ball joints to a world of their scene, as one set.
+inline void add_ball_joints(GameWorld& world, const std::vector<JointPlace>& places)
 {
-  of.scene.step = 1.0 / rate;
-  GameWorld world(without_contacts(of.scene), solver);
   BallJoints joints;
-  for (const JointPlace& one : of.joints)
+  for (const JointPlace& one : places)
   {
     joints.add(
         ball_joint_at(world, static_cast<BodyId>(one.a), static_cast<BodyId>(one.b), one.point));
   }
   world.add(joints);
+}
+
+/// A world of it with a solver, at so many steps a second. Bodies do not touch.
+inline GameWorld jointed_world(JointedScene of, const WorldSolver& solver, int rate = 60)
+{
+  of.scene.step = 1.0 / rate;
+  GameWorld world(without_contacts(of.scene), solver);
+  add_ball_joints(world, of.joints);
   return world;
 }
 

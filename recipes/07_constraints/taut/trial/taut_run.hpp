@@ -48,13 +48,13 @@ inline TautRun run_chain(GameWorld& world, double seconds)
     const double below = (body.motion.center - hook).norm();
     lowest += is_fixed(body) ? 0 : 9.81 / body.inverse_mass * (hook.y() - below);
   }
-  const double start = energy(world.bodies(), world.scene().gravity) - lowest;
+  const double start = energy(world) - lowest;
   TautRun run;
   for (int i = 0; i < seconds * 60; ++i)
   {
     world.step();
     run.gap = std::max(run.gap, largest_gap(world, world.constraints<BallJoints>(0)));
-    run.left = (energy(world.bodies(), world.scene().gravity) - lowest) / start;
+    run.left = (energy(world) - lowest) / start;
     run.most = std::max(run.most, run.left);
     if (!(run.gap < 1e6) || !(run.most < 1e6)) // it explodes
     {
