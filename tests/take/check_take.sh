@@ -23,7 +23,7 @@ budget() {
     plain_direct) echo 1850 ;;
     face_clipping) echo 1120 ;;
     box_box) echo 1800 ;; # with the plain rungs, whose functions it shares
-    game_world) echo 21000 ;; # with all solvers and modules, any convex shape and joints
+    game_world) echo 16500 ;; # the header, with all modules, any convex shape and joints
     *) echo 9999 ;;
   esac
 }
@@ -173,8 +173,15 @@ called() {
   done
 }
 
+# Taken by its name, as a reader does, a game's world brings its solvers, too.
+with_solvers() {
+  lines=$("$root/cookbook" take game_world | wc -l)
+  [ "$lines" -le 21000 ] || echo "game_world brings $lines lines with its solvers, its budget is 21000"
+}
+
 complaints=$(
   called <"$work/sizes"
+  with_solvers
   awk '$2 > $3 { print $1 " brings " $2 " lines, its budget is " $3 }
     $4 > $5 { print $1 ".hpp has " $4 " lines of code, its budget is " $5 }' "$work/sizes"
   if [ -n "$wasm" ]; then
