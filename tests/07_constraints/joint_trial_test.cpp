@@ -194,8 +194,8 @@ TEST_CASE(
 
 // [own_scene_laws]
 TEST_CASE(
-    "of a scene that nobody knows the laws are: joints closed, energy, and momenta where nothing "
-    "holds it, under gravity too")
+    "the laws in a scene of your own: joints closed, energy, and momenta where nothing holds it, "
+    "under gravity too")
 {
   const auto scene = [](const std::string& a, const std::string& more)
   {
